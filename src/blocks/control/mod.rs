@@ -1,0 +1,160 @@
+//! Controllers: from the desired and the measured force to feed and speed requests, every control
+//! period (20 ms by default). A new controller is one file here and a line in each of the two
+//! lists below marked `register`.
+
+pub mod constant_feed;
+pub mod sdnrp;
+pub mod tracking;
+
+use crate::base::model::feed_drive::FeedDriveKind;
+use crate::base::model::gp_2007::{Calibration, GpModels};
+
+crate::choice! {
+    /// A controller.
+    pub enum ControllerKind {
+        /// Programmed feed and speed at fixed overrides: conventional milling without control.
+        ConstantFeed = "constant_feed", "Constant feed";
+        /// The 2007 paper's controller: proportional force feedback into K2 and K3.
+        Sdnrp = "sdnrp", "SDNRP";
+        /// Model inverse with integral action, anti-windup and a Smith predictor.
+        Tracking = "tracking", "Tracking";
+    }
+}
+
+crate::settings! {
+    /// Which controller closes the loop.
+    pub struct ControllerChoice {
+        /// The controller that moves feed and spindle speed.
+        kind: ControllerKind = ControllerKind::Sdnrp, [], "", live, "Controller";
+    }
+}
+
+crate::settings! {
+    /// What the controller believes about machine and cut; it may differ from the truth.
+    pub struct Belief {
+        /// Calibration of the models K1..K4 that the controller computes with.
+        calibration: Calibration = Calibration::Identified, [], "", live, "Model calibration";
+        /// Feed drive that the controller's predictor assumes.
+        feed_drive: FeedDriveKind = FeedDriveKind::Eq3Of2007, [], "", live, "Assumed feed drive";
+        /// Dead time that the controller's predictor assumes.
+        dead_time_s: f64 = 0.08, [0.0, 0.5], "s", live, "Assumed dead time";
+        /// Spindle time constant that the controller's predictor assumes.
+        spindle_time_constant_s: f64 = 0.2, [0.01, 5.0], "s", live, "Assumed spindle lag";
+        /// Spindle rate limit that the controller's predictor assumes.
+        spindle_rate_rpm_s: f64 = 1000.0, [50.0, 100000.0], "rpm/s", live, "Assumed spindle rate";
+    }
+}
+
+/// Limits of the commands, from the override limits and the force model's lower end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Feed range, mm/min.
+    pub feed_mm_min: [f64; 2],
+    /// Spindle speed range, 1/min.
+    pub speed_rpm: [f64; 2],
+}
+
+/// A pair of feed and spindle speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FeedSpeed {
+    /// Feed, mm/min.
+    pub feed_mm_min: f64,
+    /// Spindle speed, 1/min.
+    pub speed_rpm: f64,
+}
+
+/// What a controller sees at the start of a control period.
+#[derive(Clone, Copy, Debug)]
+pub struct ControlInput<'a> {
+    /// Measured force of the tick before, N.
+    pub force_measured_n: f64,
+    /// Desired force F_d, N (positive).
+    pub force_ref_n: f64,
+    /// Programmed feed and speed (100 % override).
+    pub programmed: FeedSpeed,
+    /// The command that was really sent in the period before, after all limits.
+    pub applied: FeedSpeed,
+    /// Limits of the command to come.
+    pub limits: Limits,
+    /// The controller's models.
+    pub models: &'a GpModels,
+}
+
+/// What a controller asks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ControlOutput {
+    /// Requested feed and speed, before limits; finite.
+    pub request: FeedSpeed,
+    /// The force that the models were asked for: F_s of SDNRP, F_d / gain of Tracking, N.
+    pub force_setpoint_n: f64,
+    /// The controller's estimate of true over modelled force (1 where it has none).
+    pub gain_estimate: f64,
+    /// Whether K2 was used inside its range.
+    pub feed_model_valid: bool,
+    /// Whether K3 was used inside its range.
+    pub speed_model_valid: bool,
+}
+
+/// Everything that a controller is set up from.
+#[derive(Clone, Copy, Debug)]
+pub struct ControlSetup<'a> {
+    /// Which controller.
+    pub kind: ControllerKind,
+    /// Settings of constant feed.
+    pub constant_feed: &'a constant_feed::ConstantFeedSettings,
+    /// Settings of SDNRP.
+    pub sdnrp: &'a sdnrp::SdnrpSettings,
+    /// Settings of Tracking.
+    pub tracking: &'a tracking::TrackingSettings,
+    /// The controller's beliefs.
+    pub belief: &'a Belief,
+    /// Control period, s.
+    pub period_s: f64,
+}
+
+/// A controller with its state.
+#[derive(Clone, Debug)]
+pub enum Controller {
+    /// See [`constant_feed`].
+    ConstantFeed(constant_feed::ConstantFeed),
+    /// See [`sdnrp`].
+    Sdnrp(sdnrp::Sdnrp),
+    /// See [`tracking`].
+    Tracking(Box<tracking::Tracking>),
+}
+
+impl Controller {
+    /// A controller that takes over a machine running at `current` without a bump.
+    #[must_use]
+    pub fn new(setup: &ControlSetup, current: FeedSpeed) -> Self {
+        match setup.kind {
+            // register: construction
+            ControllerKind::ConstantFeed => {
+                Self::ConstantFeed(constant_feed::ConstantFeed::new(setup.constant_feed))
+            }
+            ControllerKind::Sdnrp => Self::Sdnrp(sdnrp::Sdnrp::new(setup.sdnrp)),
+            ControllerKind::Tracking => {
+                Self::Tracking(Box::new(tracking::Tracking::new(setup, current)))
+            }
+        }
+    }
+
+    /// Takes over changed settings and keeps its state if it is still the same kind; otherwise a
+    /// new controller takes over at `current`.
+    pub fn reconfigure(&mut self, setup: &ControlSetup, current: FeedSpeed) {
+        match (self, setup.kind) {
+            (Self::Tracking(tracking), ControllerKind::Tracking) => tracking.configure(setup),
+            (other, _) => *other = Self::new(setup, current),
+        }
+    }
+
+    /// One control period.
+    pub fn update(&mut self, input: &ControlInput) -> ControlOutput {
+        match self {
+            // register: update
+            Self::ConstantFeed(controller) => controller.update(input),
+            Self::Sdnrp(controller) => controller.update(input),
+            Self::Tracking(controller) => controller.update(input),
+        }
+    }
+}

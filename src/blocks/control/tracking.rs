@@ -1,0 +1,198 @@
+//! Tracking: holds Ra without steady-state error, which the paper's proportional loop cannot.
+//!
+//! The true force is taken as an unknown gain times the modelled one, F = g K4(f_a, n_a): material,
+//! hardness, depth and wear all multiply the force. Every control period:
+//!
+//! ```text
+//! f^, n^    = feed and spindle models driven by the commands really sent, after the assumed
+//!             dead time                                              (Smith predictor)
+//! g^       += (1 - e^{-T/lambda}) (F_measured / K4(f^, n^) - g^)     (integral action)
+//! u         = F_d / g^                                               (model force to ask for)
+//! n_c       = K3(s) with s from K4(K2(s), K3(s)) = u                 (the paper's feed-speed line)
+//! f_c       = f from K4(f, n^+) = u                                  (n^+: predicted without dead time)
+//! lambda    = response + share * assumed dead time                   (the one gain rule)
+//! ```
+//!
+//! This is internal model control with a multiplicative disturbance. At rest K4(f^, n^) = u and
+//! g^ = F_measured / u, so F_measured = F_d exactly: integral action. The predictor sees the limited commands, so
+//! nothing winds up while they saturate. lambda grows with the dead time, so that a dead time
+//! wrong by half either way keeps the loop stable. The feed takes over what the slower spindle
+//! has not yet done.
+
+use super::{ControlInput, ControlOutput, ControlSetup, FeedSpeed, Limits};
+use crate::base::math::{self, limit};
+use crate::base::model::feed_drive::{DriveState, ExactDrive};
+use crate::base::model::gp_2007::GpModels;
+use crate::base::model::spindle::ExactSpindle;
+use crate::base::units::ratio_from_percent;
+
+crate::settings! {
+    /// Settings of Tracking.
+    pub struct TrackingSettings {
+        /// Time constant of the gain estimate at zero dead time: shorter is faster and noisier.
+        response_s: f64 = 0.1, [0.02, 5.0], "s", live, "Response time";
+        /// How many assumed dead times are added to the response time: robustness against a wrong
+        /// dead time.
+        dead_time_share: f64 = 1.0, [0.0, 5.0], "", live, "Dead-time share";
+        /// Measured force below which the tool counts as in the air, in percent of the desired
+        /// force: the estimate is held there.
+        air_percent: f64 = 6.0, [0.0, 50.0], "%", live, "Air threshold";
+    }
+}
+
+/// Longest dead time that the predictor can hold, s; the range of `belief.dead_time_s`.
+const DEAD_TIME_MAX_S: f64 = 0.5;
+/// Bounds of the gain estimate: a factor of ten either way.
+const GAIN_RANGE: [f64; 2] = [0.1, 10.0];
+
+/// The part of a control period that follows one command.
+#[derive(Clone, Debug)]
+struct SubStep {
+    feed: ExactDrive,
+    spindle: ExactSpindle,
+    length_s: f64,
+}
+
+/// The controller with its state.
+#[derive(Clone, Debug)]
+pub struct Tracking {
+    settings: TrackingSettings,
+    weight: f64,
+    /// Whole control periods in the assumed dead time.
+    whole_periods: usize,
+    /// The share of a period that still follows the older command, then the rest.
+    older: SubStep,
+    newer: SubStep,
+    whole: ExactSpindle,
+    /// Commands sent, newest last; a ring indexed by `newest`.
+    sent: Vec<FeedSpeed>,
+    newest: usize,
+    /// State: delayed feed, delayed speed, speed without dead time, gain estimate.
+    feed: DriveState,
+    speed_rpm: f64,
+    speed_undelayed_rpm: f64,
+    gain: f64,
+    started: bool,
+}
+
+impl Tracking {
+    pub(super) fn new(setup: &ControlSetup, current: FeedSpeed) -> Self {
+        let capacity = (DEAD_TIME_MAX_S / setup.period_s).ceil() as usize + 3;
+        let step = |length_s: f64| SubStep {
+            feed: ExactDrive::new(setup.belief.feed_drive, length_s),
+            spindle: ExactSpindle::new(1.0, 1.0, length_s),
+            length_s,
+        };
+        let mut tracking = Self {
+            settings: setup.tracking.clone(),
+            weight: 0.0,
+            whole_periods: 0,
+            older: step(0.0),
+            newer: step(setup.period_s),
+            whole: ExactSpindle::new(1.0, 1.0, setup.period_s),
+            sent: vec![current; capacity],
+            newest: 0,
+            feed: DriveState::settled(current.feed_mm_min),
+            speed_rpm: current.speed_rpm,
+            speed_undelayed_rpm: current.speed_rpm,
+            gain: 1.0,
+            started: false,
+        };
+        tracking.configure(setup);
+        tracking
+    }
+
+    pub(super) fn configure(&mut self, setup: &ControlSetup) {
+        let belief = setup.belief;
+        self.settings = setup.tracking.clone();
+        let lambda_s =
+            self.settings.response_s + self.settings.dead_time_share * belief.dead_time_s;
+        self.weight = 1.0 - math::exp(-setup.period_s / lambda_s);
+        // The dead time need not be a whole number of control periods: the older command still
+        // acts during its fraction. 1e-9: a dead time of 4 periods must not become 3.999..
+        self.whole_periods = (belief.dead_time_s / setup.period_s + 1e-9).floor() as usize;
+        let fraction_s = (belief.dead_time_s - self.whole_periods as f64 * setup.period_s).max(0.0);
+        let spindle = |length_s: f64| {
+            let (tau_s, rate) = (belief.spindle_time_constant_s, belief.spindle_rate_rpm_s);
+            ExactSpindle::new(tau_s, rate, length_s)
+        };
+        let step = |length_s: f64| SubStep {
+            feed: ExactDrive::new(belief.feed_drive, length_s),
+            spindle: spindle(length_s),
+            length_s,
+        };
+        self.older = step(fraction_s);
+        self.newer = step(setup.period_s - fraction_s);
+        self.whole = spindle(setup.period_s);
+    }
+
+    /// The command sent `ago` periods before the newest one.
+    fn sent(&self, ago: usize) -> FeedSpeed {
+        let n = self.sent.len();
+        self.sent[(self.newest + n - ago.min(n - 1)) % n]
+    }
+
+    /// Advances the predictor over the period that has just passed.
+    fn predict(&mut self, applied: FeedSpeed) {
+        self.newest = (self.newest + 1) % self.sent.len();
+        self.sent[self.newest] = applied;
+        let parts = [
+            (&self.older, self.sent(self.whole_periods + 1)),
+            (&self.newer, self.sent(self.whole_periods)),
+        ];
+        let (mut feed, mut speed_rpm) = (self.feed, self.speed_rpm);
+        for (part, command) in parts {
+            if part.length_s > 0.0 {
+                part.feed.advance(&mut feed, command.feed_mm_min);
+                speed_rpm = part.spindle.advance(speed_rpm, command.speed_rpm);
+            }
+        }
+        self.feed = feed;
+        self.speed_rpm = speed_rpm;
+        self.speed_undelayed_rpm = self.whole.advance(self.speed_undelayed_rpm, applied.speed_rpm);
+    }
+
+    pub(super) fn update(&mut self, input: &ControlInput) -> ControlOutput {
+        if self.started {
+            self.predict(input.applied);
+        }
+        self.started = true;
+
+        let model_n = input.models.force(self.feed.feed_mm_min(), self.speed_rpm).value;
+        let air_n = ratio_from_percent(self.settings.air_percent) * input.force_ref_n;
+        if input.force_measured_n > air_n && model_n > 1.0 {
+            let observed = limit(input.force_measured_n / model_n, GAIN_RANGE[0], GAIN_RANGE[1]);
+            self.gain += self.weight * (observed - self.gain);
+        }
+        let asked_n = input.force_ref_n / self.gain;
+
+        let setpoint = setpoint_for(asked_n, input.models, &input.limits);
+        let speed = input.models.speed_from_force(setpoint);
+        let feed_max = input.limits.feed_mm_min[1];
+        let feed = input.models.feed_for_force(asked_n, self.speed_undelayed_rpm, feed_max);
+        ControlOutput {
+            request: FeedSpeed { feed_mm_min: feed.value, speed_rpm: speed.value },
+            force_setpoint_n: asked_n,
+            gain_estimate: self.gain,
+            feed_model_valid: feed.valid,
+            speed_model_valid: speed.valid,
+        }
+    }
+}
+
+/// The s with K4(K2(s), K3(s)) = `asked_n`, commands limited; by bisection, since the limited line
+/// is monotone but not smooth.
+fn setpoint_for(asked_n: f64, models: &GpModels, limits: &Limits) -> f64 {
+    let (mut low, mut high) = (0.0, 500.0);
+    for _ in 0..26 {
+        let s = 0.5 * (low + high);
+        let feed = models.feed_from_force(s).value;
+        let speed = models.speed_from_force(s).value;
+        let force = models.force(
+            limit(feed, limits.feed_mm_min[0], limits.feed_mm_min[1]),
+            limit(speed, limits.speed_rpm[0], limits.speed_rpm[1]),
+        );
+        if force.value > asked_n { high = s } else { low = s }
+    }
+    0.5 * (low + high)
+}

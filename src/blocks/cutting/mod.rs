@@ -1,0 +1,5 @@
+//! Cutting: workpiece, material and the force of the cut.
+
+pub mod material;
+pub mod process;
+pub mod workpiece;

@@ -1,0 +1,68 @@
+//! The workpiece: a straight cut of given length, radial depth and axial depth profile.
+
+use crate::base::settings::DepthStep;
+
+/// Axial depth A_D of the 2007 example, at which K4 holds, mm.
+pub const AXIAL_DEPTH_2007_MM: f64 = 2.0;
+/// Radial depth R_D of the 2007 example, at which K4 holds, mm.
+pub const RADIAL_DEPTH_2007_MM: f64 = 3.0;
+
+crate::settings! {
+    /// The workpiece and its engagement.
+    pub struct Workpiece {
+        /// Length of the path.
+        length_mm: f64 = 120.0, [1.0, 20000.0], "mm", setup, "Path length";
+        /// Axial depth of cut A_D at the start of the path. Zero is an air cut.
+        axial_depth_mm: f64 = AXIAL_DEPTH_2007_MM, [0.0, 8.0], "mm", live, "Axial depth";
+        /// Radial depth of cut R_D.
+        radial_depth_mm: f64 = RADIAL_DEPTH_2007_MM, [0.0, 16.0], "mm", setup, "Radial depth";
+        /// Depth profile: from each position on, the axial depth of cut given with it.
+        depth_steps: Vec<DepthStep> = Vec::new(), [8.0, 20000.0], "mm", live, "Depth profile";
+    }
+}
+
+/// Finds the depth along the path; positions only grow during a run, so it remembers its place.
+#[derive(Clone, Debug, Default)]
+pub struct DepthProfile {
+    first_mm: f64,
+    steps: Vec<DepthStep>,
+    passed: usize,
+}
+
+impl DepthProfile {
+    /// The profile of a workpiece.
+    #[must_use]
+    pub fn new(workpiece: &Workpiece) -> Self {
+        Self { first_mm: workpiece.axial_depth_mm, steps: workpiece.depth_steps.clone(), passed: 0 }
+    }
+
+    /// Axial depth of cut in mm at `position_mm`, which must not fall between calls.
+    #[inline]
+    pub fn at(&mut self, position_mm: f64) -> f64 {
+        while let Some(step) = self.steps.get(self.passed) {
+            if position_mm < step[0] {
+                break;
+            }
+            self.passed += 1;
+        }
+        match self.passed {
+            0 => self.first_mm,
+            n => self.steps[n - 1][1],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_depth_changes_at_its_position() {
+        let workpiece =
+            Workpiece { depth_steps: vec![[0.5, 2.3], [2.0, 0.0]], ..Workpiece::default() };
+        let mut profile = DepthProfile::new(&workpiece);
+        let found: Vec<f64> = [0.0, 0.49, 0.5, 1.99, 2.0, 9.0].map(|x| profile.at(x)).to_vec();
+        assert_eq!(found, [2.0, 2.0, 2.3, 2.3, 0.0, 0.0]);
+        assert_eq!(DepthProfile::new(&workpiece).at(5.0), 0.0, "several steps in one stride");
+    }
+}

@@ -1,0 +1,4 @@
+//! Sensing: the dynamic component of the force and the dynamometer.
+
+pub mod dynamic_force;
+pub mod dynamometer;

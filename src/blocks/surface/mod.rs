@@ -1,0 +1,3 @@
+//! The surface: produced roughness from force.
+
+pub mod roughness;

@@ -1,0 +1,12 @@
+//! Produced roughness: Ra = K5(F) without and Ra_dyn = K6(F_dyn) with the dynamic component of
+//! the force; K5 and K6 are the same equation (2007 eq. 8), the exact inverse of K1.
+
+use crate::base::model::Valued;
+use crate::base::model::gp_2007::GpModels;
+
+/// Produced Ra without and with machine dynamics, um.
+#[must_use]
+#[inline]
+pub fn produced(force_n: f64, force_dyn_n: f64, models: &GpModels) -> (Valued, Valued) {
+    (models.ra_from_force(force_n), models.ra_from_force(force_dyn_n))
+}

@@ -1,0 +1,281 @@
+//! The closed loop: every value that passes between blocks passes here. Read this first.
+//!
+//! ```text
+//!  target Ra ─▶ reference ─F_d─▶ controller ─▶ override ─▶ dead time ─▶ feed drive ──f_a─┐
+//!                 (K1)      ┌──▶ (K2, K3)      (limits)     (queue)    spindle drive ─n_a─┤
+//!                           │                                                             ▼
+//!                      dynamometer ◀──F_dyn── dynamic component ◀──F── cutting process (K4)
+//!                                                    │                 depth, material, wear
+//!                                     Ra_dyn = K6(F_dyn)   Ra = K5(F)
+//! ```
+//!
+//! Order of events in tick k (from t = k dt to (k + 1) dt):
+//! 1. Every `steps_per_control` ticks the controller sees the force sensed at the end of tick
+//!    k - 1 and sends a command, limited by the overrides; it is held until the next sample.
+//! 2. The command enters the dead-time queue; what leaves it is what the drives get.
+//! 3. The drives advance over dt with that command held: feed f_a, speed n_a.
+//! 4. The tool moves on by f_a dt; the workpiece gives the depth there.
+//! 5. Force, dynamic component and roughness follow from f_a, n_a and depth.
+//! 6. The row is complete; it belongs to the time (k + 1) dt. Row 0 is the state before tick 0.
+
+use super::scenario::Scenario;
+use super::signals::{Row, SIGNALS, flag};
+use crate::base::model::Valued;
+use crate::base::model::gp_2007::{FEED_MIN_MM_MIN, GpModels};
+use crate::base::units::mm_s_from_mm_min;
+use crate::blocks::cnc::dead_time::DeadTime;
+use crate::blocks::cnc::feed_drive::FeedDrive;
+use crate::blocks::cnc::feed_override;
+use crate::blocks::cnc::spindle_drive::SpindleDrive;
+use crate::blocks::control::{ControlInput, Controller, ControllerKind, FeedSpeed, Limits};
+use crate::blocks::cutting::process::Process;
+use crate::blocks::cutting::workpiece::DepthProfile;
+use crate::blocks::reference;
+use crate::blocks::sensing::dynamic_force::DynamicForce;
+use crate::blocks::sensing::dynamometer::Dynamometer;
+use crate::blocks::surface::roughness;
+
+/// A value that stopped being finite: the run ends there, before anything spreads.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fault {
+    /// The signal.
+    pub signal: &'static str,
+    /// The tick at which it happened.
+    pub tick: u64,
+}
+
+impl std::fmt::Display for Fault {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "`{}` is not finite at tick {}: the run ends", self.signal, self.tick)
+    }
+}
+
+/// The loop with all its blocks and their state.
+#[derive(Clone, Debug)]
+pub struct ClosedLoop {
+    // Set-up.
+    dt_s: f64,
+    steps_per_control: u64,
+    programmed: FeedSpeed,
+    limits: Limits,
+    belief: GpModels,
+    desired_force: Valued,
+    target_ra_um: f64,
+    // Blocks.
+    controller: Controller,
+    dead_time: DeadTime,
+    feed_drive: FeedDrive,
+    spindle_drive: SpindleDrive,
+    depth: DepthProfile,
+    process: Process,
+    dynamic_force: DynamicForce,
+    dynamometer: Dynamometer,
+    // State.
+    tick: u64,
+    to_control: u64,
+    position_mm: f64,
+    command_flags: u32,
+    row: Row,
+}
+
+impl ClosedLoop {
+    /// The loop at rest at the programmed feed and speed, at the start of the path.
+    #[must_use]
+    pub fn new(scenario: &Scenario) -> Self {
+        let dt_s = scenario.dt_s();
+        let programmed = FeedSpeed {
+            feed_mm_min: scenario.program.feed_mm_min,
+            speed_rpm: scenario.program.spindle_rpm,
+        };
+        let belief = GpModels::new(scenario.belief.calibration);
+        let ticks = scenario.ticks(scenario.cnc.dead_time_s) as usize;
+        let mut this = Self {
+            dt_s,
+            steps_per_control: u64::from(scenario.run.steps_per_control),
+            programmed,
+            limits: limits(scenario),
+            belief,
+            desired_force: reference::desired_force(&scenario.target, &belief),
+            target_ra_um: scenario.target.ra_um,
+            controller: Controller::new(&scenario.control_setup(), programmed),
+            dead_time: DeadTime::new(ticks, [programmed.feed_mm_min, programmed.speed_rpm]),
+            feed_drive: FeedDrive::new(&scenario.feed_drive, dt_s, programmed.feed_mm_min),
+            spindle_drive: SpindleDrive::new(&scenario.spindle_drive, dt_s, programmed.speed_rpm),
+            depth: DepthProfile::new(&scenario.workpiece),
+            process: Process::new(&scenario.plant, scenario.workpiece.radial_depth_mm),
+            dynamic_force: DynamicForce::new(&scenario.noise, scenario.run.seed, dt_s),
+            dynamometer: Dynamometer::new(&scenario.noise, scenario.run.seed),
+            tick: 0,
+            to_control: 0,
+            position_mm: 0.0,
+            command_flags: 0,
+            row: Row {
+                feed_command_mm_min: programmed.feed_mm_min,
+                feed_override_percent: 100.0,
+                spindle_command_rpm: programmed.speed_rpm,
+                spindle_override_percent: 100.0,
+                gain_estimate: 1.0,
+                ..Row::default()
+            },
+        };
+        this.row.force_setpoint_n = this.desired_force.value;
+        this.cut(programmed.feed_mm_min, programmed.speed_rpm);
+        this.row.force_measured_n = this.row.force_dyn_n;
+        this
+    }
+
+    /// Takes over changed live settings; the state of every block goes on.
+    pub fn reconfigure(&mut self, scenario: &Scenario) {
+        let current =
+            FeedSpeed { feed_mm_min: self.row.feed_mm_min, speed_rpm: self.row.spindle_rpm };
+        self.limits = limits(scenario);
+        self.belief = GpModels::new(scenario.belief.calibration);
+        self.desired_force = reference::desired_force(&scenario.target, &self.belief);
+        self.target_ra_um = scenario.target.ra_um;
+        self.controller.reconfigure(&scenario.control_setup(), current);
+        let command = [self.row.feed_command_mm_min, self.row.spindle_command_rpm];
+        self.dead_time.resize(scenario.ticks(scenario.cnc.dead_time_s) as usize, command);
+        self.feed_drive.reconfigure(&scenario.feed_drive, self.dt_s);
+        self.spindle_drive.reconfigure(&scenario.spindle_drive, self.dt_s);
+        self.depth = DepthProfile::new(&scenario.workpiece);
+        self.process = Process::new(&scenario.plant, scenario.workpiece.radial_depth_mm);
+        self.dynamic_force.reconfigure(&scenario.noise, self.dt_s);
+        self.dynamometer.reconfigure(&scenario.noise);
+    }
+
+    /// Steps done so far.
+    #[must_use]
+    pub fn tick(&self) -> u64 {
+        self.tick
+    }
+
+    /// The row of the present moment.
+    #[must_use]
+    pub fn row(&self) -> &Row {
+        &self.row
+    }
+
+    /// The commands in the dead-time queue, oldest first: feed in mm/min, speed in 1/min.
+    pub fn commands_under_way(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        self.dead_time.iter()
+    }
+
+    /// One tick, in the order given at the head of this file.
+    ///
+    /// # Errors
+    /// The first signal that is not finite; the state is then that of the fault.
+    #[inline]
+    pub fn step(&mut self) -> Result<(), Fault> {
+        if self.to_control == 0 {
+            self.control();
+            self.to_control = self.steps_per_control;
+        }
+        self.to_control -= 1;
+
+        let command = [self.row.feed_command_mm_min, self.row.spindle_command_rpm];
+        let [feed_command, speed_command] = self.dead_time.pass(command);
+        let feed_mm_min = self.feed_drive.update(feed_command);
+        let speed_rpm = self.spindle_drive.update(speed_command);
+        self.position_mm += mm_s_from_mm_min(feed_mm_min) * self.dt_s;
+        self.tick += 1;
+        self.cut(feed_mm_min, speed_rpm);
+        self.check()
+    }
+
+    /// The controller's turn: from the sensed force to the commands that are sent.
+    fn control(&mut self) {
+        let sample = self.tick / self.steps_per_control;
+        let force_measured_n = self.dynamometer.read(self.row.force_dyn_n, sample);
+        let output = self.controller.update(&ControlInput {
+            force_measured_n,
+            force_ref_n: self.desired_force.value,
+            programmed: self.programmed,
+            applied: FeedSpeed {
+                feed_mm_min: self.row.feed_command_mm_min,
+                speed_rpm: self.row.spindle_command_rpm,
+            },
+            limits: self.limits,
+            models: &self.belief,
+        });
+        let feed = feed_override::apply(
+            output.request.feed_mm_min,
+            self.limits.feed_mm_min,
+            self.programmed.feed_mm_min,
+        );
+        let speed = feed_override::apply(
+            output.request.speed_rpm,
+            self.limits.speed_rpm,
+            self.programmed.speed_rpm,
+        );
+        self.row.force_measured_n = force_measured_n;
+        self.row.force_setpoint_n = output.force_setpoint_n;
+        self.row.gain_estimate = output.gain_estimate;
+        self.row.feed_command_mm_min = feed.command;
+        self.row.feed_override_percent = feed.percent;
+        self.row.spindle_command_rpm = speed.command;
+        self.row.spindle_override_percent = speed.percent;
+        self.command_flags = bit(feed.saturated, flag::FEED_SATURATED)
+            | bit(speed.saturated, flag::SPEED_SATURATED)
+            | bit(!output.feed_model_valid, flag::K2_OUTSIDE)
+            | bit(!output.speed_model_valid, flag::K3_OUTSIDE);
+    }
+
+    /// Depth, force, dynamic component and roughness at the present feed, speed and position.
+    #[inline]
+    fn cut(&mut self, feed_mm_min: f64, speed_rpm: f64) {
+        let axial_depth_mm = self.depth.at(self.position_mm);
+        let force = self.process.update(feed_mm_min, speed_rpm, axial_depth_mm);
+        let dynamic = self.dynamic_force.update(self.tick, self.position_mm, speed_rpm);
+        let force_dyn_n = (force.value * dynamic).max(0.0);
+        let (ra, ra_dyn) = roughness::produced(force.value, force_dyn_n, self.process.models());
+        let in_air = force.value <= 0.0;
+        let row = &mut self.row;
+        row.time_s = self.tick as f64 * self.dt_s;
+        row.position_mm = self.position_mm;
+        row.axial_depth_mm = axial_depth_mm;
+        row.ra_target_um = self.target_ra_um;
+        row.force_ref_n = self.desired_force.value;
+        row.force_n = force.value;
+        row.force_dyn_n = force_dyn_n;
+        row.feed_mm_min = feed_mm_min;
+        row.spindle_rpm = speed_rpm;
+        row.ra_um = ra.value;
+        row.ra_dyn_um = ra_dyn.value;
+        let flags = self.command_flags
+            | bit(!self.desired_force.valid, flag::K1_OUTSIDE)
+            | bit(!force.valid, flag::K4_OUTSIDE)
+            | bit(!ra.valid && !in_air, flag::K5_OUTSIDE)
+            | bit(!ra_dyn.valid && !in_air, flag::K6_OUTSIDE)
+            | bit(in_air, flag::AIR);
+        row.state_flags = f64::from(flags);
+    }
+
+    #[inline]
+    fn check(&self) -> Result<(), Fault> {
+        let values = self.row.values();
+        // One sum instead of a test each: any NaN or infinity makes it not finite.
+        if values.iter().sum::<f64>().is_finite() {
+            return Ok(());
+        }
+        let signal = values.iter().position(|value| !value.is_finite());
+        match signal {
+            Some(index) => Err(Fault { signal: SIGNALS[index].id, tick: self.tick }),
+            None => Ok(()),
+        }
+    }
+}
+
+#[inline]
+fn bit(on: bool, bit: u32) -> u32 {
+    if on { bit } else { 0 }
+}
+
+/// Limits of the commands. An adaptive controller's feed also stays where the force model holds:
+/// below [`FEED_MIN_MM_MIN`] the force no longer falls with the feed.
+fn limits(scenario: &Scenario) -> Limits {
+    let mut feed_mm_min = scenario.cnc.range(scenario.program.feed_mm_min);
+    if scenario.controller.kind != ControllerKind::ConstantFeed {
+        feed_mm_min[0] = feed_mm_min[0].max(FEED_MIN_MM_MIN).min(feed_mm_min[1]);
+    }
+    Limits { feed_mm_min, speed_rpm: scenario.cnc.range(scenario.program.spindle_rpm) }
+}

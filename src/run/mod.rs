@@ -1,0 +1,24 @@
+//! One run: a pure function of a scenario (with its seed) and its edits.
+
+pub mod closed_loop;
+pub mod digest;
+pub mod edits;
+pub mod metrics;
+pub mod one_run;
+pub mod presets;
+pub mod recording;
+pub mod scenario;
+pub mod scenario_file;
+pub mod scenario_link;
+pub mod signals;
+
+/// What a console opens with.
+#[derive(Clone, Debug)]
+pub struct Start {
+    /// The scenario.
+    pub scenario: scenario::Scenario,
+    /// Its edits.
+    pub edits: edits::Edits,
+    /// What went wrong on the way here (a bad link, for example), to be shown.
+    pub notice: Option<String>,
+}

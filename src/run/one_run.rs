@@ -1,0 +1,197 @@
+//! A run that can be advanced in slices, rewound and branched; slicing never changes its bits.
+
+use super::closed_loop::{ClosedLoop, Fault};
+use super::edits::Edits;
+use super::metrics::{self, Metrics};
+use super::recording::Recording;
+use super::scenario::Scenario;
+
+/// Why a run is over.
+#[derive(Clone, Debug, PartialEq)]
+pub enum End {
+    /// The whole path is cut.
+    PathDone,
+    /// The time limit came first.
+    TimeLimit,
+    /// A signal stopped being finite.
+    Fault(Fault),
+}
+
+/// Ticks between snapshots: the most that a rewind has to repeat.
+const SNAPSHOT_TICKS: u64 = 10_000;
+
+#[derive(Clone, Debug)]
+struct State {
+    closed_loop: ClosedLoop,
+    /// The scenario with all edits up to now.
+    scenario: Scenario,
+    next_edit: usize,
+}
+
+/// One run: scenario, edits, state and recording.
+#[derive(Clone, Debug)]
+pub struct Run {
+    base: Scenario,
+    edits: Edits,
+    edit_ticks: Vec<u64>,
+    state: State,
+    last_tick: u64,
+    recording: Recording,
+    snapshots: Vec<State>,
+    end: Option<End>,
+}
+
+impl Run {
+    /// A run at its first tick.
+    #[must_use]
+    pub fn new(scenario: &Scenario, edits: &Edits) -> Self {
+        let closed_loop = ClosedLoop::new(scenario);
+        let last_tick = scenario.ticks(scenario.run.duration_s).max(1);
+        let settings = &scenario.run;
+        let mut recording = Recording::new(
+            last_tick,
+            settings.record_every,
+            scenario.dt_s(),
+            settings.steps_per_control,
+        );
+        recording.push(0, closed_loop.row());
+        let state = State { closed_loop, scenario: scenario.clone(), next_edit: 0 };
+        let mut run = Self {
+            base: scenario.clone(),
+            edits: Edits::none(),
+            edit_ticks: Vec::new(),
+            snapshots: vec![state.clone()],
+            state,
+            last_tick,
+            recording,
+            end: None,
+        };
+        run.take_edits(edits);
+        run
+    }
+
+    /// A run from start to end.
+    #[must_use]
+    pub fn complete(scenario: &Scenario, edits: &Edits) -> Self {
+        let mut run = Self::new(scenario, edits);
+        run.advance(u64::MAX);
+        run
+    }
+
+    fn take_edits(&mut self, edits: &Edits) {
+        self.edits = edits.clone();
+        self.edit_ticks = edits.list().iter().map(|edit| self.base.ticks(edit.at_s)).collect();
+    }
+
+    /// Advances by at most `ticks` steps; `true` when the run is over.
+    pub fn advance(&mut self, ticks: u64) -> bool {
+        for _ in 0..ticks {
+            if self.end.is_some() {
+                break;
+            }
+            self.step();
+        }
+        self.end.is_some()
+    }
+
+    #[inline]
+    fn step(&mut self) {
+        let tick = self.state.closed_loop.tick();
+        if self.edit_ticks.get(self.state.next_edit).is_some_and(|at| *at <= tick) {
+            self.apply_edits(tick);
+        }
+        let result = self.state.closed_loop.step();
+        let tick = tick + 1;
+        if let Err(fault) = result {
+            // The faulty row is not recorded: nothing that was recorded is lost or spoilt.
+            self.end = Some(End::Fault(fault));
+            return;
+        }
+        let row = self.state.closed_loop.row();
+        self.recording.push(tick, row);
+        if row.position_mm >= self.base.workpiece.length_mm {
+            self.end = Some(End::PathDone);
+        } else if tick >= self.last_tick {
+            self.end = Some(End::TimeLimit);
+        } else if tick.is_multiple_of(SNAPSHOT_TICKS) {
+            self.snapshots.push(self.state.clone());
+        }
+    }
+
+    fn apply_edits(&mut self, tick: u64) {
+        let state = &mut self.state;
+        while self.edit_ticks.get(state.next_edit).is_some_and(|at| *at <= tick) {
+            let edit = &self.edits.list()[state.next_edit];
+            // Checked when it was added to the edits; what no longer fits is skipped.
+            let _ = state.scenario.set(&edit.path, edit.value.clone());
+            state.next_edit += 1;
+        }
+        state.closed_loop.reconfigure(&state.scenario);
+    }
+
+    /// Goes back to the last snapshot from which the run can be repeated with `edits`, and takes
+    /// them over. Both the old and the new edits must agree before `from_s`.
+    pub fn branch(&mut self, from_s: f64, edits: &Edits) {
+        let from = self.base.ticks(from_s);
+        while self.snapshots.len() > 1
+            && self.snapshots.last().is_some_and(|state| state.closed_loop.tick() > from)
+        {
+            self.snapshots.pop();
+        }
+        if let Some(state) = self.snapshots.last() {
+            self.state = state.clone();
+        }
+        self.recording.truncate(self.state.closed_loop.tick());
+        self.end = None;
+        self.take_edits(edits);
+    }
+
+    /// Why the run is over, if it is.
+    #[must_use]
+    pub fn end(&self) -> Option<&End> {
+        self.end.as_ref()
+    }
+
+    /// The scenario as it was at the start.
+    #[must_use]
+    pub fn scenario(&self) -> &Scenario {
+        &self.base
+    }
+
+    /// The edits.
+    #[must_use]
+    pub fn edits(&self) -> &Edits {
+        &self.edits
+    }
+
+    /// Steps done so far.
+    #[must_use]
+    pub fn ticks(&self) -> u64 {
+        self.state.closed_loop.tick()
+    }
+
+    /// The most steps that the time limit allows.
+    #[must_use]
+    pub fn last_tick(&self) -> u64 {
+        self.last_tick
+    }
+
+    /// The rows recorded so far.
+    #[must_use]
+    pub fn recording(&self) -> &Recording {
+        &self.recording
+    }
+
+    /// The loop as it stands after the last step.
+    #[must_use]
+    pub fn closed_loop(&self) -> &ClosedLoop {
+        &self.state.closed_loop
+    }
+
+    /// Metrics over everything recorded so far.
+    #[must_use]
+    pub fn metrics(&self) -> Metrics {
+        let rows = self.recording.rows().len();
+        metrics::metrics(&self.recording, rows, &self.base, self.edits())
+    }
+}

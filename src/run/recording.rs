@@ -1,0 +1,76 @@
+//! The recording of a run: rows at even ticks, memory reserved once.
+
+use super::digest::Digest;
+use super::signals::Row;
+
+/// All recorded rows of one run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recording {
+    rows: Vec<Row>,
+    every: u64,
+    dt_s: f64,
+    control_every: u64,
+}
+
+impl Recording {
+    /// An empty recording for at most `ticks` steps of `dt_s`, a row every `every` ticks, the
+    /// controller sampling every `control_every` ticks.
+    #[must_use]
+    pub fn new(ticks: u64, every: u32, dt_s: f64, control_every: u32) -> Self {
+        let every = u64::from(every.max(1));
+        let capacity = usize::try_from(ticks / every + 2).unwrap_or(0);
+        Self {
+            rows: Vec::with_capacity(capacity),
+            every,
+            dt_s,
+            control_every: u64::from(control_every),
+        }
+    }
+
+    /// Keeps the row of `tick` if it is due.
+    #[inline]
+    pub fn push(&mut self, tick: u64, row: &Row) {
+        if self.every == 1 || tick.is_multiple_of(self.every) {
+            self.rows.push(*row);
+        }
+    }
+
+    /// Forgets all rows after `tick`.
+    pub fn truncate(&mut self, tick: u64) {
+        self.rows.truncate(usize::try_from(tick / self.every).unwrap_or(0) + 1);
+    }
+
+    /// The rows, the first one at time 0.
+    #[must_use]
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// Time between rows, s.
+    #[must_use]
+    pub fn row_s(&self) -> f64 {
+        self.dt_s * self.every as f64
+    }
+
+    /// Rows between control samples (at least 1).
+    #[must_use]
+    pub fn control_stride(&self) -> usize {
+        usize::try_from(self.control_every / self.every).unwrap_or(1).max(1)
+    }
+
+    /// Index of the last row at or before a time in s; 0 for an empty recording.
+    #[must_use]
+    pub fn index_at(&self, time_s: f64) -> usize {
+        // Half a thousandth of a row: times that were rounded in text still find their row.
+        let index = (time_s / self.row_s() + 5e-4).max(0.0) as usize;
+        index.min(self.rows.len().saturating_sub(1))
+    }
+
+    /// The digest over all rows.
+    #[must_use]
+    pub fn digest(&self) -> String {
+        let mut digest = Digest::default();
+        self.rows.iter().for_each(|row| digest.row(row));
+        digest.hex()
+    }
+}

@@ -1,0 +1,300 @@
+//! A scenario: everything a run depends on besides its edits, as settings groups with one table.
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+use crate::base::settings::{Group, SettingError, Spec, Value};
+use crate::blocks::cnc::feed_drive::FeedDriveSettings;
+use crate::blocks::cnc::feed_override::{Cnc, Program};
+use crate::blocks::cnc::spindle_drive::SpindleDriveSettings;
+use crate::blocks::control::constant_feed::ConstantFeedSettings;
+use crate::blocks::control::sdnrp::SdnrpSettings;
+use crate::blocks::control::tracking::TrackingSettings;
+use crate::blocks::control::{Belief, ControlSetup, ControllerChoice};
+use crate::blocks::cutting::process::Plant;
+use crate::blocks::cutting::workpiece::Workpiece;
+use crate::blocks::reference::Target;
+use crate::blocks::sensing::dynamic_force::NoiseSettings;
+
+/// Version of the scenario format, in files and links.
+pub const FORMAT_VERSION: i64 = 1;
+/// Most rows that a run may record.
+pub const MAX_ROWS: f64 = 4_000_000.0;
+
+crate::settings! {
+    /// What people read about a scenario.
+    pub struct Info {
+        /// Name of the scenario.
+        name: String = "unnamed".to_owned(), [0.0, 80.0], "", setup, "Name";
+        /// What it shows.
+        description: String = String::new(), [0.0, 600.0], "", setup, "Description";
+    }
+}
+
+crate::settings! {
+    /// Time and randomness.
+    pub struct RunSettings {
+        /// The run ends after this time at the latest, or when the path is done.
+        duration_s: f64 = 15.0, [0.1, 3600.0], "s", setup, "Time limit";
+        /// Control period: sampling of the controller.
+        control_period_ms: f64 = 20.0, [1.0, 100.0], "ms", setup, "Control period";
+        /// Plant steps per control period: 20 give a plant step of 1 ms.
+        steps_per_control: u32 = 20, [1.0, 200.0], "", setup, "Plant steps per period";
+        /// Every how many plant steps a row is recorded.
+        record_every: u32 = 1, [1.0, 1000.0], "", setup, "Record every";
+        /// Seed of all random streams.
+        seed: u32 = 1, [0.0, 4_294_967_295.0], "", setup, "Seed";
+    }
+}
+
+macro_rules! scenario {
+    ($( $prefix:literal, $field:ident: $ty:ty; )+) => {
+        /// Everything a run depends on besides its edits.
+        #[derive(Clone, Debug, Default, PartialEq)]
+        pub struct Scenario {
+            $( #[doc = concat!("Settings under `", $prefix, "`.")] pub $field: $ty, )+
+        }
+
+        fn build_table() -> Vec<Param> {
+            let mut table = Vec::new();
+            $( for spec in <$ty as Group>::specs() {
+                let path = if $prefix.is_empty() {
+                    spec.key.to_owned()
+                } else {
+                    format!("{}.{}", $prefix, spec.key)
+                };
+                table.push(Param { path, group: $prefix, spec });
+            } )+
+            table
+        }
+
+        impl Scenario {
+            fn get_param(&self, param: &Param) -> Value {
+                let found = match param.group {
+                    $( $prefix => self.$field.get(param.spec.key), )+
+                    _ => None,
+                };
+                found.expect("every table entry names a field of its group")
+            }
+
+            fn set_param(&mut self, param: &Param, value: &Value) -> Option<()> {
+                match param.group {
+                    $( $prefix => self.$field.set(param.spec.key, value, &param.spec.allowed), )+
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+// The order is that of files, editors and `steadycut list`, and the order in which several
+// changes are applied: what sets a companion (see `companion`) stands before it.
+scenario! {
+    "", info: Info;
+    "target", target: Target;
+    "plant", plant: Plant;
+    "noise", noise: NoiseSettings;
+    "controller", controller: ControllerChoice;
+    "controller.constant_feed", constant_feed: ConstantFeedSettings;
+    "controller.sdnrp", sdnrp: SdnrpSettings;
+    "controller.tracking", tracking: TrackingSettings;
+    "belief", belief: Belief;
+    "feed_drive", feed_drive: FeedDriveSettings;
+    "spindle_drive", spindle_drive: SpindleDriveSettings;
+    "cnc", cnc: Cnc;
+    "program", program: Program;
+    "workpiece", workpiece: Workpiece;
+    "run", run: RunSettings;
+}
+
+/// One entry of the table of settings.
+#[derive(Clone, Debug)]
+pub struct Param {
+    /// Full path, for example `controller.sdnrp.kp`.
+    pub path: String,
+    /// Path of its group, for example `controller.sdnrp`; empty for the top level.
+    pub group: &'static str,
+    /// Label, unit, range, default, documentation.
+    pub spec: Spec,
+}
+
+static TABLE: LazyLock<Vec<Param>> = LazyLock::new(build_table);
+static INDEX: LazyLock<BTreeMap<&'static str, usize>> =
+    LazyLock::new(|| TABLE.iter().enumerate().map(|(i, param)| (param.path.as_str(), i)).collect());
+
+/// All settings, in order.
+#[must_use]
+pub fn table() -> &'static [Param] {
+    &TABLE
+}
+
+fn index_of(path: &str) -> Result<usize, SettingError> {
+    INDEX.get(path).copied().ok_or_else(|| {
+        let near = TABLE
+            .iter()
+            .map(|param| (strsim::jaro_winkler(path, &param.path), &param.path))
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+            .filter(|(likeness, _)| *likeness > 0.8);
+        // A long or binary path is cut: the message must stay readable.
+        let path = path.chars().take(80).collect();
+        SettingError::Unknown { path, suggestion: near.map(|(_, path)| path.clone()) }
+    })
+}
+
+/// The table entry of a path.
+///
+/// # Errors
+/// [`SettingError::Unknown`] with the nearest known path.
+pub fn param(path: &str) -> Result<&'static Param, SettingError> {
+    index_of(path).map(|i| &TABLE[i])
+}
+
+fn refused(param: &Param, value: &Value) -> SettingError {
+    let text = match value {
+        Value::Text(text) => format!("{:?}", text.chars().take(60).collect::<String>()),
+        other => {
+            let unit = param.spec.unit;
+            let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+            format!("{}{unit}", other.to_string().chars().take(60).collect::<String>())
+        }
+    };
+    let allowed = param.spec.allowed.allowed(param.spec.unit);
+    SettingError::Refused { path: param.path.clone(), value: text, allowed }
+}
+
+impl Scenario {
+    /// The value at `path`.
+    ///
+    /// # Errors
+    /// [`SettingError::Unknown`].
+    pub fn get(&self, path: &str) -> Result<Value, SettingError> {
+        Ok(self.get_param(param(path)?))
+    }
+
+    /// Sets one setting; see [`Self::set_all`].
+    ///
+    /// # Errors
+    /// As [`Self::set_all`].
+    pub fn set(&mut self, path: &str, value: Value) -> Result<(), SettingError> {
+        self.set_all(&[(path.to_owned(), value)])
+    }
+
+    /// Sets several settings, all or none. Choosing a material or a feed drive also sets its
+    /// reference hardness or published dead time, unless that is among the changes.
+    ///
+    /// # Errors
+    /// The first setting that is unknown, outside its range, of the wrong type, or that does not
+    /// fit another one; the scenario is then unchanged.
+    pub fn set_all(&mut self, changes: &[(String, Value)]) -> Result<(), SettingError> {
+        let mut ordered = Vec::with_capacity(changes.len());
+        for (path, value) in changes {
+            ordered.push((index_of(path)?, value));
+        }
+        ordered.sort_by_key(|(index, _)| *index);
+        let mut next = self.clone();
+        for (index, value) in ordered {
+            let param = &TABLE[index];
+            let before = next.get_param(param);
+            next.set_param(param, value).ok_or_else(|| refused(param, value))?;
+            if next.get_param(param) != before {
+                next.set_companion(&param.path);
+            }
+        }
+        next.check()?;
+        *self = next;
+        Ok(())
+    }
+
+    /// A material comes with its hardness, a feed drive with its published dead time.
+    fn set_companion(&mut self, path: &str) {
+        match path {
+            "plant.material" => self.plant.hardness_hb = self.plant.material.hardness_hb(),
+            "feed_drive.kind" => {
+                self.cnc.dead_time_s = self.feed_drive.kind.published_dead_time_s();
+            }
+            _ => {}
+        }
+    }
+
+    /// Rules between settings.
+    fn check(&self) -> Result<(), SettingError> {
+        let refuse = |path: &str, value: f64, unit: &str, allowed: String| {
+            let value = format!("{value}{unit}");
+            Err(SettingError::Refused { path: path.to_owned(), value, allowed })
+        };
+        if self.noise.band_low_hz >= self.noise.band_high_hz {
+            let high = self.noise.band_high_hz;
+            let allowed = format!("below `noise.band_high_hz`, {high} Hz");
+            return refuse("noise.band_low_hz", self.noise.band_low_hz, " Hz", allowed);
+        }
+        let row_s = self.dt_s() * f64::from(self.run.record_every);
+        if self.run.duration_s / row_s > MAX_ROWS {
+            let longest = MAX_ROWS * row_s;
+            let allowed = format!(
+                "at most {longest} s with a row every {row_s} s ({MAX_ROWS} rows); record less \
+                 often with `run.record_every`"
+            );
+            return refuse("run.duration_s", self.run.duration_s, " s", allowed);
+        }
+        Ok(())
+    }
+
+    /// Plant step in s.
+    #[must_use]
+    pub fn dt_s(&self) -> f64 {
+        self.control_period_s() / f64::from(self.run.steps_per_control)
+    }
+
+    /// Control period in s.
+    #[must_use]
+    pub fn control_period_s(&self) -> f64 {
+        crate::base::units::s_from_ms(self.run.control_period_ms)
+    }
+
+    /// A time in s as the nearest whole number of plant steps.
+    #[must_use]
+    pub fn ticks(&self, time_s: f64) -> u64 {
+        (time_s / self.dt_s()).round() as u64
+    }
+
+    /// What the controller is set up from.
+    #[must_use]
+    pub fn control_setup(&self) -> ControlSetup<'_> {
+        ControlSetup {
+            kind: self.controller.kind,
+            constant_feed: &self.constant_feed,
+            sdnrp: &self.sdnrp,
+            tracking: &self.tracking,
+            belief: &self.belief,
+            period_s: self.control_period_s(),
+        }
+    }
+
+    /// The settings that differ from `other`, with this scenario's values, in table order.
+    #[must_use]
+    pub fn difference(&self, other: &Self) -> Vec<(&'static Param, Value)> {
+        let all = TABLE.iter().map(|param| (param, self.get_param(param)));
+        all.filter(|(param, value)| *value != other.get_param(param)).collect()
+    }
+}
+
+/// Reads the text of a value as the setting at `path` expects it (command line, link).
+///
+/// # Errors
+/// An unknown path, or text that is no value of the setting's type.
+pub fn parse_value(path: &str, text: &str) -> Result<Value, SettingError> {
+    use crate::base::settings::Kind;
+    let param = param(path)?;
+    let text = text.trim();
+    let bad = || refused(param, &Value::Text(text.to_owned()));
+    Ok(match &param.spec.allowed {
+        Kind::Float { .. } => Value::Float(text.parse().map_err(|_| bad())?),
+        Kind::Int { .. } => Value::Int(text.parse().map_err(|_| bad())?),
+        Kind::Bool => Value::Bool(text.parse().map_err(|_| bad())?),
+        Kind::Choice { .. } | Kind::Text { .. } => Value::Text(text.to_owned()),
+        Kind::Steps { .. } => {
+            let steps: Vec<[f64; 2]> = serde_json::from_str(text).map_err(|_| bad())?;
+            Value::Steps(steps)
+        }
+    })
+}

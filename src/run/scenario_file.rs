@@ -1,0 +1,155 @@
+//! Scenario files: versioned TOML. Every field is optional but `version`; unknown fields are
+//! refused. What is written carries the documentation of every field.
+
+use std::fmt::Write as _;
+
+use super::edits::{Edit, Edits};
+use super::scenario::{FORMAT_VERSION, Scenario, table};
+use crate::base::settings::{SettingError, Value};
+
+fn format_error(problem: impl Into<String>) -> SettingError {
+    SettingError::Format { what: "scenario file".to_owned(), problem: problem.into() }
+}
+
+/// Longest scenario text that is read, bytes.
+const MAX_BYTES: usize = 4_000_000;
+
+/// Reads a scenario and its edits.
+///
+/// # Errors
+/// Not TOML (with line and column), a missing or unknown version, an unknown field (with the
+/// nearest known one), or a value outside its range.
+pub fn parse(text: &str) -> Result<(Scenario, Edits), SettingError> {
+    if text.len() > MAX_BYTES {
+        return Err(format_error(format!("{} bytes; at most {MAX_BYTES} are read", text.len())));
+    }
+    let mut document: toml::Table =
+        text.parse().map_err(|error: toml::de::Error| format_error(error.to_string()))?;
+    match document.remove("version") {
+        Some(toml::Value::Integer(FORMAT_VERSION)) => {}
+        Some(other) => {
+            let problem = format!("`version` is {other}; this program reads {FORMAT_VERSION}");
+            return Err(format_error(problem));
+        }
+        None => return Err(format_error(format!("`version = {FORMAT_VERSION}` is missing"))),
+    }
+    let edits = document.remove("edits");
+    let mut changes = Vec::new();
+    flatten("", document, &mut changes)?;
+    let mut scenario = Scenario::default();
+    scenario.set_all(&changes)?;
+    let edits = edits.map_or(Ok(Edits::none()), |list| parse_edits(&scenario, list))?;
+    Ok((scenario, edits))
+}
+
+fn flatten(
+    prefix: &str,
+    table: toml::Table,
+    changes: &mut Vec<(String, Value)>,
+) -> Result<(), SettingError> {
+    for (key, value) in table {
+        let path = if prefix.is_empty() { key } else { format!("{prefix}.{key}") };
+        match value {
+            toml::Value::Table(inner) => flatten(&path, inner, changes)?,
+            other => {
+                let value = value_from_toml(&path, &other)?;
+                changes.push((path, value));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn value_from_toml(path: &str, value: &toml::Value) -> Result<Value, SettingError> {
+    let wrong = || {
+        // An unknown field must be called unknown, whatever its value.
+        super::scenario::param(path).map_or_else(
+            |unknown| unknown,
+            |param| SettingError::Refused {
+                path: path.to_owned(),
+                value: value.to_string().chars().take(60).collect(),
+                allowed: param.spec.allowed.allowed(param.spec.unit),
+            },
+        )
+    };
+    Ok(match value {
+        toml::Value::Integer(x) => Value::Int(*x),
+        toml::Value::Float(x) => Value::Float(*x),
+        toml::Value::Boolean(x) => Value::Bool(*x),
+        toml::Value::String(x) => Value::Text(x.clone()),
+        toml::Value::Array(pairs) => {
+            let number = |value: &toml::Value| {
+                value.as_float().or_else(|| value.as_integer().map(|x| x as f64))
+            };
+            let pair = |value: &toml::Value| match value.as_array().map(Vec::as_slice) {
+                Some([position, depth]) => Some([number(position)?, number(depth)?]),
+                _ => None,
+            };
+            let steps: Option<Vec<[f64; 2]>> = pairs.iter().map(pair).collect();
+            Value::Steps(steps.ok_or_else(wrong)?)
+        }
+        toml::Value::Datetime(_) | toml::Value::Table(_) => return Err(wrong()),
+    })
+}
+
+fn parse_edits(scenario: &Scenario, list: toml::Value) -> Result<Edits, SettingError> {
+    let shape = || {
+        format_error(
+            "`edits` must be a list of tables with `at_s` (a number), `path` (text) and `value`",
+        )
+    };
+    let toml::Value::Array(list) = list else { return Err(shape()) };
+    let mut edits = Edits::none();
+    for entry in list {
+        let entry = entry.as_table().ok_or_else(shape)?;
+        if let Some(key) = entry.keys().find(|k| !["at_s", "path", "value"].contains(&k.as_str())) {
+            return Err(format_error(format!(
+                "unknown field `edits.{key}`; use at_s, path, value"
+            )));
+        }
+        let at = entry.get("at_s");
+        let at_s = at.and_then(|at| at.as_float().or_else(|| at.as_integer().map(|x| x as f64)));
+        let at_s = at_s.ok_or_else(shape)?;
+        let path = entry.get("path").and_then(toml::Value::as_str).ok_or_else(shape)?.to_owned();
+        let value = value_from_toml(&path, entry.get("value").ok_or_else(shape)?)?;
+        edits.push(scenario, Edit { at_s, path, value })?;
+    }
+    Ok(edits)
+}
+
+fn literal(value: &Value) -> String {
+    match value {
+        Value::Text(text) => toml::Value::String(text.clone()).to_string(),
+        // {:?} keeps the decimal point, so that a number stays a float in TOML.
+        Value::Float(x) => format!("{x:?}"),
+        other => other.to_string(),
+    }
+}
+
+/// Writes a scenario with all its fields, each with its documentation, unit and range. Reading it
+/// back gives the same scenario and edits.
+#[must_use]
+pub fn write(scenario: &Scenario, edits: &Edits) -> String {
+    let mut text = format!("# SteadyCut scenario\nversion = {FORMAT_VERSION}\n");
+    let mut group = "";
+    for param in table() {
+        if param.group != group {
+            group = param.group;
+            let _ = write!(text, "\n[{group}]\n");
+        }
+        let allowed = param.spec.allowed.allowed(param.spec.unit);
+        let value = scenario.get(&param.path).expect("the table lists known paths");
+        let _ = writeln!(text, "# {} ({allowed})", param.spec.doc.replace('\n', " "));
+        let _ = writeln!(text, "{} = {}", param.spec.key, literal(&value));
+    }
+    for edit in edits.list() {
+        let _ = write!(
+            text,
+            "\n[[edits]]\nat_s = {:?}\npath = {}\nvalue = {}\n",
+            edit.at_s,
+            literal(&Value::Text(edit.path.clone())),
+            literal(&edit.value),
+        );
+    }
+    text
+}

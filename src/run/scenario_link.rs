@@ -1,0 +1,119 @@
+//! The whole state in a link: what differs from the default scenario, as a query string after
+//! `#`: `v=1&target.ra_um=0.9&at.3.5.plant.wear_factor=1.2` (the last is an edit at 3.5 s).
+
+use super::edits::{Edit, Edits};
+use super::scenario::{FORMAT_VERSION, Scenario, parse_value};
+use crate::base::settings::SettingError;
+
+/// Longest link text that is read, bytes.
+const MAX_BYTES: usize = 200_000;
+
+fn format_error(problem: impl Into<String>) -> SettingError {
+    SettingError::Format { what: "link".to_owned(), problem: problem.into() }
+}
+
+fn encode(text: &str) -> String {
+    let mut out = String::new();
+    for byte in text.bytes() {
+        match byte {
+            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_' | b'.' | b'~' | b',' => {
+                out.push(char::from(byte));
+            }
+            _ => out.push_str(&format!("%{byte:02X}")),
+        }
+    }
+    out
+}
+
+fn decode(text: &str) -> Result<String, SettingError> {
+    let mut bytes = Vec::with_capacity(text.len());
+    let mut rest = text.bytes();
+    while let Some(byte) = rest.next() {
+        if byte != b'%' {
+            bytes.push(byte);
+            continue;
+        }
+        let digit = |byte: Option<u8>| byte.and_then(|b| char::from(b).to_digit(16));
+        match (digit(rest.next()), digit(rest.next())) {
+            (Some(high), Some(low)) => bytes.push((high * 16 + low) as u8),
+            _ => return Err(format_error("a % without two hexadecimal digits")),
+        }
+    }
+    String::from_utf8(bytes).map_err(|_| format_error("text that is not UTF-8"))
+}
+
+/// Reads the part of a link after `#`.
+///
+/// # Errors
+/// A missing or unknown version, an unknown setting, or a value outside its range.
+pub fn parse(fragment: &str) -> Result<(Scenario, Edits), SettingError> {
+    let fragment = fragment.strip_prefix('#').unwrap_or(fragment);
+    if fragment.len() > MAX_BYTES {
+        return Err(format_error(format!(
+            "{} bytes; at most {MAX_BYTES} are read",
+            fragment.len()
+        )));
+    }
+    let mut version = None;
+    let (mut changes, mut edits) = (Vec::new(), Vec::new());
+    for part in fragment.split('&').filter(|part| !part.is_empty()) {
+        let (key, value) = part
+            .split_once('=')
+            .ok_or_else(|| format_error(format!("`{}` is not name=value", clip(part))))?;
+        let (key, value) = (decode(key)?, decode(value)?);
+        if key == "v" {
+            version = Some(value);
+        } else if let Some(edit) = key.strip_prefix("at.") {
+            edits.push(parse_edit(edit, &value)?);
+        } else {
+            changes.push((key.clone(), parse_value(&key, &value)?));
+        }
+    }
+    match version {
+        Some(v) if v == FORMAT_VERSION.to_string() => {}
+        Some(v) => {
+            let v = clip(&v);
+            return Err(format_error(format!("version {v}; this program reads {FORMAT_VERSION}")));
+        }
+        None => return Err(format_error(format!("`v={FORMAT_VERSION}` is missing"))),
+    }
+    let mut scenario = Scenario::default();
+    scenario.set_all(&changes)?;
+    let mut list = Edits::none();
+    for edit in edits {
+        list.push(&scenario, edit)?;
+    }
+    Ok((scenario, list))
+}
+
+fn clip(text: &str) -> String {
+    text.chars().take(60).collect()
+}
+
+fn parse_edit(key: &str, value: &str) -> Result<Edit, SettingError> {
+    // `3.5.plant.wear_factor`: the time ends where the first letter after a dot begins.
+    let split = key
+        .char_indices()
+        .find(|(i, c)| *i > 0 && c.is_ascii_alphabetic() && key[..*i].ends_with('.'))
+        .map(|(i, _)| i)
+        .ok_or_else(|| format_error(format!("`at.{}` names no setting", clip(key))))?;
+    let at_s = key[..split - 1]
+        .parse()
+        .map_err(|_| format_error(format!("`at.{}` has no time in seconds", clip(key))))?;
+    let path = key[split..].to_owned();
+    let value = parse_value(&path, value)?;
+    Ok(Edit { at_s, path, value })
+}
+
+/// Writes the part of a link after `#`; reading it back gives the same scenario and edits.
+#[must_use]
+pub fn write(scenario: &Scenario, edits: &Edits) -> String {
+    let mut parts = vec![format!("v={FORMAT_VERSION}")];
+    for (param, value) in scenario.difference(&Scenario::default()) {
+        parts.push(format!("{}={}", param.path, encode(&value.to_string())));
+    }
+    for edit in edits.list() {
+        parts.push(format!("at.{}.{}={}", edit.at_s, edit.path, encode(&edit.value.to_string())));
+    }
+    parts.join("&")
+}

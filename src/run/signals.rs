@@ -1,0 +1,158 @@
+//! The signals of a run: one table gives rows, CSV headers, axis titles and the digest.
+
+macro_rules! signals {
+    ($( $(#[doc = $doc:literal])+ $name:ident, $unit:literal, $label:literal; )+) => {
+        /// One recorded row: all signals at one tick.
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct Row {
+            $( $(#[doc = $doc])+ pub $name: f64, )+
+        }
+
+        /// The table of signals, in the order of [`Row::values`].
+        pub const SIGNALS: &[SignalInfo] = &[
+            $( SignalInfo {
+                id: stringify!($name),
+                unit: $unit,
+                label: $label,
+                doc: concat!($($doc),+),
+                get: |row| row.$name,
+            }, )+
+        ];
+
+        impl Row {
+            /// Number of signals.
+            pub const LEN: usize = SIGNALS.len();
+
+            /// All values in the order of [`SIGNALS`].
+            #[must_use]
+            #[inline]
+            pub fn values(&self) -> [f64; Self::LEN] {
+                [ $( self.$name, )+ ]
+            }
+        }
+    };
+}
+
+/// The description of one signal.
+#[derive(Clone, Copy, Debug)]
+pub struct SignalInfo {
+    /// Its name in CSV, JSON and code; ends with the unit.
+    pub id: &'static str,
+    /// Unit, `-` for none.
+    pub unit: &'static str,
+    /// Its name for people.
+    pub label: &'static str,
+    /// What it is.
+    pub doc: &'static str,
+    /// Reads it from a row.
+    pub get: fn(&Row) -> f64,
+}
+
+signals! {
+    /// Time since the start of the run.
+    time_s, "s", "Time";
+    /// Position of the tool along the path.
+    position_mm, "mm", "Position";
+    /// Axial depth of cut A_D at the tool.
+    axial_depth_mm, "mm", "Axial depth";
+    /// Target roughness.
+    ra_target_um, "um", "Target Ra";
+    /// Produced roughness, Ra = K5(F).
+    ra_um, "um", "Ra";
+    /// Produced roughness with machine dynamics, Ra = K6(F_dyn).
+    ra_dyn_um, "um", "Ra with dynamics";
+    /// Desired force F_d = K1(target Ra).
+    force_ref_n, "N", "Desired force";
+    /// The force that the controller asks its models for.
+    force_setpoint_n, "N", "Force setpoint";
+    /// Maximum cutting force.
+    force_n, "N", "Maximum force";
+    /// Maximum cutting force with its dynamic component.
+    force_dyn_n, "N", "Force with dynamics";
+    /// Force as measured at the last control sample.
+    force_measured_n, "N", "Measured force";
+    /// Feed command as sent by the controller.
+    feed_command_mm_min, "mm/min", "Feed command";
+    /// Actual feed.
+    feed_mm_min, "mm/min", "Feed";
+    /// Feed override.
+    feed_override_percent, "%", "Feed override";
+    /// Spindle speed command as sent by the controller.
+    spindle_command_rpm, "1/min", "Spindle command";
+    /// Actual spindle speed.
+    spindle_rpm, "1/min", "Spindle speed";
+    /// Spindle override.
+    spindle_override_percent, "%", "Spindle override";
+    /// The controller's estimate of true over modelled force.
+    gain_estimate, "-", "Gain estimate";
+    /// Saturation, models outside their range, air: a sum of the bits in the table of flags.
+    state_flags, "-", "State flags";
+}
+
+impl SignalInfo {
+    /// Column title: the name with its unit.
+    #[must_use]
+    pub fn header(&self) -> String {
+        format!("{} [{}]", self.id, self.unit)
+    }
+}
+
+/// The signal with this id.
+#[must_use]
+pub fn signal(id: &str) -> Option<&'static SignalInfo> {
+    SIGNALS.iter().find(|signal| signal.id == id)
+}
+
+/// One bit of [`Row::state_flags`].
+#[derive(Clone, Copy, Debug)]
+pub struct FlagInfo {
+    /// The bit's value.
+    pub bit: u32,
+    /// Its name in JSON.
+    pub id: &'static str,
+    /// Its name for people.
+    pub label: &'static str,
+}
+
+/// Bits of [`Row::state_flags`].
+pub mod flag {
+    /// The feed command stands at a limit.
+    pub const FEED_SATURATED: u32 = 1;
+    /// The speed command stands at a limit.
+    pub const SPEED_SATURATED: u32 = 2;
+    /// K1 is used outside its range.
+    pub const K1_OUTSIDE: u32 = 4;
+    /// K2 (or the inverse of K4 in its place) is used outside its range.
+    pub const K2_OUTSIDE: u32 = 8;
+    /// K3 is used outside its range.
+    pub const K3_OUTSIDE: u32 = 16;
+    /// K4 is used outside its range.
+    pub const K4_OUTSIDE: u32 = 32;
+    /// K5 is used outside its range.
+    pub const K5_OUTSIDE: u32 = 64;
+    /// K6 is used outside its range.
+    pub const K6_OUTSIDE: u32 = 128;
+    /// The tool is in the air: no force, no roughness.
+    pub const AIR: u32 = 256;
+}
+
+/// All flags.
+pub const FLAGS: &[FlagInfo] = &[
+    FlagInfo { bit: flag::FEED_SATURATED, id: "feed_saturated", label: "feed at a limit" },
+    FlagInfo { bit: flag::SPEED_SATURATED, id: "speed_saturated", label: "speed at a limit" },
+    FlagInfo { bit: flag::K1_OUTSIDE, id: "k1_outside", label: "K1 outside its range" },
+    FlagInfo { bit: flag::K2_OUTSIDE, id: "k2_outside", label: "K2 outside its range" },
+    FlagInfo { bit: flag::K3_OUTSIDE, id: "k3_outside", label: "K3 outside its range" },
+    FlagInfo { bit: flag::K4_OUTSIDE, id: "k4_outside", label: "K4 outside its range" },
+    FlagInfo { bit: flag::K5_OUTSIDE, id: "k5_outside", label: "K5 outside its range" },
+    FlagInfo { bit: flag::K6_OUTSIDE, id: "k6_outside", label: "K6 outside its range" },
+    FlagInfo { bit: flag::AIR, id: "air", label: "in the air" },
+];
+
+impl Row {
+    /// Whether any of the flag's bits is set.
+    #[must_use]
+    pub fn has(&self, bits: u32) -> bool {
+        self.state_flags as u32 & bits != 0
+    }
+}
