@@ -1,0 +1,137 @@
+//! The arguments, in one place.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::base::model::gp_2007::Calibration;
+
+/// SteadyCut: milling that keeps its surface finish constant.
+#[derive(Debug, Parser)]
+#[command(version, about, after_help = "Without a command: opens the console.")]
+pub struct Cli {
+    /// Scenario that the console opens: a preset's name or a scenario file.
+    #[arg(long, value_name = "PRESET|FILE")]
+    pub scenario: Option<String>,
+    /// What to do; without it the console opens.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// A subcommand.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Run a scenario and print its metrics.
+    Run(RunArgs),
+    /// Re-run a paper's published table and compare.
+    Papers(PapersArgs),
+    /// Identify the default models from the published tables.
+    Identify(IdentifyArgs),
+    /// List presets, controllers, models, drives, materials and all settings.
+    List(ListArgs),
+    /// Check scenario files.
+    Check(CheckArgs),
+}
+
+/// Arguments of `run`.
+#[derive(Debug, Args)]
+pub struct RunArgs {
+    /// A preset's name or a scenario file.
+    #[arg(value_name = "PRESET|FILE")]
+    pub scenario: String,
+    /// Change a setting, for example `--set target.ra_um=0.6`; `steadycut list` names all.
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// Write all signals as CSV, one column each with its unit in the header.
+    #[arg(long, value_name = "FILE.csv")]
+    pub out: Option<PathBuf>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// A paper whose table can be re-run.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Paper {
+    /// SDNRP 2007, Table 3.
+    #[value(name = "2007")]
+    Sdnrp2007,
+}
+
+/// Calibration as an argument.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum CalibrationArg {
+    /// The equations exactly as printed.
+    Printed,
+    /// The fewest coefficients corrected.
+    Restored,
+    /// Re-identified from the published table.
+    Identified,
+}
+
+impl From<CalibrationArg> for Calibration {
+    fn from(arg: CalibrationArg) -> Self {
+        match arg {
+            CalibrationArg::Printed => Self::Printed,
+            CalibrationArg::Restored => Self::Restored,
+            CalibrationArg::Identified => Self::Identified,
+        }
+    }
+}
+
+/// Arguments of `papers`.
+#[derive(Debug, Args)]
+pub struct PapersArgs {
+    /// The paper.
+    #[arg(long, value_enum)]
+    pub paper: Paper,
+    /// Calibration of plant and controller.
+    #[arg(long, value_enum, default_value = "identified")]
+    pub calibration: CalibrationArg,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What can be identified.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum IdentifyTarget {
+    /// K1..K4 of 2007 from its Table 3.
+    Tables,
+}
+
+/// Arguments of `identify`.
+#[derive(Debug, Args)]
+pub struct IdentifyArgs {
+    /// What to identify.
+    #[arg(value_enum)]
+    pub target: IdentifyTarget,
+    /// Another table in the format of Table 3 (CSV) in place of the shipped one.
+    #[arg(long, value_name = "FILE.csv")]
+    pub table: Option<PathBuf>,
+    /// Where to write the model file; without it, it is compared with the shipped one.
+    #[arg(long, value_name = "FILE.toml")]
+    pub out: Option<PathBuf>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `list`.
+#[derive(Debug, Args)]
+pub struct ListArgs {
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `check`.
+#[derive(Debug, Args)]
+pub struct CheckArgs {
+    /// Scenario files.
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}

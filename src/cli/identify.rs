@@ -1,0 +1,81 @@
+//! `steadycut identify tables`: fits the default models and writes the shipped model file.
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use serde_json::json;
+
+use super::Outcome;
+use super::args::{IdentifyArgs, IdentifyTarget};
+use crate::base::model::gp_2007::IDENTIFIED_FILE;
+use crate::study::identify::{Identified, identify, model_file};
+use crate::study::published::{TABLE_3_2007, parse_table_3};
+
+pub fn execute(args: &IdentifyArgs) -> Outcome {
+    let IdentifyTarget::Tables = args.target;
+    let text = match &args.table {
+        Some(path) => {
+            std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?
+        }
+        None => TABLE_3_2007.to_owned(),
+    };
+    let source = args.table.as_ref().map_or("Table 3".to_owned(), |p| p.display().to_string());
+    let rows = parse_table_3(&text).map_err(|error| format!("{source}: {error}"))?;
+    let identified = identify(&rows).map_err(|error| format!("{source}: {error}"))?;
+    let file = model_file(&identified);
+    let mut out = std::io::stdout().lock();
+    if args.json {
+        writeln!(out, "{}", serde_json::to_string_pretty(&to_json(&identified, &file))?)?;
+    } else {
+        print(&mut out, &identified)?;
+        writeln!(out, "{file}")?;
+    }
+    match &args.out {
+        Some(path) => {
+            std::fs::write(path, &file).map_err(|error| format!("{}: {error}", path.display()))?;
+            if !args.json {
+                writeln!(out, "model file written to {}", path.display())?;
+            }
+        }
+        None if !args.json => {
+            let same = file == IDENTIFIED_FILE;
+            let word = if same { "equals" } else { "differs from" };
+            writeln!(out, "this {word} the shipped model file")?;
+        }
+        None => {}
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn to_json(identified: &Identified, file: &str) -> serde_json::Value {
+    let fits: Vec<_> = identified
+        .fits
+        .iter()
+        .map(|fit| {
+            json!({
+                "model": fit.model, "meaning": fit.meaning, "unit": fit.unit,
+                "rms": fit.rms(), "worst": fit.worst(),
+                "points": fit.points, "residuals": fit.residuals,
+            })
+        })
+        .collect();
+    json!({ "fits": fits, "model_file": file, "equals_shipped": file == IDENTIFIED_FILE })
+}
+
+fn print(out: &mut impl Write, identified: &Identified) -> std::io::Result<()> {
+    for fit in &identified.fits {
+        writeln!(
+            out,
+            "{}: {}; rms {:.3} {unit}, worst {:.3} {unit}",
+            fit.model,
+            fit.meaning,
+            fit.rms(),
+            fit.worst(),
+            unit = fit.unit
+        )?;
+        for ([x, y], residual) in fit.points.iter().zip(&fit.residuals) {
+            writeln!(out, "  {x:>10.3}{y:>12.3}{residual:>+10.3}")?;
+        }
+    }
+    writeln!(out)
+}

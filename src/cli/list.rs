@@ -1,0 +1,80 @@
+//! `steadycut list`: what there is to choose from, and every setting.
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use serde_json::json;
+
+use super::Outcome;
+use super::args::ListArgs;
+use crate::base::model::feed_drive::FeedDriveKind;
+use crate::base::model::gp_2007::Calibration;
+use crate::base::settings::Choice;
+use crate::blocks::control::ControllerKind;
+use crate::blocks::cutting::material::Material;
+use crate::run::presets::{self, PRESETS};
+use crate::run::scenario::table;
+
+const CHOICES: &[(&str, &[Choice])] = &[
+    ("controllers", ControllerKind::OPTIONS),
+    ("models", Calibration::OPTIONS),
+    ("drives", FeedDriveKind::OPTIONS),
+    ("materials", Material::OPTIONS),
+];
+
+pub fn execute(args: &ListArgs) -> Outcome {
+    let mut described = Vec::new();
+    for preset in PRESETS {
+        described.push((preset.name, presets::load(preset.name)?.info.description));
+    }
+    let mut out = std::io::stdout().lock();
+    if args.json {
+        let mut object = serde_json::Map::new();
+        let list: Vec<_> = described
+            .iter()
+            .map(|(name, description)| json!({"name": name, "description": description}))
+            .collect();
+        object.insert("presets".to_owned(), list.into());
+        for (name, options) in CHOICES {
+            object.insert((*name).to_owned(), serde_json::to_value(options)?);
+        }
+        let settings: Result<Vec<_>, _> = table()
+            .iter()
+            .map(|param| {
+                serde_json::to_value(&param.spec).map(|mut value| {
+                    value["path"] = param.path.clone().into();
+                    value
+                })
+            })
+            .collect();
+        object.insert("settings".to_owned(), settings?.into());
+        writeln!(out, "{}", serde_json::to_string_pretty(&object)?)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    writeln!(out, "presets")?;
+    for (name, description) in described {
+        writeln!(out, "  {name:<18}{description}")?;
+    }
+    for (name, options) in CHOICES {
+        writeln!(out, "\n{name}")?;
+        for option in *options {
+            writeln!(out, "  {:<18}{}: {}", option.id, option.label, option.doc)?;
+        }
+    }
+    writeln!(out, "\nsettings (--set path=value; (*) can change during a run)")?;
+    for param in table() {
+        let spec = &param.spec;
+        let mark = if spec.live { " (*)" } else { "" };
+        let default = match &spec.default {
+            value if value.to_string().is_empty() => "empty".to_owned(),
+            value => value.to_string(),
+        };
+        let allowed = spec.allowed.allowed(spec.unit);
+        writeln!(
+            out,
+            "  {}{mark}\n      default {default}; {allowed}\n      {}",
+            param.path, spec.doc
+        )?;
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,65 @@
+//! The command line: the same simulation without a window.
+
+pub mod args;
+mod check;
+mod identify;
+mod list;
+mod papers;
+mod run;
+
+use std::process::ExitCode;
+
+use args::{Cli, Command};
+
+use crate::run::Start;
+use crate::run::presets::PRESETS;
+
+/// Runs a subcommand; prints its result, or its error in one line.
+#[must_use]
+pub fn execute(command: &Command) -> ExitCode {
+    let result = match command {
+        Command::Run(args) => run::execute(args),
+        Command::Papers(args) => papers::execute(args),
+        Command::Identify(args) => identify::execute(args),
+        Command::List(args) => list::execute(args),
+        Command::Check(args) => check::execute(args),
+    };
+    match result {
+        Ok(code) => code,
+        // A reader that went away (`steadycut list | head`) is no error.
+        Err(error) if is_broken_pipe(error.as_ref()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn is_broken_pipe(error: &(dyn std::error::Error + 'static)) -> bool {
+    let io = error.downcast_ref::<std::io::Error>();
+    io.is_some_and(|error| error.kind() == std::io::ErrorKind::BrokenPipe)
+}
+
+/// What a command gives: an exit code, or an error for one line.
+type Outcome = Result<ExitCode, Box<dyn std::error::Error>>;
+
+/// Reads the command line; a wrong one prints its usage and ends the program.
+#[must_use]
+pub fn parse() -> Cli {
+    <Cli as clap::Parser>::parse()
+}
+
+/// Opens the console with a preset or scenario file (the first preset without one) through the
+/// front end's `open`; prints what is missing if it cannot.
+#[must_use]
+pub fn console(scenario: Option<&str>, open: impl FnOnce(Start) -> Result<(), String>) -> ExitCode {
+    let loaded = run::load(scenario.unwrap_or(PRESETS[0].name)).map_err(|error| error.to_string());
+    let opened = loaded.and_then(|(scenario, edits)| open(Start { scenario, edits, notice: None }));
+    match opened {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! `steadycut run`: one scenario, its metrics, its signals as CSV.
+
+use std::fs::File;
+use std::io::{BufWriter, IsTerminal, Write};
+use std::path::Path;
+use std::process::ExitCode;
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
+
+use super::Outcome;
+use super::args::RunArgs;
+use crate::base::settings::SettingError;
+use crate::run::edits::Edits;
+use crate::run::metrics::Metrics;
+use crate::run::one_run::{End, Run};
+use crate::run::scenario::{Scenario, parse_value};
+use crate::run::{presets, scenario_file};
+use crate::study::export::csv;
+
+/// The JSON object of a run.
+#[derive(Serialize)]
+struct Report<'a> {
+    scenario: &'a str,
+    end: String,
+    #[serde(flatten)]
+    metrics: &'a Metrics,
+    ticks: u64,
+    digest: String,
+}
+
+/// Loads a preset or a scenario file; what looks like a file name is read as one.
+pub fn load(name: &str) -> Result<(Scenario, Edits), Box<dyn std::error::Error>> {
+    if presets::PRESETS.iter().any(|preset| preset.name == name) {
+        return Ok((presets::load(name)?, Edits::none()));
+    }
+    let path = Path::new(name);
+    let looks_like_file =
+        path.extension().is_some() || path.components().count() > 1 || path.exists();
+    if !looks_like_file {
+        return Err(presets::load(name).expect_err("no preset has this name").into());
+    }
+    let text = std::fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
+    Ok(scenario_file::parse(&text).map_err(|error| format!("{name}: {error}"))?)
+}
+
+/// Applies `--set path=value` arguments, all or none.
+fn apply(scenario: &mut Scenario, sets: &[String]) -> Result<(), SettingError> {
+    let mut changes = Vec::with_capacity(sets.len());
+    for set in sets {
+        let (path, value) = set.split_once('=').ok_or_else(|| SettingError::Format {
+            what: format!("--set {set}"),
+            problem: "expected PATH=VALUE, for example target.ra_um=0.6".to_owned(),
+        })?;
+        changes.push((path.to_owned(), parse_value(path, value)?));
+    }
+    scenario.set_all(&changes)
+}
+
+/// Ticks between updates of the progress bar.
+const SLICE: u64 = 100_000;
+
+fn complete(run: &mut Run) {
+    let bar = ProgressBar::new(run.last_tick());
+    if !std::io::stderr().is_terminal() {
+        bar.set_draw_target(indicatif::ProgressDrawTarget::hidden());
+    }
+    bar.set_style(
+        ProgressStyle::with_template("{bar:40} {percent}% {eta} left")
+            .expect("the template is constant"),
+    );
+    bar.enable_steady_tick(Duration::from_millis(200));
+    while !run.advance(SLICE) {
+        bar.set_position(run.ticks());
+    }
+    bar.finish_and_clear();
+}
+
+pub fn execute(args: &RunArgs) -> Outcome {
+    let (mut scenario, edits) = load(&args.scenario)?;
+    apply(&mut scenario, &args.set)?;
+    // Edits of the file must still fit the changed scenario.
+    let mut checked = Edits::none();
+    for edit in edits.list() {
+        checked.push(&scenario, edit.clone())?;
+    }
+    // The file is opened first: a path that cannot be written should not cost a run.
+    let out = match &args.out {
+        Some(path) => {
+            let file =
+                File::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
+            Some((path, BufWriter::new(file)))
+        }
+        None => None,
+    };
+    let mut run = Run::new(&scenario, &checked);
+    complete(&mut run);
+
+    let metrics = run.metrics();
+    let mut stdout = std::io::stdout().lock();
+    if args.json {
+        let report = Report {
+            scenario: &scenario.info.name,
+            end: end_text(&run),
+            metrics: &metrics,
+            ticks: run.ticks(),
+            digest: run.recording().digest(),
+        };
+        writeln!(stdout, "{}", serde_json::to_string_pretty(&report)?)?;
+    } else {
+        print_metrics(&mut stdout, &scenario, &run, &metrics)?;
+    }
+    if let Some((path, mut file)) = out {
+        csv::write(&mut file, run.recording())
+            .and_then(|()| file.flush())
+            .map_err(|error| format!("{}: {error}", path.display()))?;
+        if !args.json {
+            writeln!(stdout, "signals written to {}", path.display())?;
+        }
+    }
+    // A fault is a failure of the run, not of the program: its own exit code.
+    let failed = matches!(run.end(), Some(End::Fault(_)));
+    Ok(if failed { ExitCode::from(1) } else { ExitCode::SUCCESS })
+}
+
+fn end_text(run: &Run) -> String {
+    match run.end() {
+        Some(End::PathDone) => "path_done".to_owned(),
+        Some(End::TimeLimit) | None => "time_limit".to_owned(),
+        Some(End::Fault(fault)) => fault.to_string(),
+    }
+}
+
+fn print_metrics(
+    out: &mut impl Write,
+    scenario: &Scenario,
+    run: &Run,
+    m: &Metrics,
+) -> std::io::Result<()> {
+    writeln!(out, "{} ({})", scenario.info.name, scenario.controller.kind.label())?;
+    if !scenario.info.description.is_empty() {
+        writeln!(out, "{}", scenario.info.description)?;
+    }
+    let target = scenario.target.ra_um;
+    let settled =
+        m.settling_time_s.map_or("not settled".to_owned(), |time_s| format!("{time_s:.3} s"));
+    let tolerance = scenario.target.tolerance_percent;
+    let lines = [
+        ("Ra produced", format!("{:.4} um", m.ra_final_um)),
+        ("  deviation", format!("{:+.2} % of {target} um", m.ra_deviation_percent)),
+        ("  in tolerance", format!("{:.1} % of length (+-{tolerance} %)", m.in_tolerance_percent)),
+        ("force", format!("{:.2} N", m.force_final_n)),
+        ("  deviation", format!("{:+.2} %", m.force_deviation_percent)),
+        ("  worst after 1 s", format!("{:+.2} %", m.force_worst_percent)),
+        ("  largest", format!("{:.2} N", m.max_force_n)),
+        ("  Nsn", format!("{:.4}", m.normalized_standard_error)),
+        ("  Nsn, 20 samples", format!("{:.4}", m.normalized_standard_error_20)),
+        ("  settling", settled),
+        ("  overshoot", format!("{:.2} %", m.overshoot_percent)),
+        ("feed", format!("{:.2} mm/min", m.feed_final_mm_min)),
+        ("spindle speed", format!("{:.1} 1/min", m.spindle_final_rpm)),
+        ("time of cut", format!("{:.3} s", m.time_of_cut_s)),
+        ("path", format!("{:.2} of {} mm", m.path_mm, scenario.workpiece.length_mm)),
+        ("metal removed", format!("{:.3} cm3", m.metal_removed_cm3)),
+        ("at a limit", format!("{:.1} % of time", m.saturated_percent)),
+        ("models outside range", format!("{:.1} % of time", m.outside_percent)),
+        ("end", end_text(run)),
+        ("ticks", run.ticks().to_string()),
+        ("digest", run.recording().digest()),
+    ];
+    for (name, value) in lines {
+        writeln!(out, "  {name:<22}{value}")?;
+    }
+    Ok(())
+}

@@ -1,0 +1,49 @@
+//! A subcommand goes to the command line, none goes to the console; in the browser, the page
+//! starts the console.
+
+#[cfg(not(target_arch = "wasm32"))]
+fn main() -> std::process::ExitCode {
+    let cli = steadycut::cli::parse();
+    match &cli.command {
+        Some(command) => steadycut::cli::execute(command),
+        None => steadycut::cli::console(cli.scenario.as_deref(), open_console),
+    }
+}
+
+#[cfg(all(not(target_arch = "wasm32"), feature = "app"))]
+use steadycut::app::open as open_console;
+
+#[cfg(all(not(target_arch = "wasm32"), not(feature = "app")))]
+fn open_console(_: steadycut::run::Start) -> Result<(), String> {
+    Err("this program was built without the console; `steadycut --help` lists its commands, or \
+         build it with the feature `app`"
+        .to_owned())
+}
+
+#[cfg(target_arch = "wasm32")]
+fn main() {}
+
+#[cfg(target_arch = "wasm32")]
+mod web_exports {
+    use wasm_bindgen::prelude::*;
+
+    /// Digests and metrics of all presets, as in `tests/golden.json`.
+    #[wasm_bindgen]
+    pub fn preset_digests() -> String {
+        steadycut::study::golden::to_json()
+    }
+
+    /// Opens the console in a canvas.
+    #[cfg(feature = "app")]
+    #[wasm_bindgen]
+    pub async fn start(canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
+        steadycut::app::web::start(canvas).await
+    }
+
+    /// The console's state, for the browser test.
+    #[cfg(feature = "app")]
+    #[wasm_bindgen]
+    pub fn state_json() -> String {
+        steadycut::app::web::state_json()
+    }
+}

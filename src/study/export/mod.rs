@@ -1,0 +1,3 @@
+//! Exports of a run to any writer.
+
+pub mod csv;

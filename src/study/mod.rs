@@ -1,0 +1,8 @@
+//! Many runs, and what is made of them: identification, published tables against runs, exports.
+
+pub mod errata;
+pub mod export;
+pub mod golden;
+pub mod identify;
+pub mod papers;
+pub mod published;

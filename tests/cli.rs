@@ -1,0 +1,165 @@
+//! The command line as its user meets it.
+
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+use steadycut::run::edits::Edits;
+use steadycut::run::one_run::Run;
+use steadycut::run::presets::load;
+
+fn steadycut(args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_steadycut")).args(args).output().unwrap()
+}
+
+fn json(args: &[&str]) -> serde_json::Value {
+    let output = steadycut(args);
+    assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn refused(args: &[&str]) -> String {
+    let output = steadycut(args);
+    assert!(!output.status.success(), "{args:?} must fail");
+    assert!(output.stdout.is_empty() || args[0] == "check", "{args:?}");
+    String::from_utf8(output.stderr).unwrap() + &String::from_utf8(output.stdout).unwrap()
+}
+
+fn temporary(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+#[test]
+fn run_prints_one_json_object_with_the_promised_keys() {
+    let report = json(&["run", "table3-5", "--json"]);
+    for key in [
+        "ra_final_um",
+        "ra_deviation_percent",
+        "in_tolerance_percent",
+        "force_final_n",
+        "force_deviation_percent",
+        "feed_final_mm_min",
+        "spindle_final_rpm",
+        "normalized_standard_error",
+        "settling_time_s",
+        "overshoot_percent",
+        "time_of_cut_s",
+        "max_force_n",
+        "ticks",
+        "digest",
+    ] {
+        assert!(report.get(key).is_some(), "`{key}` is missing");
+    }
+    assert_eq!(report["ticks"], 15000);
+    // The command line and the library run the same bits.
+    let run = Run::complete(&load("table3-5").unwrap(), &Edits::none());
+    assert_eq!(report["digest"], run.recording().digest());
+}
+
+#[test]
+fn set_and_out_work_together() {
+    let file = temporary("trace.csv");
+    let args = ["run", "table3-5", "--set", "run.duration_s=2", "--set", "target.ra_um=0.6"];
+    let output = steadycut(&[&args[..], &["--out", file.to_str().unwrap()]].concat());
+    assert!(output.status.success());
+    let text = std::fs::read_to_string(&file).unwrap();
+    assert_eq!(text.lines().count(), 2002, "a header, the start and 2000 steps");
+    let header = text.lines().next().unwrap();
+    assert!(header.contains("force_n [N]") && header.contains("feed_mm_min [mm/min]"));
+    let shown = String::from_utf8(output.stdout).unwrap();
+    assert!(shown.contains("of 0.6 um"), "{shown}");
+}
+
+#[test]
+fn a_scenario_file_runs_like_its_preset() {
+    let file = temporary("scenario.toml");
+    let scenario = load("depth-step").unwrap();
+    let text = steadycut::run::scenario_file::write(&scenario, &Edits::none());
+    std::fs::write(&file, text).unwrap();
+    let from_file = json(&["run", file.to_str().unwrap(), "--json"]);
+    let from_preset = json(&["run", "depth-step", "--json"]);
+    assert_eq!(from_file["digest"], from_preset["digest"]);
+    assert!(steadycut(&["check", file.to_str().unwrap()]).status.success());
+}
+
+#[test]
+fn papers_prints_rows_named_like_the_table() {
+    let paper = json(&["papers", "--paper", "2007", "--json"]);
+    assert_eq!((&paper["paper"], &paper["calibration"]), (&"2007".into(), &"identified".into()));
+    let rows = paper["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), 10);
+    assert_eq!(rows[0]["sim"], 1);
+    assert_eq!(rows[0]["force_final_n"]["printed"], 166.5);
+    assert!(rows[0]["force_final_n"]["reproduced"].as_f64().unwrap() > 166.0);
+    assert!(rows[9]["note"].as_str().unwrap().contains("190.2"));
+    assert_eq!(paper["errata"].as_array().unwrap().len(), 11);
+    for calibration in ["printed", "restored"] {
+        let paper = json(&["papers", "--paper", "2007", "--calibration", calibration, "--json"]);
+        assert_eq!(paper["calibration"], calibration);
+    }
+    let text = steadycut(&["papers", "--paper", "2007"]).stdout;
+    assert!(String::from_utf8(text).unwrap().contains("40 of 40 cells within their bands"));
+}
+
+#[test]
+fn identify_reproduces_the_shipped_model_file() {
+    let file = temporary("identified.toml");
+    let output = steadycut(&["identify", "tables", "--out", file.to_str().unwrap()]);
+    assert!(output.status.success());
+    let written = std::fs::read_to_string(&file).unwrap();
+    assert_eq!(written, include_str!("../assets/models/identified_2007.toml"));
+    let report = json(&["identify", "tables", "--json"]);
+    assert_eq!(report["equals_shipped"], true);
+    // spec: the quadratic fits the twenty points with 0.26 N rms, K4 is 0.75 N off at worst.
+    assert!((report["fits"][0]["rms"].as_f64().unwrap() - 0.26).abs() < 0.01);
+    assert!(report["fits"][3]["worst"].as_f64().unwrap() < 0.755);
+}
+
+#[test]
+fn identify_follows_the_table_that_it_is_given() {
+    let file = temporary("table.csv");
+    let table = include_str!("../assets/data/table3_2007.csv").replace("264.92", "284.92");
+    std::fs::write(&file, &table).unwrap();
+    let report = json(&["identify", "tables", "--table", file.to_str().unwrap(), "--json"]);
+    assert_eq!(report["equals_shipped"], false);
+    std::fs::write(&file, table.replace("0.51", "NaN")).unwrap();
+    let error = refused(&["identify", "tables", "--table", file.to_str().unwrap()]);
+    assert!(error.contains("sim 2"), "{error}");
+}
+
+#[test]
+fn list_names_everything() {
+    let list = json(&["list", "--json"]);
+    assert!(list["presets"].as_array().unwrap().len() >= 13);
+    assert!(list["materials"].as_array().unwrap().len() >= 8);
+    assert_eq!(list["drives"].as_array().unwrap().len(), 5);
+    let settings = list["settings"].as_array().unwrap();
+    for setting in settings {
+        for key in ["path", "label", "unit", "doc", "default", "kind"] {
+            assert!(setting.get(key).is_some(), "{setting}: `{key}`");
+        }
+    }
+    let text = String::from_utf8(steadycut(&["list"]).stdout).unwrap();
+    for setting in settings {
+        assert!(text.contains(setting["path"].as_str().unwrap()));
+    }
+}
+
+#[test]
+fn bad_input_is_answered_by_name() {
+    let error = refused(&["run", "table3-11"]);
+    assert!(error.contains("table3-11") && error.contains("depth-step"), "{error}");
+    let error = refused(&["run", "table3-5", "--set", "target.ra_um=NaN"]);
+    assert!(error.contains("target.ra_um") && error.contains("NaN"), "{error}");
+    let error = refused(&["run", "table3-5", "--set", "target.ra_um"]);
+    assert!(error.contains("PATH=VALUE"), "{error}");
+    let error = refused(&["run", "table3-5", "--set", "target.raum=1"]);
+    assert!(error.contains("did you mean"), "{error}");
+    let error = refused(&["run", "missing.toml"]);
+    assert!(error.contains("missing.toml"), "{error}");
+    let error = refused(&["run", "table3-5", "--out", "no/such/folder/x.csv"]);
+    assert!(error.contains("no/such/folder/x.csv"), "{error}");
+    let file = temporary("bad.toml");
+    std::fs::write(&file, "version = 1\n[target]\nra_um = -1\n").unwrap();
+    let error = refused(&["check", file.to_str().unwrap()]);
+    assert!(error.contains("target.ra_um") && error.contains("-1"), "{error}");
+}
