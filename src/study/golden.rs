@@ -3,6 +3,8 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::base::model::feed_drive::{ExactDrive, FeedDriveKind};
+use crate::run::digest::Digest;
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
 use crate::run::presets::{PRESETS, load};
@@ -21,6 +23,7 @@ pub fn golden() -> Map<String, Value> {
         let entry = json!({
             "ticks": run.ticks(),
             "digest": run.recording().digest(),
+            "drive_coefficients": drive_coefficients(scenario.dt_s()),
             "ra_final_um": rounded(m.ra_final_um),
             "force_final_n": rounded(m.force_final_n),
             "feed_final_mm_min": rounded(m.feed_final_mm_min),
@@ -29,6 +32,18 @@ pub fn golden() -> Map<String, Value> {
         all.insert(preset.name.to_owned(), entry);
     }
     all
+}
+
+/// Digest over the coefficients of every drive, discretised for `dt_s`: the matrix exponential
+/// comes from a library, which must give the same bits everywhere too.
+fn drive_coefficients(dt_s: f64) -> String {
+    let mut digest = Digest::default();
+    for kind in FeedDriveKind::ALL {
+        for word in ExactDrive::new(*kind, dt_s).coefficient_bits() {
+            digest.word(word);
+        }
+    }
+    digest.hex()
 }
 
 /// Six decimals: enough to read; the digest holds the bits.

@@ -184,34 +184,42 @@ impl GpModels {
     }
 
     /// The feed in mm/min at which K4 gives `force_n` at `speed_rpm`: the inverse of
-    /// [`Self::force`] over the feed, limited to `feed_max_mm_min`. Invalid where the force is
-    /// out of reach within these feeds.
+    /// [`Self::force`] over the feed, limited to `feed_max_mm_min`; `near_mm_min` is a guess that
+    /// only saves time. Invalid where the force is out of reach within these feeds.
     #[must_use]
-    pub fn feed_for_force(&self, force_n: f64, speed_rpm: f64, feed_max_mm_min: f64) -> Valued {
+    pub fn feed_for_force(
+        &self,
+        force_n: f64,
+        speed_rpm: f64,
+        feed_max_mm_min: f64,
+        near_mm_min: f64,
+    ) -> Valued {
         let speed_term = K4_SPEED * speed_rpm * speed_rpm * speed_rpm;
         // ln(0.039 f) / f must equal `ratio`; over f > e / 0.039 it falls from 0.039 / e to 0.
         let ratio = (self.k4_intercept_n - speed_term - force_n) / K4_FEED;
-        let at = |feed: f64| math::ln(K4_INCH * feed) / feed - ratio;
-        if at(FEED_MIN_MM_MIN) <= 0.0 {
+        if ratio >= K4_INCH / math::E {
             return Valued::new(FEED_MIN_MM_MIN, false);
         }
-        if feed_max_mm_min <= FEED_MIN_MM_MIN || at(feed_max_mm_min) >= 0.0 {
-            return Valued::new(feed_max_mm_min.max(FEED_MIN_MM_MIN), false);
+        let error_at = |feed: f64, log: f64| log / feed - ratio;
+        let feed_max = feed_max_mm_min.max(FEED_MIN_MM_MIN);
+        if error_at(feed_max, math::ln(K4_INCH * feed_max)) >= 0.0 {
+            return Valued::new(feed_max, false);
         }
-        // Newton's method inside a bracket, from the geometric middle; bisects when it leaves it.
-        let (mut low, mut high) = (FEED_MIN_MM_MIN, feed_max_mm_min);
-        let mut feed = (low * high).sqrt();
+        // Newton's method inside a bracket; bisects when it leaves it.
+        let (mut low, mut high) = (FEED_MIN_MM_MIN, feed_max);
+        let inside = near_mm_min > low && near_mm_min < high;
+        let mut feed = if inside { near_mm_min } else { (low * high).sqrt() };
         for _ in 0..60 {
-            let error = at(feed);
+            let log = math::ln(K4_INCH * feed);
+            let error = error_at(feed, log);
             if error > 0.0 {
                 low = feed;
             } else {
                 high = feed;
             }
-            let slope = (1.0 - math::ln(K4_INCH * feed)) / (feed * feed);
-            let newton = feed - error / slope;
+            let newton = feed - error * feed * feed / (1.0 - log);
             let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            if (next - feed).abs() <= 1e-12 * feed {
+            if (next - feed).abs() <= 1e-10 * feed {
                 return Valued::new(next, true);
             }
             feed = next;
@@ -307,12 +315,14 @@ mod tests {
         for feed in [70.0, 100.0, 324.6, 900.0, 2500.0] {
             for speed in [500.0, 2134.0, 3900.0] {
                 let force = models.force(feed, speed).value;
-                let found = models.feed_for_force(force, speed, 3000.0);
-                assert!(found.valid && (found.value - feed).abs() < 1e-5 * feed, "{found:?}");
+                for near in [0.0, 100.0, 2900.0, f64::NAN] {
+                    let found = models.feed_for_force(force, speed, 3000.0, near);
+                    assert!(found.valid && (found.value - feed).abs() < 1e-5 * feed, "{found:?}");
+                }
             }
         }
-        assert!(!models.feed_for_force(10.0, 2000.0, 3000.0).valid);
-        assert!(!models.feed_for_force(1000.0, 2000.0, 3000.0).valid);
+        assert!(!models.feed_for_force(10.0, 2000.0, 3000.0, 300.0).valid);
+        assert!(!models.feed_for_force(1000.0, 2000.0, 3000.0, 300.0).valid);
     }
 
     #[test]

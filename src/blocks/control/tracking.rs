@@ -67,11 +67,12 @@ pub struct Tracking {
     /// Commands sent, newest last; a ring indexed by `newest`.
     sent: Vec<FeedSpeed>,
     newest: usize,
-    /// State: delayed feed, delayed speed, speed without dead time, gain estimate.
+    /// State: delayed feed, delayed speed, speed without dead time, gain estimate, setpoint s.
     feed: DriveState,
     speed_rpm: f64,
     speed_undelayed_rpm: f64,
     gain: f64,
+    setpoint_n: f64,
     started: bool,
 }
 
@@ -96,6 +97,7 @@ impl Tracking {
             speed_rpm: current.speed_rpm,
             speed_undelayed_rpm: current.speed_rpm,
             gain: 1.0,
+            setpoint_n: 200.0,
             started: false,
         };
         tracking.configure(setup);
@@ -166,10 +168,11 @@ impl Tracking {
         }
         let asked_n = input.force_ref_n / self.gain;
 
-        let setpoint = setpoint_for(asked_n, input.models, &input.limits);
-        let speed = input.models.speed_from_force(setpoint);
-        let feed_max = input.limits.feed_mm_min[1];
-        let feed = input.models.feed_for_force(asked_n, self.speed_undelayed_rpm, feed_max);
+        self.setpoint_n = setpoint_for(asked_n, self.setpoint_n, input.models, &input.limits);
+        let speed = input.models.speed_from_force(self.setpoint_n);
+        let (feed_max, near) = (input.limits.feed_mm_min[1], input.applied.feed_mm_min);
+        let feed =
+            input.models.feed_for_force(asked_n, self.speed_undelayed_rpm, feed_max, near);
         ControlOutput {
             request: FeedSpeed { feed_mm_min: feed.value, speed_rpm: speed.value },
             force_setpoint_n: asked_n,
@@ -180,19 +183,54 @@ impl Tracking {
     }
 }
 
-/// The s with K4(K2(s), K3(s)) = `asked_n`, commands limited; by bisection, since the limited line
-/// is monotone but not smooth.
-fn setpoint_for(asked_n: f64, models: &GpModels, limits: &Limits) -> f64 {
-    let (mut low, mut high) = (0.0, 500.0);
-    for _ in 0..26 {
-        let s = 0.5 * (low + high);
+/// Range of the setpoint s that is searched, N.
+const SETPOINT_RANGE_N: [f64; 2] = [0.0, 500.0];
+
+/// The s with K4(K2(s), K3(s)) = `asked_n`, commands limited; `near` is where it was last. The
+/// limited line is monotone but not smooth: false position (Illinois) in a bracket that grows from
+/// `near`, to a thousandth of a newton: s only chooses the speed, the feed is solved for exactly.
+fn setpoint_for(asked_n: f64, near: f64, models: &GpModels, limits: &Limits) -> f64 {
+    let error = |s: f64| {
         let feed = models.feed_from_force(s).value;
         let speed = models.speed_from_force(s).value;
         let force = models.force(
             limit(feed, limits.feed_mm_min[0], limits.feed_mm_min[1]),
             limit(speed, limits.speed_rpm[0], limits.speed_rpm[1]),
         );
-        if force.value > asked_n { high = s } else { low = s }
+        force.value - asked_n
+    };
+    let [least, most] = SETPOINT_RANGE_N;
+    let mut low = limit(near, least, most);
+    let mut at_low = error(low);
+    if at_low.abs() < 1e-3 {
+        return low;
+    }
+    // Grow the bracket away from `near` to the side where the root is.
+    let rising = at_low < 0.0;
+    let (mut high, mut at_high) = (low, at_low);
+    let mut stride = 1.0;
+    while (at_high < 0.0) == rising {
+        (low, at_low) = (high, at_high);
+        let end = if rising { most } else { least };
+        if high == end {
+            return end;
+        }
+        high = limit(if rising { high + stride } else { high - stride }, least, most);
+        at_high = error(high);
+        stride *= 4.0;
+    }
+    for _ in 0..60 {
+        let middle = low - at_low * (high - low) / (at_high - at_low);
+        let at_middle = error(middle);
+        if at_middle.abs() < 1e-3 || (high - low).abs() < 1e-6 {
+            return middle;
+        }
+        if (at_middle < 0.0) == (at_high < 0.0) {
+            at_low *= 0.5;
+        } else {
+            (low, at_low) = (high, at_high);
+        }
+        (high, at_high) = (middle, at_middle);
     }
     0.5 * (low + high)
 }

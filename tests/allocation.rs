@@ -1,0 +1,42 @@
+//! No allocation per step: counted by the allocator itself.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use steadycut::blocks::control::ControllerKind;
+use steadycut::run::edits::Edits;
+use steadycut::run::one_run::Run;
+use steadycut::run::presets::load;
+
+struct Counting;
+
+static ALLOCATIONS: AtomicUsize = AtomicUsize::new(0);
+
+// SAFETY: passes every call on to the system's allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+#[test]
+fn a_step_with_recording_allocates_nothing() {
+    for kind in ControllerKind::ALL {
+        let mut scenario = load("table3-5-noise").unwrap();
+        scenario.controller.kind = *kind;
+        let mut run = Run::new(&scenario, &Edits::none());
+        run.advance(100);
+        let before = ALLOCATIONS.load(Ordering::Relaxed);
+        // Short of the first snapshot, which may allocate: it is one in ten thousand steps.
+        run.advance(9_000);
+        let after = ALLOCATIONS.load(Ordering::Relaxed);
+        assert_eq!(after - before, 0, "{}", kind.id());
+    }
+}
