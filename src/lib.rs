@@ -13,5 +13,5 @@ pub mod study;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
 
-//#[cfg(feature = "app")]
-//pub mod app;
+#[cfg(feature = "app")]
+pub mod app;

@@ -1,0 +1,171 @@
+// Loads and starts SteadyCut: looks for a way to draw, downloads the program while showing how far
+// it is, starts it, and shows a page in plain words when any of that fails.
+// web/build fills in @BUILD@ (the name of this build); index.html carries the program's size.
+
+const BUILD = "@BUILD@";
+const ADAPTER_PATIENCE_MS = 3000;
+const byId = (id) => document.getElementById(id);
+
+let started = false; // the program draws: later failures are crashes
+let graphics = null; // "WebGPU" or "WebGL 2": what the program draws with
+let failed = false; // the first failure is shown; what follows from it is not
+
+// --- the error page ---------------------------------------------------------------------------
+
+const OTHER_BROWSER =
+  "If that does not help, try another browser: current versions of Chrome, Edge, Firefox and Safari can run SteadyCut.";
+
+function fail(title, advice, detail) {
+  if (failed) return;
+  failed = true;
+  byId("failed-title").textContent = title;
+  byId("failed-advice").textContent = advice;
+  byId("failed-detail").textContent = detail ? String(detail?.message ?? detail) : "";
+  byId("reload-webgl").hidden = graphics !== "WebGPU";
+  byId("loading").hidden = true;
+  byId("failed").hidden = false;
+  byId("reload").focus();
+}
+
+function crashed(detail) {
+  fail(
+    "SteadyCut has stopped",
+    `This is a fault in the program. The settings are kept in the page's address: reload the page to go on. ${OTHER_BROWSER}`,
+    detail,
+  );
+}
+
+byId("reload").onclick = () => location.reload();
+byId("reload-webgl").onclick = () => {
+  const address = new URL(location.href);
+  address.searchParams.set("graphics", "webgl");
+  location.href = address.href;
+};
+
+// Rust's panic hook calls this.
+window.steadycutPanic = crashed;
+// A trap without a panic (out of memory, stack overflow) arrives here only.
+const trapped = (error) => {
+  if (started && error instanceof WebAssembly.RuntimeError) crashed(error);
+};
+window.addEventListener("error", (event) => trapped(event.error));
+window.addEventListener("unhandledrejection", (event) => trapped(event.reason));
+
+// --- what to draw with ------------------------------------------------------------------------
+
+// WebGPU if the browser hands out an adapter, otherwise WebGL 2: the order of the program's own
+// choice (wgpu). Where WebGPU is not to be used, navigator.gpu is hidden, so the program agrees.
+async function findGraphics() {
+  const forced = new URLSearchParams(location.search).get("graphics") === "webgl";
+  if (!forced && (await hasAdapter())) return "WebGPU";
+  if (navigator.gpu) Object.defineProperty(navigator, "gpu", { value: undefined, configurable: true });
+  const probe = document.createElement("canvas").getContext("webgl2");
+  probe?.getExtension("WEBGL_lose_context")?.loseContext(); // contexts are few: give it back
+  return probe ? "WebGL 2" : null;
+}
+
+// Some browsers offer a WebGPU that never answers.
+async function hasAdapter() {
+  const tooLong = new Promise((resolve) => setTimeout(resolve, ADAPTER_PATIENCE_MS, null));
+  try {
+    return Boolean(await Promise.race([navigator.gpu?.requestAdapter(), tooLong]));
+  } catch {
+    return false;
+  }
+}
+
+// --- the download -----------------------------------------------------------------------------
+
+const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
+
+function showProgress(bytes, total) {
+  const bar = byId("progress");
+  if (total) {
+    bar.value = Math.min(bytes / total, 1);
+    byId("phase").textContent = `Loading: ${megabytes(bytes)} of ${megabytes(total)} MB`;
+  } else {
+    bar.removeAttribute("value"); // a bar that only moves
+    byId("phase").textContent = `Loading: ${megabytes(bytes)} MB`;
+  }
+}
+
+// The program as a Response, compiled while it comes in. The bytes counted are the unpacked ones,
+// so the sum to reach is the size web/build wrote into the page; a Content-Length says it only if
+// the transfer is not compressed.
+async function download(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`${address.pathname}: the server answers ${response.status} ${response.statusText}`);
+  const packed = response.headers.get("Content-Encoding");
+  const total = Number(byId("boot").dataset.wasmBytes) || (packed ? 0 : Number(response.headers.get("Content-Length")));
+  const reader = response.body.getReader();
+  let bytes = 0;
+  const counted = new ReadableStream({
+    async pull(controller) {
+      const { done, value } = await reader.read();
+      if (done) {
+        showStarting();
+        controller.close();
+      } else {
+        bytes += value.length;
+        showProgress(bytes, total);
+        controller.enqueue(value);
+      }
+    },
+    cancel: (reason) => reader.cancel(reason),
+  });
+  return new Response(counted, { headers: { "Content-Type": "application/wasm" } });
+}
+
+function showStarting() {
+  byId("progress").removeAttribute("value");
+  byId("phase").textContent = "Starting…";
+}
+
+const nextFrame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+
+// --- start ------------------------------------------------------------------------------------
+
+async function boot() {
+  if (typeof WebAssembly !== "object") return fail(byId("failed-title").textContent, byId("failed-advice").textContent);
+
+  graphics = await findGraphics();
+  if (!graphics) {
+    return fail(
+      "SteadyCut can't draw here",
+      "This browser offers neither WebGPU nor WebGL 2. Turn on hardware acceleration in the browser's settings, update the browser, " +
+        "or open the page in another one: current versions of Chrome, Edge, Firefox and Safari can run SteadyCut.",
+    );
+  }
+
+  let program;
+  try {
+    program = await import(`./steadycut.js?v=${BUILD}`);
+    const wasm = new URL(`steadycut_bg.wasm?v=${BUILD}`, import.meta.url);
+    await program.default({ module_or_path: download(wasm) });
+  } catch (error) {
+    const advice = navigator.onLine
+      ? `A part of the program did not arrive or could not be read. Check the connection and reload the page. ${OTHER_BROWSER}`
+      : "There is no connection to the network. Reload the page when there is one.";
+    return fail("SteadyCut could not be loaded", advice, error);
+  }
+
+  try {
+    const canvas = byId("canvas");
+    canvas.addEventListener("webglcontextlost", () => crashed("The browser has taken the graphics context away."));
+    await program.start(canvas);
+    await nextFrame(); // the first picture
+    await nextFrame();
+  } catch (error) {
+    return fail("SteadyCut could not start", `Drawing with ${graphics} failed. Reload the page. ${OTHER_BROWSER}`, error);
+  }
+  if (failed) return;
+  started = true;
+  window.steadycut = program;
+  byId("loading").hidden = true;
+  byId("canvas").focus();
+
+  // For use without a network, once this page is up. Secure pages only (https, localhost).
+  navigator.serviceWorker?.register("sw.js").catch((error) => console.warn("SteadyCut works on line only:", error));
+}
+
+boot().catch((error) => fail("SteadyCut could not start", `Reload the page. ${OTHER_BROWSER}`, error));

@@ -1,0 +1,287 @@
+// The page in a real browser: Chromium, headless, drawing in software. Needs web/dist (web/build)
+// and Chromium (Debian's package chromium, or the environment variable CHROMIUM).
+
+import assert from "node:assert/strict";
+import { mkdirSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+import { assertGolden } from "./golden.mjs";
+import { serve } from "./server.mjs";
+
+const SHOTS = fileURLToPath(new URL("shots", import.meta.url));
+const PATIENCE = { timeout: 120_000, polling: 200 }; // software drawing on a busy machine is slow
+const QUIET = [
+  "--no-sandbox",
+  "--no-first-run",
+  "--disable-quic",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+const SOFTWARE_GL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+const NO_GL = ["--disable-gpu", "--disable-3d-apis"];
+
+const launch = (flags) =>
+  chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: [...QUIET, ...flags] });
+
+let browser;
+let server;
+const others = []; // servers of single tests
+const serveChanged = async (change) => {
+  others.push(await serve({ change }));
+  return others.at(-1);
+};
+before(async () => {
+  mkdirSync(SHOTS, { recursive: true });
+  server = await serve();
+  browser = await launch(SOFTWARE_GL);
+});
+after(async () => {
+  await browser?.close();
+  for (const each of [server, ...others]) await each?.close();
+});
+
+// --- helpers ----------------------------------------------------------------------------------
+
+// A fresh page (own storage, own service worker) that remembers everything that went wrong in it.
+async function open({ settings = {}, from = browser, prepare } = {}) {
+  const context = await from.newContext({ viewport: { width: 1280, height: 800 }, serviceWorkers: "block", ...settings });
+  const page = await context.newPage();
+  const wrong = [];
+  page.on("console", (message) => message.type() === "error" && wrong.push(`console: ${message.text()}`));
+  page.on("pageerror", (error) => wrong.push(`page: ${error.stack ?? error}`));
+  if (prepare) await page.addInitScript(prepare);
+  return { page, context, wrong };
+}
+
+// Frames drawn, or the error page: whichever comes first.
+async function firstFrame(page) {
+  await page.waitForFunction(
+    () => !document.getElementById("failed").hidden || (window.steadycut && JSON.parse(window.steadycut.state_json()).frames > 0),
+    null,
+    PATIENCE,
+  );
+  assert.equal(await page.locator("#failed").isVisible(), false, `the error page: ${await page.locator("#failed").innerText()}`);
+  assert.equal(await page.locator("#loading").isVisible(), false, "the loading page is still there");
+  return state(page);
+}
+
+const state = async (page) => JSON.parse(await page.evaluate(() => window.steadycut.state_json()));
+
+// Waits until `check(state, argument)`, run in the page, is true.
+async function untilState(page, check, argument) {
+  const source = `(argument) => (${check})(JSON.parse(window.steadycut.state_json()), argument)`;
+  await page.waitForFunction(new Function(`return ${source}`)(), argument, PATIENCE);
+  return state(page);
+}
+
+// A screenshot, kept in shots/, that must show a picture: many colours, none nearly everywhere.
+async function picture(page, name) {
+  const png = await page.screenshot({ path: `${SHOTS}/${name}.png` });
+  const context = await browser.newContext();
+  const counts = await (await context.newPage()).evaluate(async (base64) => {
+    const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+    canvas.drawImage(bitmap, 0, 0);
+    const pixels = new Uint32Array(canvas.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer);
+    const count = new Map();
+    for (const pixel of pixels) count.set(pixel, (count.get(pixel) ?? 0) + 1);
+    return { colours: count.size, commonest: Math.max(...count.values()) / pixels.length };
+  }, png.toString("base64"));
+  await context.close();
+  assert.ok(counts.colours > 20 && counts.commonest < 0.98, `${name}: hardly a picture: ${JSON.stringify(counts)}`);
+}
+
+async function errorPage(page, title) {
+  await page.locator("#failed").waitFor({ state: "visible", timeout: PATIENCE.timeout });
+  assert.equal(await page.locator("#failed-title").innerText(), title);
+  assert.equal(await page.locator("#reload").isVisible(), true);
+  assert.match(await page.locator("#failed").innerText(), /current versions of Chrome, Edge, Firefox and Safari/);
+}
+
+// --- the console ------------------------------------------------------------------------------
+
+test("the console draws, gives the golden digests and obeys the target-Ra slider", async (t) => {
+  const { page, context, wrong } = await open({
+    // Write down what the loading page says.
+    prepare: () => {
+      window.phases = [];
+      document.addEventListener("DOMContentLoaded", () => {
+        const phase = document.getElementById("phase");
+        new MutationObserver(() => window.phases.push(phase.textContent)).observe(phase, { childList: true });
+      });
+    },
+  });
+  await page.goto(server.url);
+  const first = await firstFrame(page);
+  assert.equal(await page.title(), "SteadyCut");
+  assert.equal(first.screen, "console");
+  assert.equal(first.error, null);
+
+  const phases = await page.evaluate(() => window.phases);
+  const [, done, total] = phases.findLast((text) => text.startsWith("Loading:")).match(/^Loading: ([\d.]+) of ([\d.]+) MB$/);
+  assert.equal(done, total, "the bar ends at the full size");
+  assert.equal(phases.at(-1), "Starting…");
+
+  await t.test("digests", async () => {
+    assertGolden(await page.evaluate(() => window.steadycut.preset_digests()));
+  });
+
+  await t.test("slider", async () => {
+    const old = await untilState(page, (now) => now.rects?.target_ra_slider?.length === 4);
+    const [x0, y0, x1, y1] = old.rects.target_ra_slider;
+    assert.ok(x1 - x0 > 20 && y1 - y0 > 4, `the slider's place: ${old.rects.target_ra_slider}`);
+    const y = (y0 + y1) / 2;
+    const at = (share) => x0 + share * (x1 - x0);
+    // Press at one place and pull to another: wherever the handle was, the target changes.
+    await page.mouse.move(at(0.15), y);
+    await page.mouse.down();
+    const pressed = await untilState(page, (now, was) => now.frames > was.frames + 1, old);
+    await page.mouse.move(at(0.3), y, { steps: 4 });
+    const pulled = await untilState(page, (now, was) => now.target_ra_um !== was.target_ra_um, pressed);
+    await page.mouse.up();
+    assert.ok(pulled.target_ra_um > 0);
+    await untilState(page, (now, was) => Math.abs(now.ra_um - was.ra_um) > 1e-6, old);
+  });
+
+  await picture(page, "console");
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+test("the console draws on a phone", async () => {
+  const { page, context, wrong } = await open({
+    // Scale 1: the size in device pixels that Chromium reports ignores an emulated scale.
+    settings: { viewport: { width: 390, height: 844 }, deviceScaleFactor: 1, hasTouch: true, isMobile: true, colorScheme: "dark" },
+  });
+  await page.goto(server.url);
+  const first = await firstFrame(page);
+  const size = await page.evaluate(() => [innerWidth, innerHeight, document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
+  assert.deepEqual(size, [390, 844, 390, 844], "the page fits the screen and does not scroll");
+  await page.touchscreen.tap(195, 420);
+  await untilState(page, (now, was) => now.frames > was.frames, first);
+  await picture(page, "phone");
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+test("a bad link is reported, and the console runs", async () => {
+  const { page, context, wrong } = await open();
+  await page.goto(`${server.url}#target.ra_um=abc`);
+  await firstFrame(page);
+  const { error } = await untilState(page, (now) => now.error !== null && now.frames > 2);
+  assert.match(error, /target\.ra_um/);
+  await picture(page, "bad-link");
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+test("a WebGPU without an adapter falls back to WebGL", async () => {
+  const { page, context, wrong } = await open({
+    prepare: () => Object.defineProperty(navigator, "gpu", { value: { requestAdapter: async () => null }, configurable: true }),
+  });
+  await page.goto(server.url);
+  await firstFrame(page);
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+// --- without a network ------------------------------------------------------------------------
+
+test("works off line after the first visit, and shows a new build at once", async () => {
+  let first = "";
+  let build = "";
+  const own = await serveChanged((path, bytes) =>
+    build && /\.(html|js)$/.test(path) ? Buffer.from(bytes.toString().replaceAll(first, build)) : bytes,
+  );
+  const { page, context } = await open({ settings: { serviceWorkers: "allow" } });
+  await page.goto(own.url);
+  await firstFrame(page);
+  first = await page.evaluate(() => new URL(document.getElementById("boot").src).searchParams.get("v"));
+  assert.match(first, /^[0-9a-f]{16}$/);
+  // Waits until the service worker of a build is at work, and its cache the only one.
+  const cacheIs = async (name) => {
+    const end = Date.now() + PATIENCE.timeout;
+    let seen;
+    do {
+      await new Promise((resolve) => setTimeout(resolve, PATIENCE.polling));
+      seen = await page.evaluate(async () => {
+        const [{ active, waiting, installing } = {}] = await navigator.serviceWorker.getRegistrations();
+        return `${active?.state} ${waiting?.state} ${installing?.state} ${await caches.keys()}`;
+      });
+    } while (seen !== `activated undefined undefined steadycut-${name}` && Date.now() < end);
+    assert.equal(seen, `activated undefined undefined steadycut-${name}`);
+  };
+  await cacheIs(first);
+
+  build = "a".repeat(16);
+  await page.reload();
+  await firstFrame(page);
+  assert.match(await page.evaluate(() => document.getElementById("boot").src), /v=a{16}$/, "the new build is shown at the first visit");
+  await cacheIs(build);
+
+  await own.close();
+  await page.reload();
+  await firstFrame(page);
+  assert.match(await page.evaluate(() => document.getElementById("boot").src), /v=a{16}$/, "off line, the newest build is there");
+  await picture(page, "off-line");
+  await context.close();
+});
+
+// --- when it goes wrong -----------------------------------------------------------------------
+
+test("no WebGPU and no WebGL: the error page", async () => {
+  const bare = await launch(NO_GL);
+  try {
+    const { page, wrong } = await open({ from: bare });
+    await page.goto(server.url);
+    await errorPage(page, "SteadyCut can't draw here");
+    await page.screenshot({ path: `${SHOTS}/no-graphics.png` });
+    assert.deepEqual(wrong, []);
+  } finally {
+    await bare.close();
+  }
+});
+
+for (const [what, status] of [["steadycut_bg.wasm", 404], ["steadycut.js", 500]]) {
+  test(`${what} does not arrive: the error page`, async () => {
+    const broken = await serveChanged((path, bytes) => (path === `/${what}` ? status : bytes));
+    const { page, context } = await open();
+    await page.goto(broken.url);
+    await errorPage(page, "SteadyCut could not be loaded");
+    await context.close();
+    });
+}
+
+test("boot.js does not arrive: the error page", async () => {
+  const broken = await serveChanged((path, bytes) => (path === "/boot.js" ? 404 : bytes));
+  const { page, context } = await open();
+  await page.goto(broken.url);
+  await page.locator("#failed").waitFor({ state: "visible" });
+  assert.equal(await page.locator("#failed-title").innerText(), "SteadyCut could not be loaded");
+  await context.close();
+});
+
+test("a cut-off program: the error page", async () => {
+  const broken = await serveChanged((path, bytes) => (path.endsWith(".wasm") ? bytes.subarray(0, bytes.length / 2) : bytes));
+  const { page, context } = await open();
+  await page.goto(broken.url);
+  await errorPage(page, "SteadyCut could not be loaded");
+  await context.close();
+});
+
+test("a panic: the error page with the message, and the reload button starts again", async () => {
+  const { page, context, wrong } = await open();
+  await page.goto(server.url);
+  await firstFrame(page);
+  await page.evaluate(() => window.steadycutPanic("panicked at src/some.rs:1:2: a test of the error page"));
+  await errorPage(page, "SteadyCut has stopped");
+  assert.match(await page.locator("#failed-detail").innerText(), /a test of the error page/);
+  await page.screenshot({ path: `${SHOTS}/panic.png` });
+  await page.locator("#reload").click();
+  await page.waitForFunction(() => !window.steadycut || document.getElementById("failed").hidden, null, PATIENCE);
+  await firstFrame(page);
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
