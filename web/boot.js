@@ -42,6 +42,10 @@ byId("reload-webgl").onclick = () => {
   location.href = address.href;
 };
 
+// A link pasted into the open page changes only what stands after #; the program itself writes
+// there without this event.
+window.addEventListener("hashchange", () => location.reload());
+
 // Rust's panic hook calls this.
 window.steadycutPanic = crashed;
 // A trap without a panic (out of memory, stack overflow) arrives here only.

@@ -18,8 +18,9 @@ use crate::blocks::sensing::dynamic_force::NoiseSettings;
 
 /// Version of the scenario format, in files and links.
 pub const FORMAT_VERSION: i64 = 1;
-/// Most rows that a run may record.
-pub const MAX_ROWS: f64 = 4_000_000.0;
+/// Most rows that a run may record: a row takes 152 bytes, a console holds up to four recordings,
+/// and a page in the browser has 4 GiB at most.
+pub const MAX_ROWS: f64 = if cfg!(target_arch = "wasm32") { 1_000_000.0 } else { 4_000_000.0 };
 
 crate::settings! {
     /// What people read about a scenario.
@@ -149,6 +150,9 @@ pub fn param(path: &str) -> Result<&'static Param, SettingError> {
     index_of(path).map(|i| &TABLE[i])
 }
 
+/// Settings that bring a companion with them.
+const COMPANIONED: [&str; 2] = ["plant.material", "feed_drive.kind"];
+
 fn refused(param: &Param, value: &Value) -> SettingError {
     let text = match value {
         Value::Text(text) => format!("{:?}", text.chars().take(60).collect::<String>()),
@@ -171,12 +175,21 @@ impl Scenario {
         Ok(self.get_param(param(path)?))
     }
 
-    /// Sets one setting; see [`Self::set_all`].
+    /// Sets one setting; see [`Self::set_all`]. A long session replays thousands of edits, so this
+    /// works in place.
     ///
     /// # Errors
     /// As [`Self::set_all`].
     pub fn set(&mut self, path: &str, value: Value) -> Result<(), SettingError> {
-        self.set_all(&[(path.to_owned(), value)])
+        let param = param(path)?;
+        if COMPANIONED.contains(&path) {
+            return self.set_all(&[(path.to_owned(), value)]);
+        }
+        let before = self.get_param(param);
+        self.set_param(param, &value).ok_or_else(|| refused(param, &value))?;
+        self.check().inspect_err(|_| {
+            self.set_param(param, &before).expect("it was allowed before");
+        })
     }
 
     /// Sets several settings, all or none. Choosing a material or a feed drive also sets its

@@ -153,6 +153,7 @@ impl ExactDrive {
 }
 
 #[cfg(test)]
+#[expect(clippy::disallowed_methods, reason = "the reference is independent of base::math")]
 mod tests {
     use super::*;
 

@@ -133,7 +133,7 @@ impl GpModels {
     pub fn ra_from_force(&self, force_n: f64) -> Valued {
         let ra = match self.roughness {
             ForceRoughness::Printed => {
-                let inside = force_n.max(0.0).min(K5_PRINTED_MAX_N);
+                let inside = math::limit(force_n, 0.0, K5_PRINTED_MAX_N);
                 let root = 593.0 / (293.0 - inside);
                 let ra = 0.0254 * root * root;
                 let slope = 2.0 * ra / (293.0 - inside);

@@ -41,6 +41,7 @@ impl ExactSpindle {
 }
 
 #[cfg(test)]
+#[expect(clippy::disallowed_methods, reason = "the reference is independent of base::math")]
 mod tests {
     use super::*;
 

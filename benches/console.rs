@@ -1,0 +1,87 @@
+//! From an edit to the redrawn console: what a person waits for after moving a slider.
+//!
+//! Each iteration drags the target-Ra slider by one step and runs whole frames (input, edit, both
+//! runs repeated from the playhead to their end, metrics, layout, tessellation) without a GPU.
+
+use std::hint::black_box;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use eframe::egui;
+use steadycut::app::Console;
+use steadycut::run::edits::Edits;
+use steadycut::run::{Start, presets};
+
+const SIZE: egui::Vec2 = egui::vec2(1280.0, 800.0);
+
+struct Bench {
+    ctx: egui::Context,
+    console: Console,
+    time_s: f64,
+}
+
+impl Bench {
+    fn new(preset: &str) -> Self {
+        let ctx = egui::Context::default();
+        let scenario = presets::load(preset).expect("a shipped preset");
+        let start = Start { scenario, edits: Edits::none(), notice: None };
+        let console = Console::new(&ctx, start);
+        let mut bench = Self { ctx, console, time_s: 0.0 };
+        for _ in 0..20 {
+            bench.frame(Vec::new());
+        }
+        bench
+    }
+
+    fn frame(&mut self, events: Vec<egui::Event>) -> usize {
+        self.time_s += 1.0 / 60.0;
+        let input = egui::RawInput {
+            screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, SIZE)),
+            time: Some(self.time_s),
+            events,
+            ..egui::RawInput::default()
+        };
+        let output = self.ctx.run_ui(input, |ui| self.console.ui(ui));
+        self.ctx.tessellate(output.shapes, output.pixels_per_point).len()
+    }
+
+    fn state(&self) -> serde_json::Value {
+        serde_json::from_str(&self.console.state_json()).expect("the state is JSON")
+    }
+
+    fn slider(&self) -> [f32; 4] {
+        let state = self.state();
+        let rect = &state["rects"]["target_ra_slider"];
+        [0, 1, 2, 3].map(|i| rect[i].as_f64().expect("the slider is shown") as f32)
+    }
+}
+
+fn console(criterion: &mut Criterion) {
+    let mut bench = Bench::new("first-cut");
+    criterion.bench_function("frame without an edit", |bencher| {
+        bencher.iter(|| black_box(bench.frame(Vec::new())));
+    });
+
+    let mut bench = Bench::new("first-cut");
+    let [left, top, right, bottom] = bench.slider();
+    let at = |share: f32| egui::pos2(left + share * (right - left), 0.5 * (top + bottom));
+    let press = egui::Event::PointerButton {
+        pos: at(0.5),
+        button: egui::PointerButton::Primary,
+        pressed: true,
+        modifiers: egui::Modifiers::NONE,
+    };
+    bench.frame(vec![egui::Event::PointerMoved(at(0.5)), press]);
+    let mut k = 0_u32;
+    let before = bench.state()["target_ra_um"].clone();
+    criterion.bench_function("edit to redraw", |bencher| {
+        bencher.iter(|| {
+            k += 1;
+            let share = 0.4 + 0.2 * (k % 7) as f32 / 7.0;
+            black_box(bench.frame(vec![egui::Event::PointerMoved(at(share))]))
+        });
+    });
+    assert_ne!(bench.state()["target_ra_um"], before, "the slider must have moved");
+}
+
+criterion_group!(benches, console);
+criterion_main!(benches);

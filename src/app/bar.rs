@@ -1,0 +1,139 @@
+//! The strip at the head of the window: screens, files, undo and redo, light or dark, and the
+//! messages below it.
+
+use egui::{RichText, Role, ThemePreference, Ui, WidgetInfo};
+
+use super::command::Command;
+use super::panels::View;
+use super::theme::{self, Palette};
+use super::widgets::icon::{self, Icon};
+
+/// A screen as the tabs show it.
+pub struct Tab {
+    /// Id of the screen.
+    pub id: &'static str,
+    /// Its title.
+    pub title: &'static str,
+}
+
+/// Name of the program, tabs, and the other commands (in a menu where it is narrow).
+pub fn show(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &mut Vec<Command>) {
+    let palette = Palette::at(ui);
+    ui.horizontal(|ui| {
+        if !view.narrow {
+            ui.label(RichText::new("SteadyCut").size(17.0).strong().color(palette.accent));
+            ui.add_space(8.0);
+        }
+        for tab in tabs {
+            let text = RichText::new(tab.title).strong();
+            if ui.selectable_label(tab.id == shown, text).clicked() {
+                commands.push(Command::ShowScreen(tab.id));
+            }
+        }
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if view.narrow {
+                menu(ui, view, commands);
+            } else {
+                help(ui, commands);
+                theme_button(ui, commands);
+                ui.separator();
+                file_buttons(ui, commands);
+                ui.separator();
+                undo_buttons(ui, view, commands);
+            }
+        });
+    });
+}
+
+fn menu(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+    let response = icon::button(ui, Icon::Menu, "Menu", "Files, undo, colours, keys", true);
+    egui::Popup::menu(&response).show(|ui| {
+        ui.horizontal(|ui| {
+            undo_buttons(ui, view, commands);
+            theme_button(ui, commands);
+            help(ui, commands);
+        });
+        ui.separator();
+        file_buttons(ui, commands);
+    });
+}
+
+fn help(ui: &mut Ui, commands: &mut Vec<Command>) {
+    let response = ui.button("?").on_hover_text("Keyboard (?)");
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Keyboard"));
+    if response.clicked() {
+        commands.push(Command::ShowShortcuts(true));
+    }
+}
+
+fn theme_button(ui: &mut Ui, commands: &mut Vec<Command>) {
+    let (sign, name, next) = if ui.visuals().dark_mode {
+        (Icon::Light, "Light", ThemePreference::Light)
+    } else {
+        (Icon::Dark, "Dark", ThemePreference::Dark)
+    };
+    let help = format!("{name} colours; right-click: as the system has it");
+    let response = icon::button(ui, sign, name, &help, true);
+    if response.clicked() {
+        commands.push(Command::Theme(next));
+    } else if response.secondary_clicked() {
+        commands.push(Command::Theme(ThemePreference::System));
+    }
+}
+
+fn file_buttons(ui: &mut Ui, commands: &mut Vec<Command>) {
+    // In reading order; a layout from the right turns it round.
+    let mut buttons = [
+        ("Open", "Open a scenario file (Ctrl+O); one can also be dropped here", Command::Open),
+        ("Save", "Save the scenario with its edits (Ctrl+S)", Command::Save),
+        ("CSV", "Export all signals of the run as CSV (Ctrl+E)", Command::ExportCsv),
+        ("Link", "Copy a link that holds scenario and edits (Ctrl+L)", Command::CopyLink),
+    ];
+    if ui.layout().prefer_right_to_left() {
+        buttons.reverse();
+    }
+    for (name, help, command) in buttons {
+        if ui.button(name).on_hover_text(help).clicked() {
+            commands.push(command);
+        }
+    }
+}
+
+fn undo_buttons(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+    let session = view.session;
+    let mut buttons = [
+        (Icon::Undo, "Undo", "Take the last change back (Ctrl+Z)", session.can_undo()),
+        (Icon::Redo, "Redo", "Do it again (Ctrl+Shift+Z)", session.can_redo()),
+    ];
+    if ui.layout().prefer_right_to_left() {
+        buttons.reverse();
+    }
+    for (sign, name, help, enabled) in buttons {
+        if icon::button(ui, sign, name, help, enabled).clicked() {
+            commands.push(if sign == Icon::Undo { Command::Undo } else { Command::Redo });
+        }
+    }
+}
+
+/// The messages, the last ones first, each with a button that removes it.
+pub fn notices(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+    /// Older ones come back into sight as newer ones are dismissed.
+    const SHOWN: usize = 3;
+    let palette = Palette::at(ui);
+    for notice in view.session.notices().iter().rev().take(SHOWN) {
+        theme::card(palette).stroke(egui::Stroke::new(1.0, palette.warn)).show(ui, |ui| {
+            ui.horizontal(|ui| {
+                let right = egui::Layout::right_to_left(egui::Align::Center);
+                ui.with_layout(right, |ui| {
+                    let help = "Remove this message";
+                    if icon::button(ui, Icon::Close, "Dismiss", help, true).clicked() {
+                        commands.push(Command::Dismiss(notice.number));
+                    }
+                    ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                        ui.add(egui::Label::new(&notice.text).wrap());
+                    });
+                });
+            });
+        });
+    }
+}

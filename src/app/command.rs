@@ -1,0 +1,65 @@
+//! Everything that can be done in the console. Panels read a view and push commands; the console
+//! alone carries them out, so buttons, keys, tests and scripts go the same way.
+
+use super::playback::Speed;
+use crate::base::settings::Value;
+
+/// One thing to do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Changes a setting: at the playhead of a running cut if the setting is live, otherwise in
+    /// the scenario itself.
+    Set {
+        /// Path of the setting, as in the table of settings.
+        path: String,
+        /// The new value; a refused one becomes a notice.
+        value: Value,
+    },
+    /// Loads a shipped scenario and plays it from the start.
+    LoadPreset(String),
+    /// Loads the text of a scenario file and plays it from the start.
+    LoadText {
+        /// Where it came from, for messages.
+        name: String,
+        /// The file's text.
+        text: String,
+    },
+    /// Shows a message.
+    Notify(String),
+    /// Removes the notice with this number.
+    Dismiss(u64),
+    /// Play or pause; at the end of the cut: again from the start.
+    TogglePlay,
+    /// From the start of the cut, playing.
+    Restart,
+    /// Moves the playhead by control samples and pauses.
+    Step(i64),
+    /// Moves the playhead by seconds.
+    SeekBy(f64),
+    /// Moves the playhead to a time in s.
+    SeekTo(f64),
+    /// Moves the playhead to the end of the cut.
+    SeekToEnd,
+    /// Sets the speed of the playhead.
+    Speed(Speed),
+    /// Plots show the last seconds before the playhead (on) or the whole run (off).
+    Follow(bool),
+    /// Takes back the last change; the playhead stays.
+    Undo,
+    /// Does the change taken back last again.
+    Redo,
+    /// Asks for a scenario file and loads it.
+    Open,
+    /// Saves scenario and edits as a scenario file.
+    Save,
+    /// Saves all signals of the run as CSV.
+    ExportCsv,
+    /// Copies a link (on the desktop: its part after `#`) that holds scenario and edits.
+    CopyLink,
+    /// Shows the screen with this id.
+    ShowScreen(&'static str),
+    /// Light, dark, or as the system has it.
+    Theme(egui::ThemePreference),
+    /// Shows or hides the sheet of shortcuts.
+    ShowShortcuts(bool),
+}

@@ -1,0 +1,84 @@
+//! A run with the min-max pyramids of its signals, kept in step.
+
+use super::trace::Traces;
+use crate::run::edits::Edits;
+use crate::run::one_run::Run;
+use crate::run::scenario::Scenario;
+
+/// A run and what is drawn of it.
+#[derive(Clone, Debug)]
+pub struct Cut {
+    run: Run,
+    traces: Traces,
+}
+
+/// What a run was before a change: drawn from the change on.
+#[derive(Clone, Debug)]
+pub struct Ghost {
+    /// Time of the change, s.
+    pub from_s: f64,
+    /// Its signals.
+    pub traces: Traces,
+}
+
+impl Cut {
+    /// A run at its first tick.
+    #[must_use]
+    pub fn new(scenario: &Scenario, edits: &Edits) -> Self {
+        let run = Run::new(scenario, edits);
+        let traces = Traces::new(run.recording().row_s());
+        let mut cut = Self { run, traces };
+        cut.advance(0);
+        cut
+    }
+
+    /// Takes over a changed scenario or changed edits; what lies before the change is kept.
+    pub fn change(&mut self, scenario: &Scenario, edits: &Edits) {
+        if self.run.scenario() != scenario {
+            *self = Self::new(scenario, edits);
+        } else if let Some(from_s) = first_difference(self.run.edits(), edits) {
+            self.run.branch(from_s, edits);
+            self.traces.truncate(self.run.recording().rows().len());
+            self.advance(0);
+        }
+    }
+
+    /// Simulates at most `ticks` steps more.
+    pub fn advance(&mut self, ticks: u64) {
+        self.run.advance(ticks);
+        self.traces.extend(self.run.recording().rows());
+    }
+
+    /// The run.
+    #[must_use]
+    pub fn run(&self) -> &Run {
+        &self.run
+    }
+
+    /// What is drawn of it.
+    #[must_use]
+    pub fn traces(&self) -> &Traces {
+        &self.traces
+    }
+
+    /// Whether it is simulated to its end.
+    #[must_use]
+    pub fn is_over(&self) -> bool {
+        self.run.end().is_some()
+    }
+
+    /// Up to where it is simulated, s.
+    #[must_use]
+    pub fn simulated_s(&self) -> f64 {
+        self.run.recording().rows().last().map_or(0.0, |row| row.time_s)
+    }
+}
+
+/// The time from which two lists of edits differ, if they do.
+#[must_use]
+pub fn first_difference(a: &Edits, b: &Edits) -> Option<f64> {
+    let (a, b) = (a.list(), b.list());
+    let same = a.iter().zip(b).take_while(|(a, b)| a == b).count();
+    let times = [a.get(same), b.get(same)].into_iter().flatten().map(|edit| edit.at_s);
+    times.reduce(f64::min)
+}

@@ -1,0 +1,158 @@
+//! Opening and saving files without stopping the window: answers come later, as commands.
+
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+use super::command::Command;
+
+/// Answers of file dialogs that are open or were open.
+pub struct Files {
+    sender: Sender<Command>,
+    receiver: Receiver<Command>,
+}
+
+impl Default for Files {
+    fn default() -> Self {
+        let (sender, receiver) = channel();
+        Self { sender, receiver }
+    }
+}
+
+/// Where an answer goes, and the window that must wake up for it.
+struct Answer {
+    sender: Sender<Command>,
+    ctx: egui::Context,
+}
+
+impl Answer {
+    fn send(self, command: Command) {
+        // The window may be gone by now: then nobody waits for the answer.
+        let _ = self.sender.send(command);
+        self.ctx.request_repaint();
+    }
+}
+
+impl Files {
+    fn answer(&self, ctx: &egui::Context) -> Answer {
+        Answer { sender: self.sender.clone(), ctx: ctx.clone() }
+    }
+
+    /// What has been answered since the last time.
+    pub fn answers(&self) -> impl Iterator<Item = Command> + '_ {
+        self.receiver.try_iter()
+    }
+
+    /// Asks for a scenario file.
+    pub fn open(&self, ctx: &egui::Context) {
+        let answer = self.answer(ctx);
+        let dialog = rfd::AsyncFileDialog::new().add_filter("SteadyCut scenario", &["toml"]);
+        let picked = dialog.pick_file();
+        spawn(async move {
+            if let Some(file) = picked.await {
+                answer.send(loaded(file.file_name(), &file.read().await));
+            }
+        });
+    }
+
+    /// Reads the files that were dropped onto the window.
+    pub fn take_dropped(&self, ctx: &egui::Context) {
+        for file in ctx.input(|input| input.raw.dropped_files.clone()) {
+            let answer = self.answer(ctx);
+            let name = file.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
+            spawn(async move {
+                #[cfg(target_arch = "wasm32")]
+                let bytes = file.bytes_async().await;
+                #[cfg(not(target_arch = "wasm32"))]
+                let bytes = file.bytes();
+                answer.send(match bytes {
+                    Ok(bytes) => loaded(name, &bytes),
+                    Err(error) => Command::Notify(format!("{name} could not be read: {error}")),
+                });
+            });
+        }
+    }
+
+    /// Asks where to save, and saves.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn save(&self, ctx: &egui::Context, name: &str, bytes: Vec<u8>) {
+        let answer = self.answer(ctx);
+        let picked = rfd::AsyncFileDialog::new().set_file_name(name).save_file();
+        spawn(async move {
+            if let Some(file) = picked.await
+                && let Err(error) = file.write(&bytes).await
+            {
+                let name = file.file_name();
+                answer.send(Command::Notify(format!("{name} could not be written: {error}")));
+            }
+        });
+    }
+
+    /// Hands the file to the browser's downloads.
+    #[cfg(target_arch = "wasm32")]
+    pub fn save(&self, ctx: &egui::Context, name: &str, bytes: Vec<u8>) {
+        if super::web::download(name, &bytes).is_err() {
+            let text = format!("the browser did not take {name} for download");
+            self.answer(ctx).send(Command::Notify(text));
+        }
+    }
+}
+
+/// The command for a file that was read.
+#[must_use]
+pub fn loaded(name: String, bytes: &[u8]) -> Command {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Command::LoadText { name, text: text.to_owned() },
+        Err(_) => Command::Notify(format!("{name}: not a scenario file: it is not UTF-8 text")),
+    }
+}
+
+/// A file's name that a scenario's name can become.
+#[must_use]
+pub fn file_name(scenario_name: &str, extension: &str) -> String {
+    let plain = |c: char| if c.is_alphanumeric() || "-_ .".contains(c) { c } else { '_' };
+    let name: String = scenario_name.trim().chars().map(plain).collect();
+    let name = if name.is_empty() { "scenario".to_owned() } else { name };
+    format!("{name}.{extension}")
+}
+
+#[cfg(target_arch = "wasm32")]
+fn spawn(future: impl Future<Output = ()> + 'static) {
+    wasm_bindgen_futures::spawn_local(future);
+}
+
+/// Waits for the dialog on a thread of its own: the window goes on.
+#[cfg(not(target_arch = "wasm32"))]
+#[expect(clippy::disallowed_methods, reason = "a file dialog must not stop the window")]
+fn spawn(future: impl Future<Output = ()> + Send + 'static) {
+    use std::task::{Context, Poll, Wake, Waker};
+
+    struct Unpark(std::thread::Thread);
+    impl Wake for Unpark {
+        fn wake(self: std::sync::Arc<Self>) {
+            self.0.unpark();
+        }
+    }
+
+    std::thread::spawn(move || {
+        let mut future = std::pin::pin!(future);
+        let waker = Waker::from(std::sync::Arc::new(Unpark(std::thread::current())));
+        while future.as_mut().poll(&mut Context::from_waker(&waker)) == Poll::Pending {
+            std::thread::park();
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_files_hold_nothing_but_plain_letters() {
+        assert_eq!(file_name("../a/b:c", "toml"), ".._a_b_c.toml");
+        assert_eq!(file_name("  ", "csv"), "scenario.csv");
+    }
+
+    #[test]
+    fn bytes_that_are_no_text_become_a_message() {
+        assert!(matches!(loaded("x.toml".to_owned(), &[0xff, 0xfe]), Command::Notify(_)));
+    }
+}

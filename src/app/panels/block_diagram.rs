@@ -1,0 +1,127 @@
+//! The closed loop of the paper's Fig. 3 as a live picture. A click on a wire plots its signal, a
+//! click on a block opens its equation card.
+
+mod brush;
+mod card_view;
+mod draw;
+mod layout;
+mod moment;
+mod signal_plot;
+mod wires;
+
+use egui::{Frame, Margin, Rect, ScrollArea, UiBuilder, pos2};
+
+use super::equation_cards::Block;
+use super::{Panel, View};
+use crate::app::command::Command;
+use moment::Now;
+use wires::{RA, Wire};
+
+/// Share of the height that plot and card take.
+const DETAILS_SHARE: f32 = 0.33;
+/// Least and largest height of plot and card, points.
+const DETAILS_HEIGHT: (f32, f32) = (180.0, 460.0);
+const GAP: f32 = 8.0;
+
+/// What was clicked last, so that it is seen first where there is little room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Last {
+    Wire,
+    Block,
+}
+
+/// The screen.
+pub struct BlockDiagramPanel {
+    wire: Wire,
+    block: Block,
+    last: Last,
+    /// Whether the card also explains itself in words.
+    explain: bool,
+}
+
+impl Default for BlockDiagramPanel {
+    fn default() -> Self {
+        Self { wire: RA, block: Block::Cutting, last: Last::Block, explain: false }
+    }
+}
+
+impl Panel for BlockDiagramPanel {
+    fn id(&self) -> &'static str {
+        "block_diagram"
+    }
+
+    fn title(&self) -> &'static str {
+        "Block diagram"
+    }
+
+    fn ui(&mut self, ui: &mut egui::Ui, view: &View<'_>, _commands: &mut Vec<Command>) {
+        let side = if view.narrow { 4 } else { 12 };
+        Frame::new().inner_margin(Margin::symmetric(side, 6)).show(ui, |ui| self.screen(ui, view));
+    }
+}
+
+impl BlockDiagramPanel {
+    fn screen(&mut self, ui: &mut egui::Ui, view: &View<'_>) {
+        let now = Now::of(view.session);
+        let area = ui.available_rect_before_wrap();
+        let details = (area.height() * DETAILS_SHARE).clamp(DETAILS_HEIGHT.0, DETAILS_HEIGHT.1);
+        let split = (area.bottom() - details).max(area.top() + 0.3 * area.height());
+        let above = Rect::from_min_max(area.min, pos2(area.right(), split - GAP));
+        let below = Rect::from_min_max(pos2(area.left(), split), area.max);
+        ui.scope_builder(UiBuilder::new().max_rect(above), |ui| self.diagram(ui, view, &now));
+        ui.scope_builder(UiBuilder::new().max_rect(below), |ui| self.details(ui, view, &now));
+    }
+
+    fn diagram(&mut self, ui: &mut egui::Ui, view: &View<'_>, now: &Now<'_>) {
+        ScrollArea::both().id_salt("diagram").auto_shrink(false).show(ui, |ui| {
+            let layout = layout::arrange(ui.available_size(), view.narrow);
+            match draw::diagram(ui, &layout, now, self.wire, self.block) {
+                Some(draw::Clicked::Wire(wire)) => self.show_wire(wire),
+                Some(draw::Clicked::Block(block)) => {
+                    (self.block, self.last) = (block, Last::Block);
+                }
+                None => {}
+            }
+        });
+    }
+
+    fn show_wire(&mut self, wire: Wire) {
+        (self.wire, self.last) = (wire, Last::Wire);
+    }
+
+    fn details(&mut self, ui: &mut egui::Ui, view: &View<'_>, now: &Now<'_>) {
+        if view.narrow {
+            ScrollArea::vertical().id_salt("details").auto_shrink(false).show(ui, |ui| match self
+                .last
+            {
+                Last::Wire => {
+                    self.plot(ui, view, now);
+                    self.card(ui, now);
+                }
+                Last::Block => {
+                    self.card(ui, now);
+                    self.plot(ui, view, now);
+                }
+            });
+            return;
+        }
+        ui.columns_const(|[left, right]| {
+            self.plot(left, view, now);
+            ScrollArea::vertical()
+                .id_salt("card")
+                .auto_shrink(false)
+                .show(right, |ui| ui.vertical(|ui| self.card(ui, now)));
+        });
+    }
+
+    fn plot(&self, ui: &mut egui::Ui, view: &View<'_>, now: &Now<'_>) {
+        let height = if view.narrow { DETAILS_HEIGHT.0 } else { ui.available_height() };
+        signal_plot::show(ui, view.session, now, self.wire, height);
+    }
+
+    fn card(&mut self, ui: &mut egui::Ui, now: &Now<'_>) {
+        if let Some(wire) = card_view::show(ui, self.block, now, &mut self.explain) {
+            self.show_wire(wire);
+        }
+    }
+}

@@ -1,0 +1,283 @@
+//! Paints wires, labels, blocks, lamps and the dead-time queue.
+
+use egui::text::{LayoutJob, TextWrapping};
+use egui::{
+    Align2, Color32, CornerRadius, FontId, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Vec2,
+    pos2, vec2,
+};
+
+use super::layout::{Course, Style};
+use super::moment::Now;
+use crate::app::panels::equation_cards::formula::{number, typeset};
+use crate::app::panels::equation_cards::{Block, Lamp};
+use crate::app::theme::Palette;
+use crate::blocks::control::ControllerKind;
+
+const TITLE: f32 = 13.0;
+const TEXT: f32 = 11.5;
+const NAME: f32 = 11.0;
+const VALUE: f32 = 12.5;
+const PADDING: f32 = 6.0;
+const LAMP_RADIUS: f32 = 4.0;
+const ARROW: f32 = 7.0;
+
+/// A line or two about a block's settings.
+fn detail(block: Block, now: &Now<'_>) -> String {
+    let scenario = now.moment.scenario;
+    let calibrated = |model: &str| match block.calibration(scenario) {
+        Some((_, calibration)) => format!("{model} {}", calibration.label()),
+        None => model.to_owned(),
+    };
+    match block {
+        Block::Reference => calibrated("K1"),
+        Block::Controller => match scenario.controller.kind {
+            ControllerKind::Sdnrp => format!("SDNRP, Kp {}", number(scenario.sdnrp.kp)),
+            ControllerKind::Tracking => {
+                format!("Tracking, gain {}", number(now.moment.row.gain_estimate))
+            }
+            ControllerKind::ConstantFeed => ControllerKind::ConstantFeed.label().to_owned(),
+        },
+        Block::Override => {
+            let cnc = &scenario.cnc;
+            format!(
+                "{} to {} %",
+                number(cnc.override_min_percent),
+                number(cnc.override_max_percent)
+            )
+        }
+        Block::DeadTime => format!("{} s", number(scenario.cnc.dead_time_s)),
+        Block::FeedDrive => scenario.feed_drive.kind.label().to_owned(),
+        Block::SpindleDrive => {
+            let drive = &scenario.spindle_drive;
+            format!("{} s, {} rpm/s", number(drive.time_constant_s), number(drive.rate_rpm_s))
+        }
+        Block::Cutting => {
+            let plant = &scenario.plant;
+            let material = plant.material.label();
+            format!(
+                "{material}\n{} HB, wear {}",
+                number(plant.hardness_hb),
+                number(plant.wear_factor)
+            )
+        }
+        Block::Dynamic if scenario.noise.level == 0.0 => "off".to_owned(),
+        Block::Dynamic => format!("noise × {}", number(scenario.noise.level)),
+        Block::Dynamometer => {
+            format!("noise {} N", number(scenario.noise.level * scenario.noise.sensor_n))
+        }
+        Block::Surface => calibrated("K5"),
+        Block::SurfaceDynamic => calibrated("K6"),
+    }
+}
+
+/// Painter, colours and scale of one frame.
+pub struct Brush {
+    painter: Painter,
+    palette: &'static Palette,
+    scale: f32,
+}
+
+impl Brush {
+    /// A brush for `ui` at the scale of a layout.
+    #[must_use]
+    pub fn new(ui: &egui::Ui, scale: f32) -> Self {
+        Self { painter: ui.painter().clone(), palette: Palette::at(ui), scale }
+    }
+
+    fn s(&self, x: f32) -> f32 {
+        x * self.scale
+    }
+
+    /// Text in at most `lines` lines of `width`; what does not fit ends in an ellipsis.
+    fn text(&self, at: Pos2, align: Align2, mut job: LayoutJob, width: f32, lines: usize) -> Rect {
+        job.wrap = TextWrapping { max_width: width, max_rows: lines, ..TextWrapping::default() };
+        job.halign = align.x();
+        let galley = self.painter.layout_job(job);
+        // With halign, the galley's own origin is already at its anchor.
+        let top = at.y
+            - match align.y() {
+                egui::Align::Min => 0.0,
+                egui::Align::Center => 0.5 * galley.size().y,
+                egui::Align::Max => galley.size().y,
+            };
+        let rect = galley.rect.translate(vec2(at.x, top));
+        self.painter.galley(pos2(at.x, top), galley, self.palette.text);
+        rect
+    }
+
+    fn plain(&self, text: &str, size: f32, color: Color32) -> LayoutJob {
+        LayoutJob::simple(text.to_owned(), FontId::proportional(self.s(size)), color, f32::INFINITY)
+    }
+
+    /// A wire with all its branches.
+    pub fn course(&self, course: &Course, offset: Vec2, chosen: bool, lively: bool) {
+        let color = if chosen || lively { self.palette.accent } else { self.palette.weak };
+        let stroke = Stroke::new(self.s(if chosen { 2.6 } else { 1.4 }), color);
+        for (i, branch) in course.branches.iter().enumerate() {
+            let mut points: Vec<Pos2> = branch.iter().map(|p| *p + offset).collect();
+            let (Some(&tip), Some(&before)) = (points.last(), points.iter().nth_back(1)) else {
+                continue;
+            };
+            if i > 0 {
+                self.painter.circle_filled(points[0], self.s(2.8), color);
+            }
+            let along = (tip - before).normalized() * self.s(ARROW);
+            let across = along.rot90() * 0.5;
+            let back = tip - along;
+            if let Some(last) = points.last_mut() {
+                *last = back;
+            }
+            self.painter.add(Shape::line(points, stroke));
+            let head = vec![tip, back + across, back - across];
+            self.painter.add(Shape::convex_polygon(head, color, Stroke::NONE));
+        }
+    }
+
+    /// The name and value on a wire.
+    pub fn label(&self, rect: Rect, course: &Course, value: &str) {
+        let name = course.wire.info().label;
+        let name = || self.plain(name, NAME, self.palette.weak);
+        let shown = || self.plain(value, VALUE, self.palette.text);
+        let width = rect.width();
+        let middle = rect.center();
+        let gap = self.s(2.5);
+        match course.style {
+            Style::Across => {
+                // A name that does not fit gives way to the symbol.
+                let name = if self.painter.layout_job(name()).size().x > width {
+                    typeset(course.wire.symbol, self.s(NAME), self.palette.weak)
+                } else {
+                    name()
+                };
+                self.text(middle - vec2(0.0, gap), Align2::CENTER_BOTTOM, name, width, 1);
+                self.text(middle + vec2(0.0, gap), Align2::CENTER_TOP, shown(), width, 1);
+            }
+            Style::Right => {
+                self.text(rect.left_center(), Align2::LEFT_BOTTOM, name(), width, 1);
+                self.text(rect.left_center(), Align2::LEFT_TOP, shown(), width, 1);
+            }
+            Style::Left => {
+                self.text(rect.right_center(), Align2::RIGHT_BOTTOM, name(), width, 1);
+                self.text(rect.right_center(), Align2::RIGHT_TOP, shown(), width, 1);
+            }
+            Style::Short => {
+                let symbol = typeset(course.wire.symbol, self.s(VALUE), self.palette.weak);
+                let used = self.text(rect.left_center(), Align2::LEFT_CENTER, symbol, width, 1);
+                let from = pos2(used.right() + self.s(5.0), middle.y);
+                self.text(from, Align2::LEFT_CENTER, shown(), rect.right() - from.x, 1);
+            }
+        }
+    }
+
+    /// A block with its settings and lamps.
+    pub fn block(&self, block: Block, rect: Rect, now: &Now<'_>, chosen: bool, hovered: bool) {
+        let palette = self.palette;
+        let card = block.card();
+        let lit = card.lamps.iter().any(|lamp| now.moment.row.has(lamp.bit));
+        let color = match (chosen, lit) {
+            (true, _) => palette.accent,
+            (false, true) => palette.bad,
+            (false, false) if hovered => palette.weak,
+            (false, false) => palette.line,
+        };
+        let width = if chosen { 2.4 } else { 1.4 };
+        let radius = CornerRadius::same(6);
+        let stroke = Stroke::new(self.s(width), color);
+        self.painter.rect(rect, radius, palette.card, stroke, StrokeKind::Inside);
+
+        let inner = rect.shrink(self.s(PADDING));
+        // In a flat block the lamps stand beside the title, in a high one at its foot.
+        let flat = rect.width() > 2.5 * rect.height();
+        let lamps = self.lamps(inner, card.lamps, now, flat);
+        let room = if flat { inner.width() - lamps } else { inner.width() };
+        let title = self.plain(card.title, TITLE, palette.text);
+        let lines = if flat { 1 } else { 2 };
+        let title = self.text(inner.min, Align2::LEFT_TOP, title, room, lines);
+        let mut at = pos2(inner.left(), title.bottom());
+        for line in detail(block, now).lines() {
+            let text = self.plain(line, TEXT, palette.weak);
+            at.y = self.text(at, Align2::LEFT_TOP, text, inner.width(), 1).bottom();
+        }
+        if block == Block::DeadTime {
+            let lane = Rect::from_min_max(at + vec2(0.0, self.s(2.0)), inner.max);
+            self.queue(lane, now);
+        }
+    }
+
+    /// Draws the lamps and gives back the width they take in a row.
+    fn lamps(&self, inner: Rect, lamps: &[Lamp], now: &Now<'_>, flat: bool) -> f32 {
+        let mut width = 0.0;
+        for lamp in lamps.iter().rev() {
+            let lit = now.moment.row.has(lamp.bit);
+            let (color, label) = if lit {
+                (self.palette.bad, format!("{} !", lamp.label))
+            } else {
+                (self.palette.good, lamp.label.to_owned())
+            };
+            let text = self.plain(&label, NAME, if lit { color } else { self.palette.weak });
+            let foot = inner.bottom() - self.s(7.0);
+            let at =
+                pos2(inner.right() - width, if flat { inner.top() + self.s(8.0) } else { foot });
+            let drawn = self.text(at, Align2::RIGHT_CENTER, text, f32::INFINITY, 1);
+            let radius = self.s(LAMP_RADIUS);
+            let center = pos2(drawn.left() - radius - self.s(3.0), at.y);
+            // Dark and hollow, or lit and full: the shape tells as well as the colour.
+            if lit {
+                self.painter.circle_filled(center, radius + self.s(1.0), color);
+            } else {
+                self.painter.circle_stroke(center, radius, Stroke::new(self.s(1.4), color));
+            }
+            width = inner.right() - center.x + radius + self.s(8.0);
+        }
+        width
+    }
+
+    /// The dead-time queue: feed above, spindle below, from left to right.
+    fn queue(&self, area: Rect, now: &Now<'_>) {
+        let (above, below) = area.split_top_bottom_at_fraction(0.5);
+        let dots = &now.under_way;
+        let lanes: [(Rect, Vec<f64>, Color32); 2] = [
+            (above, dots.iter().map(|d| d.feed_mm_min).collect(), self.palette.command),
+            (below, dots.iter().map(|d| d.speed_rpm).collect(), self.palette.limit),
+        ];
+        for (lane, values, color) in lanes {
+            let lane = lane.shrink2(vec2(0.0, self.s(1.5)));
+            self.painter.rect_filled(
+                lane,
+                CornerRadius::same(3),
+                self.palette.line.gamma_multiply(0.6),
+            );
+            let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+            let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            // Differences below 2 % look level.
+            let span = (high - low).max(0.02 * high.abs()).max(f64::MIN_POSITIVE);
+            let radius = self.s(2.6).min(0.5 * lane.height());
+            let field = lane.shrink(radius);
+            for (dot, value) in dots.iter().zip(values) {
+                let height = 0.5 + (value - 0.5 * (low + high)) / span;
+                let x = field.left() + dot.done as f32 * field.width();
+                let y = field.bottom() - height.clamp(0.0, 1.0) as f32 * field.height();
+                self.painter.circle_filled(pos2(x, y), radius, color);
+            }
+        }
+    }
+
+    /// Marks what has the keyboard's focus.
+    pub fn focus(&self, rect: Rect) {
+        let stroke = Stroke::new(2.0, self.palette.accent);
+        self.painter.rect_stroke(
+            rect.expand(2.0),
+            CornerRadius::same(6),
+            stroke,
+            StrokeKind::Outside,
+        );
+    }
+
+    /// A word of help.
+    pub fn hint(&self, rect: Rect) {
+        let text = "Click a wire to plot it, a block for its equations. A full lamp: a limit acts, \
+                    or a model is used outside its range.";
+        let job = self.plain(text, NAME, self.palette.weak);
+        self.text(rect.left_top(), Align2::LEFT_TOP, job, rect.width(), 7);
+    }
+}

@@ -1,0 +1,103 @@
+//! The equation card of a block on the screen.
+
+use egui::{Color32, Label, Response, RichText, Role, Sense, Stroke, Ui, Vec2, WidgetInfo};
+
+use super::moment::Now;
+use super::wires::{WIRES, Wire};
+use crate::app::panels::equation_cards::formula::typeset;
+use crate::app::panels::equation_cards::{Block, Live, live};
+use crate::app::theme::{self, Palette};
+use crate::run::signals::signal;
+
+const FORMULA: f32 = 14.0;
+const NOTE: f32 = 11.5;
+
+/// Shows the card of `block`; gives back a signal that was asked to be plotted.
+pub fn show(ui: &mut Ui, block: Block, now: &Now<'_>, explain: &mut bool) -> Option<Wire> {
+    let palette = Palette::at(ui);
+    let card = block.card();
+    theme::card(palette)
+        .show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            ui.horizontal(|ui| {
+                ui.heading(card.title);
+                let help = ui.selectable_label(*explain, "?").on_hover_text("What is this?");
+                help.widget_info(|| {
+                    WidgetInfo::selected(Role::Button, true, *explain, "What is this?")
+                });
+                if help.clicked() {
+                    *explain = !*explain;
+                }
+            });
+            if *explain {
+                ui.label(card.meaning);
+            }
+            let asked = signals(ui, card.signals);
+            section(ui, "As printed");
+            for printed in card.printed {
+                formula(ui, printed.formula, palette.text);
+                ui.label(RichText::new(printed.source).size(NOTE).color(palette.weak));
+            }
+            match block.calibration(now.moment.scenario) {
+                Some((whose, calibration)) => {
+                    section(ui, &format!("Now, {}: {}", whose, calibration.label()));
+                }
+                None => section(ui, "Now"),
+            }
+            for line in live(block, &now.moment) {
+                live_line(ui, &line, palette);
+            }
+            asked
+        })
+        .inner
+}
+
+fn section(ui: &mut Ui, title: &str) {
+    ui.add_space(4.0);
+    ui.label(RichText::new(title).strong());
+}
+
+/// A set formula; read out as it is written.
+fn formula(ui: &mut Ui, text: &str, color: Color32) -> Response {
+    let response = ui.add(Label::new(typeset(text, FORMULA, color)).wrap());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
+    response
+}
+
+fn live_line(ui: &mut Ui, line: &Live, palette: &Palette) {
+    formula(ui, &line.formula, palette.weak);
+    formula(ui, &line.values, palette.text);
+    if !line.range.is_empty() {
+        let (color, word) =
+            if line.valid { (palette.good, "holds:") } else { (palette.bad, "OUTSIDE:") };
+        ui.horizontal(|ui| {
+            let (rect, _) = ui.allocate_exact_size(Vec2::splat(10.0), Sense::hover());
+            let (center, painter) = (rect.center(), ui.painter());
+            // As in the diagram: hollow where all is well, full where it is not.
+            if line.valid {
+                painter.circle_stroke(center, 4.0, Stroke::new(1.4, color));
+            } else {
+                painter.circle_filled(center, 5.0, color);
+            }
+            formula(ui, &format!("{word} {}", line.range), color);
+        });
+    }
+    ui.add_space(3.0);
+}
+
+/// Buttons that plot the signals of the block.
+fn signals(ui: &mut Ui, ids: &[&'static str]) -> Option<Wire> {
+    let mut asked = None;
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Plot:");
+        for id in ids {
+            let Some(info) = signal(id) else { continue };
+            if ui.small_button(info.label).on_hover_text(info.doc.trim()).clicked() {
+                let known = WIRES.iter().find(|wire| wire.signal == *id && !wire.delayed);
+                let bare = Wire { signal: info.id, symbol: "", delayed: false };
+                asked = Some(known.copied().unwrap_or(bare));
+            }
+        }
+    });
+    asked
+}

@@ -1,0 +1,112 @@
+//! The diagram as widgets: draws it and finds out what was clicked.
+
+use egui::{Id, Rect, Response, Role, Sense, Ui, WidgetInfo};
+
+use super::brush::Brush;
+use super::layout::Layout;
+use super::moment::Now;
+use super::wires::Wire;
+use crate::app::panels::equation_cards::{Block, Lamp};
+use crate::app::theme;
+use crate::run::signals::FLAGS;
+
+/// What was clicked.
+pub enum Clicked {
+    /// A wire or its label.
+    Wire(Wire),
+    /// A block.
+    Block(Block),
+}
+
+/// Draws the diagram with its live values; `wire` and `block` are the selected ones.
+pub fn diagram(
+    ui: &mut Ui,
+    layout: &Layout,
+    now: &Now<'_>,
+    wire: Wire,
+    block: Block,
+) -> Option<Clicked> {
+    let (area, _) = ui.allocate_exact_size(layout.size, Sense::hover());
+    let offset = area.min.to_vec2();
+    let mut clicked = None;
+
+    // The wires themselves are wide targets for a pointer; for the keyboard their labels serve.
+    let ground = ui.interact(area, ui.scope_id().with("wires"), Sense::CLICK);
+    let near = ground.hover_pos().and_then(|at| layout.wire_at(at - offset));
+    if let Some(near) = near {
+        ui.set_cursor_icon(egui::CursorIcon::PointingHand);
+        if ground.clicked() {
+            clicked = Some(Clicked::Wire(near));
+        }
+    }
+
+    let brush = Brush::new(ui, layout.scale);
+    for course in &layout.courses {
+        let id = ui.scope_id().with((course.wire.signal, course.wire.delayed));
+        let rect = course.label.translate(offset);
+        let response = wire_label(ui, id, rect, course.wire, now);
+        if response.clicked() {
+            clicked = Some(Clicked::Wire(course.wire));
+        }
+        let chosen = course.wire == wire;
+        let lively = response.hovered() || near == Some(course.wire);
+        brush.course(course, offset, chosen, lively);
+        brush.label(
+            rect,
+            course,
+            &theme::quantity(now.value(course.wire), course.wire.info().unit),
+        );
+        if response.has_focus() {
+            brush.focus(rect);
+        }
+    }
+    for (which, rect) in &layout.blocks {
+        let rect = rect.translate(offset);
+        let response = block_button(ui, *which, rect, now);
+        if response.clicked() {
+            clicked = Some(Clicked::Block(*which));
+        }
+        brush.block(*which, rect, now, *which == block, response.hovered());
+        if response.has_focus() {
+            brush.focus(rect);
+        }
+    }
+    if let Some(rect) = layout.hint {
+        brush.hint(rect.translate(offset));
+    }
+    clicked
+}
+
+fn wire_label(ui: &Ui, id: Id, rect: Rect, wire: Wire, now: &Now<'_>) -> Response {
+    let response = ui.interact(rect, id, Sense::click());
+    response
+        .widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Plot {}", wire.name())));
+    let value = theme::quantity(now.value(wire), wire.info().unit);
+    ui.ctx().accesskit_node_builder(id, |node| node.set_value(value));
+    reveal(&response);
+    response.on_hover_text(format!("{}\n{}", wire.name(), wire.info().doc.trim()))
+}
+
+fn block_button(ui: &Ui, block: Block, rect: Rect, now: &Now<'_>) -> Response {
+    let card = block.card();
+    let id = ui.scope_id().with(card.title);
+    let response = ui.interact(rect, id, Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, card.title));
+    let state = state_in_words(card.lamps, now);
+    ui.ctx().accesskit_node_builder(id, |node| node.set_value(state.clone()));
+    reveal(&response);
+    response.on_hover_text(format!("{}: {state}", card.title))
+}
+
+/// A part that gets the keyboard's focus must be seen.
+fn reveal(response: &Response) {
+    if response.gained_focus() {
+        response.scroll_to_me(None);
+    }
+}
+
+fn state_in_words(lamps: &[Lamp], now: &Now<'_>) -> String {
+    let lit = |bit: u32| lamps.iter().any(|lamp| lamp.bit == bit) && now.moment.row.has(bit);
+    let words: Vec<&str> = FLAGS.iter().filter(|f| lit(f.bit)).map(|f| f.label).collect();
+    if words.is_empty() { "as it should be".to_owned() } else { words.join(", ") }
+}

@@ -1,0 +1,123 @@
+//! The controls of the cut: the few that matter first, all others below a fold, straight from the
+//! table of settings.
+
+use egui::{CollapsingHeader, ComboBox, RichText, Role, Ui, WidgetInfo};
+
+use crate::app::command::Command;
+use crate::app::panels::View;
+use crate::app::theme::Palette;
+use crate::app::widgets::setting::{Size, setting};
+use crate::app::widgets::target::target_ra;
+use crate::blocks::control::ControllerKind;
+use crate::run::presets::PRESETS;
+use crate::run::scenario::table;
+
+/// Settings that stand above the fold.
+const FIRST: [&str; 5] =
+    ["plant.material", "plant.hardness_hb", "noise.level", "plant.wear_factor", "controller.kind"];
+/// Shown with the first ones, by a widget of its own.
+const TARGET: &str = "target.ra_um";
+
+/// Groups below the fold, with their titles.
+const GROUPS: [(&str, &str); 14] = [
+    ("target", "Target"),
+    ("controller.constant_feed", "Constant feed"),
+    ("controller.sdnrp", "SDNRP"),
+    ("controller.tracking", "Tracking"),
+    ("belief", "What the controller believes"),
+    ("plant", "Plant"),
+    ("noise", "Noise"),
+    ("feed_drive", "Feed drive"),
+    ("spindle_drive", "Spindle drive"),
+    ("cnc", "CNC"),
+    ("program", "NC program"),
+    ("workpiece", "Workpiece"),
+    ("run", "Run"),
+    ("", "Name"),
+];
+
+/// The first controls: target Ra, material and hardness, noise, wear, controller.
+pub fn first(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+    let scenario = view.session.current();
+    target_ra(ui, scenario, commands);
+    for path in FIRST {
+        setting(ui, path, scenario, Size::Large, commands);
+    }
+}
+
+/// The slider of the target alone, for narrow windows.
+pub fn target(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+    target_ra(ui, view.session.current(), commands);
+}
+
+/// The first controls but the target, for narrow windows.
+pub fn first_but_target(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+    for path in FIRST {
+        setting(ui, path, view.session.current(), Size::Large, commands);
+    }
+}
+
+/// Whether a group says something about the chosen controller.
+fn concerns(group: &str, kind: ControllerKind) -> bool {
+    group.strip_prefix("controller.").is_none_or(|id| id == kind.id())
+}
+
+/// All other settings, by group.
+pub fn more(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+    CollapsingHeader::new("More settings").id_salt("more").show_unindented(ui, |ui| {
+        let scenario = view.session.current();
+        for (group, title) in GROUPS {
+            if !concerns(group, scenario.controller.kind) {
+                continue;
+            }
+            CollapsingHeader::new(title).id_salt(("group", group)).show(ui, |ui| {
+                let rest = table().iter().filter(|param| {
+                    param.group == group
+                        && param.path != TARGET
+                        && !FIRST.contains(&param.path.as_str())
+                });
+                for param in rest {
+                    setting(ui, &param.path, scenario, Size::Small, commands);
+                }
+            });
+        }
+    });
+}
+
+/// The choice of a shipped scenario, and what the present one is about.
+pub fn presets(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+    let info = &view.session.scenario().info;
+    let width = ui.available_width();
+    let response = ComboBox::from_id_salt("preset")
+        .width(width)
+        .truncate()
+        .selected_text(format!("Scenario: {}", info.name))
+        .show_ui(ui, |ui| {
+            for preset in PRESETS {
+                if ui.selectable_label(preset.name == info.name, preset.name).clicked() {
+                    commands.push(Command::LoadPreset(preset.name.to_owned()));
+                }
+            }
+        })
+        .response;
+    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Scenario"));
+    response.on_hover_text("The shipped scenarios");
+    if !info.description.is_empty() && !view.narrow {
+        ui.label(RichText::new(&info.description).small().color(Palette::at(ui).weak));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_setting_has_its_place() {
+        for param in table() {
+            let placed = param.path == TARGET
+                || FIRST.contains(&param.path.as_str())
+                || GROUPS.iter().any(|(group, _)| *group == param.group);
+            assert!(placed, "no group of controls shows `{}`", param.path);
+        }
+    }
+}

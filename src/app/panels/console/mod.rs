@@ -1,0 +1,210 @@
+//! The console: headline comparison, controls, and the plots of the run.
+
+mod bands;
+mod controls;
+mod headline;
+
+use egui::{CentralPanel, CollapsingHeader, Frame, Margin, Panel as SidePanel, ScrollArea, Ui};
+
+use super::{Panel, View};
+use crate::app::command::Command;
+use crate::app::theme::{self, Look};
+use crate::app::widgets::chart::{self, Axes, Chart, Curve};
+use crate::base::units::ratio_from_percent;
+
+/// The first screen.
+#[derive(Default)]
+pub struct ConsolePanel {
+    axes: Axes,
+    follow: bool,
+}
+
+const fn main(signal: &'static str) -> Curve {
+    Curve { signal, look: Look::Produced, compared: true }
+}
+
+const fn other(signal: &'static str, look: Look) -> Curve {
+    Curve { signal, look, compared: false }
+}
+
+/// The paper's six quantities, with overrides and depth of cut.
+fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
+    let scenario = view.session.current();
+    let tolerance = ratio_from_percent(scenario.target.tolerance_percent);
+    let chart = |id, title, curves| Chart {
+        id,
+        title,
+        curves,
+        band: None,
+        levels: Vec::new(),
+        include: &[],
+    };
+    let cnc = &scenario.cnc;
+    let limits = vec![
+        ("Least override", cnc.override_min_percent),
+        ("Largest override", cnc.override_max_percent),
+    ];
+    [
+        Chart {
+            band: Some(("ra_target_um", tolerance)),
+            ..chart(
+                "roughness",
+                "Roughness",
+                const {
+                    &[
+                        other("ra_dyn_um", Look::Dynamics),
+                        other("ra_target_um", Look::Reference),
+                        main("ra_um"),
+                    ]
+                },
+            )
+        },
+        Chart {
+            band: Some(("force_ref_n", theme::FORCE_BAND)),
+            ..chart(
+                "force",
+                "Force",
+                const {
+                    &[
+                        other("force_dyn_n", Look::Dynamics),
+                        other("force_setpoint_n", Look::Setpoint),
+                        other("force_ref_n", Look::Reference),
+                        main("force_n"),
+                    ]
+                },
+            )
+        },
+        chart(
+            "feed",
+            "Feed",
+            const { &[other("feed_command_mm_min", Look::Command), main("feed_mm_min")] },
+        ),
+        chart(
+            "spindle",
+            "Spindle speed",
+            const { &[other("spindle_command_rpm", Look::Command), main("spindle_rpm")] },
+        ),
+        Chart {
+            levels: limits,
+            include: &[90.0, 110.0],
+            ..chart(
+                "override",
+                "Override",
+                const {
+                    &[
+                        other("spindle_override_percent", Look::Command),
+                        other("feed_override_percent", Look::Produced),
+                    ]
+                },
+            )
+        },
+        Chart {
+            include: &[0.0],
+            ..chart("depth", "Depth of cut", const { &[main("axial_depth_mm")] })
+        },
+    ]
+}
+
+impl Panel for ConsolePanel {
+    fn id(&self) -> &'static str {
+        "console"
+    }
+
+    fn title(&self) -> &'static str {
+        "Console"
+    }
+
+    fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let follow = view.session.playback().follow;
+        if follow != self.follow {
+            self.follow = follow;
+            self.axes.fit();
+        }
+        if view.narrow {
+            self.narrow(ui, view, commands);
+        } else {
+            self.wide(ui, view, commands);
+        }
+    }
+}
+
+impl ConsolePanel {
+    fn wide(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let margin = Frame::new().inner_margin(Margin::symmetric(12, 8));
+        SidePanel::left("controls")
+            .exact_size(theme::CONTROLS_WIDTH)
+            .resizable(false)
+            .frame(margin)
+            .show(ui, |ui| {
+                ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+                    controls::presets(ui, view, commands);
+                    ui.add_space(6.0);
+                    controls::first(ui, view, commands);
+                    ui.add_space(6.0);
+                    controls::more(ui, view, commands);
+                });
+            });
+        CentralPanel::no_frame().frame(margin).show(ui, |ui| {
+            headline::show(ui, view);
+            ui.add_space(2.0);
+            let columns = if ui.available_width() >= 2.0 * theme::CONTROLS_WIDTH { 2 } else { 1 };
+            self.plots(ui, view, columns, false);
+        });
+    }
+
+    fn narrow(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let margin = Frame::new().inner_margin(Margin::symmetric(8, 4));
+        CentralPanel::no_frame().frame(margin).show(ui, |ui| {
+            // Where it is low as well, the headline is scrolled with the plots.
+            let low = ui.available_height() < theme::LOW;
+            if !low {
+                headline::show(ui, view);
+            }
+            controls::target(ui, view, commands);
+            let most = 0.6 * ui.available_height();
+            CollapsingHeader::new("Settings").show_unindented(ui, |ui| {
+                ScrollArea::vertical().max_height(most).id_salt("settings").show(ui, |ui| {
+                    controls::presets(ui, view, commands);
+                    controls::first_but_target(ui, view, commands);
+                    controls::more(ui, view, commands);
+                });
+            });
+            self.plots(ui, view, 1, low);
+        });
+    }
+
+    /// The charts in columns, and the bands below them; scrolled where they do not fit.
+    fn plots(&mut self, ui: &mut Ui, view: &View<'_>, columns: usize, with_headline: bool) {
+        let charts = charts(view);
+        let rows = charts.len() / columns;
+        ScrollArea::vertical().id_salt("plots").auto_shrink([false, false]).show(ui, |ui| {
+            if with_headline {
+                headline::show(ui, view);
+            }
+            // Room for the last label of each time axis.
+            let gap = egui::vec2(18.0, ui.spacing().item_spacing.y);
+            let room = ui.available_height() - bands::TOTAL_HEIGHT - gap.y;
+            let height = room / rows as f32 - gap.y;
+            let least =
+                if columns == 1 { theme::PLOT_HEIGHT_SCROLLED } else { theme::PLOT_HEIGHT_MIN };
+            let height = height.max(least);
+            let width =
+                (ui.available_width() - gap.x * columns as f32) / columns as f32 + 0.5 * gap.x;
+            for row in charts.chunks(columns) {
+                ui.horizontal_top(|ui| {
+                    ui.spacing_mut().item_spacing.x = 0.5 * gap.x;
+                    for chart in row {
+                        ui.allocate_ui(egui::vec2(width, height), |ui| {
+                            ui.vertical(|ui| {
+                                ui.set_width(width);
+                                chart::show(ui, chart, view.session, &mut self.axes, height);
+                            });
+                        });
+                    }
+                });
+            }
+            let range = self.axes.range(view.session);
+            bands::show(ui, view, range);
+        });
+    }
+}

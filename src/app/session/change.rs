@@ -1,0 +1,179 @@
+//! How commands change a session: settings, undo and redo, and the playhead.
+
+use super::{Command, HAIR_S, MAX_UNDO, Plan, Session, TICKS_PER_FRAME};
+use crate::app::cut::{Ghost, first_difference};
+use crate::app::twin;
+use crate::base::settings::{SettingError, Value};
+use crate::run::edits::{Edit, Edits};
+use crate::run::scenario::param;
+use crate::run::{presets, scenario_file};
+
+impl Session {
+    /// Does what a command says about scenario, run and playhead; gives back what is not the
+    /// session's.
+    pub fn execute(&mut self, command: Command) -> Option<Command> {
+        match command {
+            Command::Set { path, value } => {
+                if let Err(error) = self.set(&path, value) {
+                    self.notify(error.to_string());
+                }
+            }
+            Command::LoadPreset(name) => {
+                self.load(presets::load(&name).map(|s| (s, Edits::none())))
+            }
+            Command::LoadText { name, text } => {
+                let named =
+                    |e: SettingError| SettingError::Format { what: name, problem: e.to_string() };
+                self.load(scenario_file::parse(&text).map_err(named));
+            }
+            Command::Notify(text) => self.notify(text),
+            Command::Dismiss(number) => self.notices.retain(|notice| notice.number != number),
+            Command::Undo => {
+                self.gesture = None;
+                if let Some(plan) = self.undo.pop() {
+                    let now = self.change(plan);
+                    self.redo.push(now);
+                }
+            }
+            Command::Redo => {
+                self.gesture = None;
+                if let Some(plan) = self.redo.pop() {
+                    let now = self.change(plan);
+                    self.undo.push(now);
+                }
+            }
+            other => return self.execute_playback(other),
+        }
+        None
+    }
+
+    fn execute_playback(&mut self, command: Command) -> Option<Command> {
+        let playback = &mut self.playback;
+        let playhead_s = playback.playhead_s;
+        match command {
+            Command::TogglePlay if playback.playing => playback.playing = false,
+            Command::TogglePlay if !playback.at_end => playback.playing = true,
+            Command::TogglePlay | Command::Restart => playback.restart(),
+            Command::Step(samples) => {
+                playback.playing = false;
+                let period_s = self.plan.0.control_period_s();
+                // On the grid of control samples, with room for the rounding of its times.
+                let sample = (playhead_s / period_s + 1e-6).floor() + samples as f64;
+                self.seek(sample * period_s);
+            }
+            Command::SeekBy(by_s) => self.seek(playhead_s + by_s),
+            Command::SeekTo(to_s) => self.seek(to_s),
+            Command::SeekToEnd => self.seek(self.chosen.simulated_s()),
+            Command::Speed(speed) => playback.speed = speed,
+            Command::Follow(follow) => playback.follow = follow,
+            other => return Some(other),
+        }
+        self.refresh();
+        None
+    }
+
+    fn seek(&mut self, to_s: f64) {
+        if to_s.is_finite() {
+            let end_s = self.chosen.simulated_s();
+            self.playback.at_end = self.chosen.is_over() && to_s >= end_s;
+            self.playback.playing &= !self.playback.at_end;
+            self.playback.playhead_s = to_s.clamp(0.0, end_s);
+        }
+    }
+
+    fn load(&mut self, plan: Result<Plan, SettingError>) {
+        match plan {
+            Ok(plan) => {
+                self.remember(None);
+                self.change(plan);
+                self.ghost = None;
+                self.playback.restart();
+                self.refresh();
+                self.compare();
+            }
+            Err(error) => self.notify(error.to_string()),
+        }
+    }
+
+    /// Keeps the present plan for undo, unless the gesture on `path` is still going on.
+    fn remember(&mut self, path: Option<&str>) {
+        if path.is_some() && self.gesture.as_deref() == path {
+            return;
+        }
+        self.gesture = path.map(str::to_owned);
+        self.redo.clear();
+        self.undo.push(self.plan.clone());
+        if self.undo.len() > MAX_UNDO {
+            self.undo.remove(0);
+        }
+        self.ghost = None;
+    }
+
+    fn set(&mut self, path: &str, value: Value) -> Result<(), SettingError> {
+        let found = param(path)?;
+        let plan = if found.spec.live && self.playback.playhead_s > 0.0 && !self.playback.at_end {
+            self.edited(path, value)?
+        } else {
+            self.rewritten(path, value)?
+        };
+        if plan != self.plan {
+            self.remember(Some(path));
+            self.change(plan);
+        }
+        Ok(())
+    }
+
+    /// The plan with a change at the playhead; later edits are dropped.
+    fn edited(&self, path: &str, value: Value) -> Result<Plan, SettingError> {
+        let (scenario, mut edits) = self.plan.clone();
+        if self.current.get(path)? == value {
+            return Ok((scenario, edits));
+        }
+        let dt_s = scenario.dt_s();
+        // The tick at or before the playhead, in digits that people can read.
+        let tick = ((self.playback.playhead_s + HAIR_S) / dt_s).floor();
+        let at_s = (tick * dt_s * 1e6).round() / 1e6;
+        edits.truncate(at_s + 0.5 * dt_s);
+        edits.push(&scenario, Edit { at_s, path: path.to_owned(), value })?;
+        Ok((scenario, edits))
+    }
+
+    /// The plan with the scenario itself changed; edits that no longer mean anything are dropped.
+    fn rewritten(&self, path: &str, value: Value) -> Result<Plan, SettingError> {
+        let (mut scenario, old) = self.plan.clone();
+        scenario.set(path, value)?;
+        let mut edits = Edits::none();
+        for edit in old.list().iter().filter(|edit| edit.path != path) {
+            // Refused is only what lies after a shorter run, or does not fit the new settings.
+            let _ = edits.push(&scenario, edit.clone());
+        }
+        Ok((scenario, edits))
+    }
+
+    /// Takes over a plan and gives back the one before; the old future becomes the ghost.
+    fn change(&mut self, plan: Plan) -> Plan {
+        let from_s =
+            if plan.0 == self.plan.0 { first_difference(&self.plan.1, &plan.1) } else { Some(0.0) };
+        let Some(from_s) = from_s else { return self.plan.clone() };
+        if self.ghost.is_none() || self.gesture.is_none() {
+            self.ghost = Some(Ghost { from_s, traces: self.chosen.traces().clone() });
+        }
+        self.chosen.change(&plan.0, &plan.1);
+        let twin_scenario = twin::scenario(&plan.0);
+        self.twin.change(&twin_scenario, &twin::edits(&twin_scenario, &plan.1));
+        let before = std::mem::replace(&mut self.plan, plan);
+        self.changes += 1;
+        // The picture of this frame shall already show what the change does at the playhead.
+        for cut in [&mut self.chosen, &mut self.twin] {
+            cut.advance(TICKS_PER_FRAME);
+        }
+        let end_s = self.chosen.simulated_s();
+        if self.playback.at_end {
+            self.playback.playhead_s = end_s;
+        } else if self.chosen.is_over() {
+            self.playback.playhead_s = self.playback.playhead_s.min(end_s);
+        }
+        self.refresh();
+        before
+    }
+}

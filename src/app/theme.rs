@@ -1,0 +1,281 @@
+//! The one place for colours, sizes, line styles and number formats. The palette is that of Okabe
+//! and Ito, which people with colour-blind eyes can tell apart; lines differ in style as well.
+
+use egui::{Color32, CornerRadius, Stroke, Theme};
+use egui_plot::LineStyle;
+
+/// Below this width of the window, in points, everything stands in one column.
+pub const NARROW: f32 = 700.0;
+/// Below this height of a narrow screen, in points, less is pinned above its plots.
+pub const LOW: f32 = 560.0;
+/// Size of the first window, points.
+pub const WINDOW: [f32; 2] = [1280.0, 800.0];
+/// Smallest window, points.
+pub const WINDOW_MIN: [f32; 2] = [320.0, 420.0];
+/// Width of the controls beside the plots, points.
+pub const CONTROLS_WIDTH: f32 = 276.0;
+/// Least height of a plot with its axis, points; in one column, where plots are scrolled, more.
+pub const PLOT_HEIGHT_MIN: f32 = 132.0;
+/// See [`PLOT_HEIGHT_MIN`].
+pub const PLOT_HEIGHT_SCROLLED: f32 = 176.0;
+/// Share of its reference within which a force counts as held.
+pub const FORCE_BAND: f64 = 0.02;
+/// Length of the window that follow mode shows, s.
+pub const FOLLOW_S: f64 = 20.0;
+
+/// The colours of one theme.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Palette {
+    /// The value that is controlled or produced.
+    pub produced: Color32,
+    /// The same with dynamics.
+    pub dynamics: Color32,
+    /// What a controller commands.
+    pub command: Color32,
+    /// Target or reference.
+    pub reference: Color32,
+    /// The area of tolerance around it.
+    pub band: Color32,
+    /// Limits.
+    pub limit: Color32,
+    /// The constant-feed twin.
+    pub twin: Color32,
+    /// The run before the last change.
+    pub ghost: Color32,
+    /// The playhead.
+    pub playhead: Color32,
+    /// As it should be.
+    pub good: Color32,
+    /// Not as it should be.
+    pub bad: Color32,
+    /// To be looked at.
+    pub warn: Color32,
+    /// Background of cards and strips.
+    pub card: Color32,
+    /// Lines around cards.
+    pub line: Color32,
+    /// Grid lines of plots.
+    pub grid: Color32,
+    /// Text that stands back.
+    pub weak: Color32,
+    /// Text.
+    pub text: Color32,
+    /// Tabs and selections.
+    pub accent: Color32,
+}
+
+const fn rgb(hex: u32) -> Color32 {
+    Color32::from_rgb((hex >> 16) as u8, (hex >> 8) as u8, hex as u8)
+}
+
+const LIGHT: Palette = Palette {
+    produced: rgb(0x0072b2),
+    dynamics: rgb(0x9ccbe8),
+    command: rgb(0xd55e00),
+    reference: rgb(0x00795a),
+    band: Color32::from_rgba_premultiplied(0, 38, 28, 42),
+    limit: rgb(0xa04a7a),
+    twin: rgb(0x6b6b6b),
+    ghost: rgb(0xb07a00),
+    playhead: rgb(0x1f2933),
+    good: rgb(0x00795a),
+    bad: rgb(0xb3431a),
+    warn: rgb(0x8a6100),
+    card: rgb(0xf3f6f9),
+    line: rgb(0xd3dae2),
+    grid: rgb(0xe4e9ee),
+    weak: rgb(0x5a6672),
+    text: rgb(0x18212b),
+    accent: rgb(0x0072b2),
+};
+
+const DARK: Palette = Palette {
+    produced: rgb(0x56b4e9),
+    dynamics: rgb(0x2b5f7f),
+    command: rgb(0xf08a3c),
+    reference: rgb(0x2fc79c),
+    band: Color32::from_rgba_premultiplied(6, 44, 33, 52),
+    limit: rgb(0xd98fb5),
+    twin: rgb(0xa8a8a8),
+    ghost: rgb(0xe6b94a),
+    playhead: rgb(0xe8edf2),
+    good: rgb(0x2fc79c),
+    bad: rgb(0xff9166),
+    warn: rgb(0xf0c24a),
+    card: rgb(0x202830),
+    line: rgb(0x39434e),
+    grid: rgb(0x262e37),
+    weak: rgb(0xa3afbb),
+    text: rgb(0xe6ebf0),
+    accent: rgb(0x56b4e9),
+};
+
+impl Palette {
+    /// The palette of a theme.
+    #[must_use]
+    pub fn of(theme: Theme) -> &'static Self {
+        match theme {
+            Theme::Light => &LIGHT,
+            Theme::Dark => &DARK,
+        }
+    }
+
+    /// The palette in which `ui` is drawn.
+    #[must_use]
+    pub fn at(ui: &egui::Ui) -> &'static Self {
+        if ui.visuals().dark_mode { &DARK } else { &LIGHT }
+    }
+}
+
+/// How a line is drawn: its meaning in the run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// The value that is controlled or produced.
+    Produced,
+    /// The same with dynamics.
+    Dynamics,
+    /// What a controller commands.
+    Command,
+    /// What the controller asks its models for.
+    Setpoint,
+    /// Target or reference.
+    Reference,
+    /// Limits.
+    Limit,
+    /// The constant-feed twin.
+    Twin,
+    /// The run before the last change.
+    Ghost,
+}
+
+impl Look {
+    /// Stroke and style of such a line.
+    #[must_use]
+    pub fn line(self, palette: &Palette) -> (Stroke, LineStyle) {
+        let (width, color, style) = match self {
+            Self::Produced => (2.0, palette.produced, LineStyle::Solid),
+            Self::Dynamics => (1.0, palette.dynamics, LineStyle::Solid),
+            Self::Command => (1.4, palette.command, LineStyle::Solid),
+            Self::Setpoint => (1.4, palette.command, LineStyle::Dashed { length: 4.0 }),
+            Self::Reference => (1.6, palette.reference, LineStyle::Dashed { length: 12.0 }),
+            Self::Limit => (1.2, palette.limit, LineStyle::Dashed { length: 6.0 }),
+            Self::Twin => (1.2, palette.twin, LineStyle::Dashed { length: 6.0 }),
+            Self::Ghost => (1.3, palette.ghost, LineStyle::Dotted { spacing: 5.0 }),
+        };
+        (Stroke::new(width, color), style)
+    }
+}
+
+/// Sets fonts, spacing and colours of both themes.
+pub fn install(ctx: &egui::Context) {
+    for theme in [Theme::Light, Theme::Dark] {
+        let palette = Palette::of(theme);
+        ctx.style_mut_of(theme, |style| {
+            style.text_styles.insert(egui::TextStyle::Small, egui::FontId::proportional(10.5));
+            style.spacing.item_spacing = egui::vec2(8.0, 5.0);
+            style.spacing.button_padding = egui::vec2(8.0, 4.0);
+            style.spacing.interact_size.y = 24.0;
+            style.spacing.slider_rail_height = 6.0;
+            style.spacing.scroll = egui::style::ScrollStyle::thin();
+            let visuals = &mut style.visuals;
+            visuals.selection.bg_fill = palette.accent.gamma_multiply(0.35);
+            visuals.selection.stroke = Stroke::new(1.0, palette.text);
+            visuals.hyperlink_color = palette.accent;
+            visuals.slider_trailing_fill = true;
+            visuals.widgets.noninteractive.fg_stroke.color = palette.text;
+            visuals.widgets.inactive.fg_stroke.color = palette.text;
+            visuals.weak_text_color = Some(palette.weak);
+            let fill = if theme == Theme::Light { rgb(0xffffff) } else { rgb(0x161b21) };
+            visuals.panel_fill = fill;
+            visuals.window_fill = fill;
+            visuals.extreme_bg_color =
+                if theme == Theme::Light { rgb(0xfcfdfe) } else { rgb(0x11161b) };
+            visuals.widgets.noninteractive.bg_stroke = Stroke::new(1.0, palette.line);
+            let radius = CornerRadius::same(5);
+            for widget in [
+                &mut visuals.widgets.inactive,
+                &mut visuals.widgets.hovered,
+                &mut visuals.widgets.active,
+                &mut visuals.widgets.open,
+            ] {
+                widget.corner_radius = radius;
+            }
+        });
+    }
+}
+
+/// A frame for a card or strip.
+pub fn card(palette: &Palette) -> egui::Frame {
+    egui::Frame::new()
+        .fill(palette.card)
+        .stroke(Stroke::new(1.0, palette.line))
+        .corner_radius(CornerRadius::same(6))
+        .inner_margin(egui::Margin::symmetric(10, 6))
+}
+
+/// A unit for people: the tables write it in plain letters.
+#[must_use]
+pub fn unit(unit: &str) -> String {
+    unit.replace("um", "µm").replace("cm^3", "cm³")
+}
+
+/// A value with as many digits as its unit deserves, without the unit.
+#[must_use]
+pub fn number(value: f64, unit: &str) -> String {
+    let decimals = match unit {
+        "um" => 3,
+        "s" | "mm" | "cm^3" | "-" => 2,
+        "N" | "%" => 1,
+        _ => 0,
+    };
+    // No negative zero.
+    let text = format!("{value:.decimals$}");
+    if text.trim_start_matches(['-', '0', '.']).is_empty() {
+        text.trim_start_matches('-').to_owned()
+    } else {
+        text
+    }
+}
+
+/// A value with its unit.
+#[must_use]
+pub fn quantity(value: f64, unit_text: &str) -> String {
+    let unit = if unit_text == "-" { String::new() } else { unit(unit_text) };
+    format!("{} {unit}", number(value, unit_text)).trim_end().to_owned()
+}
+
+/// A time on the scale of the run: `12.34 s`, `1:02.3 min`.
+#[must_use]
+pub fn time(time_s: f64) -> String {
+    if time_s < 600.0 {
+        format!("{time_s:.2} s")
+    } else {
+        let minutes = (time_s / 60.0).floor();
+        format!("{minutes:.0}:{:04.1} min", time_s - 60.0 * minutes)
+    }
+}
+
+/// A time of a length of time: `12.34 / 56.71 s`.
+#[must_use]
+pub fn time_of(time_s: f64, length_s: f64) -> String {
+    let length = time(length_s);
+    if length_s < 600.0 {
+        format!("{time_s:.2} / {length}")
+    } else {
+        format!("{} / {length}", time(time_s))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_read_well() {
+        assert_eq!(quantity(0.8123, "um"), "0.812 µm");
+        assert_eq!(quantity(-0.004, "%"), "0.0 %");
+        assert_eq!(quantity(1.0, "-"), "1.00");
+        assert_eq!(time(61.25), "61.25 s");
+        assert_eq!(time(3599.5), "59:59.5 min");
+    }
+}

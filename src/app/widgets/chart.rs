@@ -1,0 +1,245 @@
+//! A chart of signals of the run against time, with the constant-feed twin, the run before the last
+//! change, bands around references, and the playhead. Charts share their time axis and cursor.
+
+use std::collections::BTreeSet;
+
+use egui::Ui;
+use egui_plot::{GridInput, GridMark, HLine, HoverPosition, Plot, VLine};
+
+use super::super::session::Session;
+use super::super::theme::{self, Look, Palette};
+use super::curves::{band, fit_values, lines};
+use super::legend;
+use crate::base::math::{ln, pow};
+use crate::run::signals::SIGNALS;
+
+/// One signal in a chart.
+#[derive(Clone, Copy, Debug)]
+pub struct Curve {
+    /// Its id in the table of signals.
+    pub signal: &'static str,
+    /// How it is drawn.
+    pub look: Look,
+    /// Whether the twin and the run before the last change are drawn with it.
+    pub compared: bool,
+}
+
+/// What a chart shows.
+#[derive(Clone, Debug)]
+pub struct Chart<'a> {
+    /// Its name for the program.
+    pub id: &'static str,
+    /// Its title.
+    pub title: &'static str,
+    /// Its signals, the first ones at the back; all of one unit.
+    pub curves: &'a [Curve],
+    /// A signal with the half-width of the band around it, as a share of it.
+    pub band: Option<(&'static str, f64)>,
+    /// Levels that are marked, with their names.
+    pub levels: Vec<(&'static str, f64)>,
+    /// Values that are always in the picture.
+    pub include: &'static [f64],
+}
+
+/// What charts with a common time axis share.
+#[derive(Clone, Debug, Default)]
+pub struct Axes {
+    /// Range of time that was zoomed to, s.
+    zoomed: Option<[f64; 2]>,
+    /// Where a drag over a range of time began, points.
+    drag: Option<f32>,
+    /// Legend entries switched off: chart and name.
+    pub(super) hidden: BTreeSet<(&'static str, &'static str)>,
+}
+
+/// The legend's name of the twin.
+pub(super) const TWIN: &str = "constant feed";
+/// The legend's name of the run before the last change.
+pub(super) const GHOST: &str = "before";
+
+impl Axes {
+    /// The range of time in the picture.
+    #[must_use]
+    pub fn range(&self, session: &Session) -> [f64; 2] {
+        if let Some(range) = self.zoomed {
+            return range;
+        }
+        let playback = session.playback();
+        let length_s = session.length_s();
+        if !playback.follow || length_s <= theme::FOLLOW_S {
+            return [0.0, length_s];
+        }
+        // The playhead stands near the right edge, with some room for what is to come.
+        let right = (playback.playhead_s + 0.1 * theme::FOLLOW_S).clamp(theme::FOLLOW_S, length_s);
+        [right - theme::FOLLOW_S, right]
+    }
+
+    /// Back to the automatic range.
+    pub fn fit(&mut self) {
+        self.zoomed = None;
+    }
+}
+
+/// Index of a signal in the table.
+pub(super) fn index(id: &str) -> usize {
+    SIGNALS.iter().position(|signal| signal.id == id).expect("charts name signals of the table")
+}
+
+/// Draws the chart into `ui`, `height` points high with its title and legend.
+pub fn show(ui: &mut Ui, chart: &Chart, session: &Session, axes: &mut Axes, height: f32) {
+    let top = ui.cursor().top();
+    legend_row(ui, chart, session, axes);
+    let height = (height - (ui.cursor().top() - top)).max(60.0);
+    let width = ui.available_width();
+    let range = axes.range(session);
+    let palette = Palette::at(ui);
+    let unit = SIGNALS[index(chart.curves[0].signal)].unit;
+    let values = fit_values(chart, session, axes.zoomed);
+    let lines = lines(chart, session, axes, range, width, palette);
+    let band = band(chart, session, range, width, palette);
+    // A finger that drags scrolls the plots; a mouse marks a range.
+    let touch = ui.input(|input| input.any_touches());
+    let group = egui::Id::unique("time");
+    let label = move |hover: &HoverPosition<'_>| match hover {
+        HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
+            let value = theme::quantity(position.y, unit);
+            Some(format!("{plot_name}: {value}\n{}", theme::time(position.x)))
+        }
+        _ => None,
+    };
+    let response = Plot::new(chart.id)
+        .height(height)
+        .link_cursor(group, [true, false])
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_zoom([true, false])
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .sense(if touch { egui::Sense::click() } else { egui::Sense::click_and_drag() })
+        .y_axis_min_width(44.0)
+        .grid_color(palette.grid)
+        .grid_fade(0.0)
+        .x_grid_spacer(move |input| grid(input, width / 80.0))
+        .y_grid_spacer(move |input| grid(input, height / 27.0))
+        .x_axis_formatter(|mark, _| format!("{} s", tick(mark)))
+        .y_axis_formatter(|mark, _| tick(mark))
+        .grid_spacing(egui::Rangef::new(16.0, 300.0))
+        .label_formatter(label)
+        .show(ui, |plot| {
+            plot.set_plot_bounds_x(range[0]..=range[1]);
+            plot.set_plot_bounds_y(values[0]..=values[1]);
+            if let Some(band) = band {
+                plot.add(band);
+            }
+            for (name, level) in &chart.levels {
+                let (stroke, style) = Look::Limit.line(palette);
+                plot.hline(HLine::new(*name, *level).stroke(stroke).style(style));
+            }
+            for line in lines {
+                plot.line(line);
+            }
+            let playhead = VLine::new("", session.playback().playhead_s).allow_hover(false);
+            plot.vline(playhead.color(palette.playhead).width(1.0));
+        });
+    response.response.widget_info(|| {
+        let [from_s, to_s] = range.map(theme::time);
+        let label = format!("{} from {from_s} to {to_s}", chart.title);
+        egui::WidgetInfo::labeled(egui::Role::Figure, true, label)
+    });
+    if let Some(range) = zoom(ui, &response, range, axes) {
+        axes.zoomed = Some(range);
+    } else if response.response.double_clicked() {
+        axes.fit();
+    }
+}
+
+/// The range of time that the user has just zoomed to: dragged over, or zoomed with wheel or
+/// fingers.
+fn zoom(
+    ui: &Ui,
+    plot: &egui_plot::PlotResponse<()>,
+    range: [f64; 2],
+    axes: &mut Axes,
+) -> Option<[f64; 2]> {
+    /// A drag over less is a click with a trembling hand, points.
+    const LEAST: f32 = 6.0;
+    let response = &plot.response;
+    let frame = *plot.transform.frame();
+    if response.drag_started() {
+        axes.drag = ui.input(|input| input.pointer.press_origin()).map(|at| at.x);
+    }
+    if let (Some(from), Some(to)) = (axes.drag, response.interact_pointer_pos()) {
+        let ends = [from.min(to.x), from.max(to.x)].map(|x| frame.x_range().clamp(x));
+        if response.drag_stopped() {
+            axes.drag = None;
+            let time = |x: f32| plot.transform.value_from_position(egui::pos2(x, frame.top())).x;
+            return (ends[1] - ends[0] >= LEAST).then(|| ends.map(time));
+        } else if response.dragged() {
+            let [left, right] = ends.map(|x| egui::pos2(x, frame.top()));
+            let marked = egui::Rect::from_min_max(left, egui::pos2(right.x, frame.bottom()));
+            let color = Palette::at(ui).accent;
+            ui.painter().rect_filled(marked, 0.0, color.gamma_multiply(0.2));
+        }
+    }
+    // What differs from what was asked for is the zoom of wheel or fingers.
+    let bounds = plot.transform.bounds().range_x();
+    let now = [*bounds.start(), *bounds.end()];
+    let off = 1e-6 * (range[1] - range[0]);
+    let differs = (now[0] - range[0]).abs() > off || (now[1] - range[1]).abs() > off;
+    differs.then_some(now)
+}
+
+fn log10(x: f64) -> f64 {
+    ln(x) / std::f64::consts::LN_10
+}
+
+/// Grid lines at round values, about as many as asked for.
+fn grid(input: GridInput, count: f32) -> Vec<GridMark> {
+    let (low, high) = input.bounds;
+    let raw = (high - low) / f64::from(count.max(1.0));
+    if !(raw.is_finite() && raw > 0.0) {
+        return Vec::new();
+    }
+    let decade = pow(10.0, log10(raw).floor());
+    let factors = [1.0, 2.0, 5.0, 10.0];
+    let step = factors.map(|f| f * decade).into_iter().find(|s| *s >= raw).unwrap_or(raw);
+    let (first, last) = ((low / step).ceil() as i64, (high / step).floor() as i64);
+    (first..=last).map(|k| GridMark { value: k as f64 * step, step_size: step }).collect()
+}
+
+/// The label of a grid line, with the digits that its step needs.
+fn tick(mark: GridMark) -> String {
+    let decimals = (-(log10(mark.step_size) + 1e-9).floor()).clamp(0.0, 6.0) as usize;
+    format!("{:.decimals$}", mark.value + 0.0)
+}
+
+/// Title with unit, and the entries of the legend.
+fn legend_row(ui: &mut Ui, chart: &Chart, session: &Session, axes: &mut Axes) {
+    let spacing = ui.spacing().clone();
+    ui.spacing_mut().item_spacing = egui::vec2(10.0, 1.0);
+    ui.spacing_mut().interact_size.y = 14.0;
+    ui.horizontal_wrapped(|ui| {
+        let unit = theme::unit(SIGNALS[index(chart.curves[0].signal)].unit);
+        ui.add(egui::Label::new(egui::RichText::new(format!("{} [{unit}]", chart.title)).strong()));
+        let mut entry = |name: &'static str, look: Look| {
+            let key = (chart.id, name);
+            let hidden = axes.hidden.contains(&key);
+            if legend::entry(ui, name, look, hidden).clicked() && !axes.hidden.remove(&key) {
+                axes.hidden.insert(key);
+            }
+        };
+        for curve in chart.curves {
+            entry(SIGNALS[index(curve.signal)].label, curve.look);
+        }
+        if chart.curves.iter().any(|curve| curve.compared) {
+            entry(TWIN, Look::Twin);
+            if session.ghost().is_some() {
+                entry(GHOST, Look::Ghost);
+            }
+        }
+        for (name, _) in &chart.levels {
+            entry(name, Look::Limit);
+        }
+    });
+    *ui.spacing_mut() = spacing;
+}

@@ -1,0 +1,130 @@
+//! What a chart draws: the range of its values, the band, and the lines in their order.
+
+use egui_plot::{FilledArea, Line, PlotPoints};
+
+use super::super::cut::Cut;
+use super::super::session::Session;
+use super::super::theme::{Look, Palette};
+use super::chart::{Axes, Chart, GHOST, TWIN, index};
+use crate::run::signals::SIGNALS;
+
+/// The range of values: of all of the run and its twin, so that it does not jump while playing; or
+/// of what was zoomed to.
+pub(super) fn fit_values(chart: &Chart, session: &Session, zoomed: Option<[f64; 2]>) -> [f64; 2] {
+    /// Enough to keep every extreme, few enough for every frame.
+    const BUCKETS: usize = 16;
+    let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+    let mut join = |value: f64| range = [range[0].min(value), range[1].max(value)];
+    let times = zoomed.unwrap_or([0.0, f64::INFINITY]);
+    let mut of = |cut: &Cut, signal: &str| {
+        let rows = cut.run().recording().rows();
+        let points = cut.traces().points(index(signal), times, usize::MAX, BUCKETS, Some(rows));
+        points.iter().for_each(|[_, value]| join(*value));
+    };
+    for curve in chart.curves {
+        of(session.chosen(), curve.signal);
+        if curve.compared {
+            of(session.twin(), curve.signal);
+        }
+    }
+    if zoomed.is_none() {
+        chart.include.iter().for_each(|value| join(*value));
+    }
+    if range[0] > range[1] {
+        // Zoomed to where nothing is.
+        return [0.0, 1.0];
+    }
+    let margin = (0.08 * (range[1] - range[0])).max(0.02 * range[1].abs()).max(1e-3);
+    [range[0] - margin, range[1] + margin]
+}
+
+pub(super) fn band(
+    chart: &Chart,
+    session: &Session,
+    range: [f64; 2],
+    width: f32,
+    palette: &Palette,
+) -> Option<FilledArea> {
+    let (signal, share) = chart.band?;
+    let points = visible(session.chosen(), signal, range, session.revealed().len(), width);
+    if points.len() < 2 {
+        return None;
+    }
+    let side = |factor: f64| points.iter().map(|[_, y]| y * factor).collect::<Vec<_>>();
+    let times: Vec<f64> = points.iter().map(|[x, _]| *x).collect();
+    let area = FilledArea::new("", &times, &side(1.0 - share), &side(1.0 + share));
+    let edge = egui::Stroke::new(0.8, palette.reference.gamma_multiply(0.5));
+    Some(area.fill_color(palette.band).stroke(edge).allow_hover(false))
+}
+
+fn visible(cut: &Cut, signal: &str, range: [f64; 2], end: usize, width: f32) -> Vec<[f64; 2]> {
+    let rows = cut.run().recording().rows();
+    let points = cut.traces().points(index(signal), range, end, width as usize, Some(rows));
+    without_flats(points)
+}
+
+/// Leaves out the points between two equal ones: a level needs only its ends.
+fn without_flats(points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    let mut kept: Vec<[f64; 2]> = Vec::with_capacity(points.len());
+    for point in points {
+        if let [.., before, last] = kept.as_mut_slice()
+            && before[1] == last[1]
+            && last[1] == point[1]
+        {
+            *last = point;
+        } else {
+            kept.push(point);
+        }
+    }
+    kept
+}
+
+pub(super) fn lines(
+    chart: &Chart,
+    session: &Session,
+    axes: &Axes,
+    range: [f64; 2],
+    width: f32,
+    palette: &Palette,
+) -> Vec<Line<'static>> {
+    let shown = |name: &'static str| !axes.hidden.contains(&(chart.id, name));
+    let line = |name: &str, look: Look, points: Vec<[f64; 2]>| {
+        let (stroke, style) = look.line(palette);
+        let line = Line::new(name.to_owned(), PlotPoints::from(points));
+        // The points are few already; bands would fill the area below a step.
+        line.stroke(stroke).style(style).allow_band(false)
+    };
+    let revealed = session.revealed().len();
+    let playhead_s = session.playback().playhead_s;
+    let mut lines = Vec::new();
+    for curve in chart.curves {
+        let label = SIGNALS[index(curve.signal)].label;
+        let chosen = session.chosen();
+        if curve.compared && shown(TWIN) {
+            let end = session.twin().run().recording().index_at(playhead_s) + 1;
+            let points = visible(session.twin(), curve.signal, range, end, width);
+            lines.push(line(&format!("{label}, {TWIN}"), Look::Twin, points));
+        }
+        if curve.compared
+            && shown(GHOST)
+            && let Some(ghost) = session.ghost()
+        {
+            let from = [range[0].max(ghost.from_s), range[1]];
+            let signal = index(curve.signal);
+            let points = ghost.traces.points(signal, from, usize::MAX, width as usize, None);
+            lines.push(line(&format!("{label}, {GHOST}"), Look::Ghost, without_flats(points)));
+        }
+        if shown(label) {
+            // While it stands still after a change, what is to come is shown faintly.
+            if curve.compared && session.ghost().is_some() && !session.playback().playing {
+                let from = [range[0].max(playhead_s), range[1]];
+                let points = visible(chosen, curve.signal, from, usize::MAX, width);
+                let preview = line(&format!("{label}, to come"), curve.look, points);
+                lines.push(preview.color(palette.dynamics).width(1.2));
+            }
+            let points = visible(chosen, curve.signal, range, revealed, width);
+            lines.push(line(label, curve.look, points));
+        }
+    }
+    lines
+}

@@ -1,0 +1,278 @@
+//! The editor of one setting, made from its entry in the table of settings: slider, number, choice,
+//! switch, text or depth profile. Right-click (or a long press) offers the default.
+
+use egui::{ComboBox, DragValue, Response, Slider, Ui, WidgetInfo};
+
+use super::super::command::Command;
+use super::super::theme;
+use super::icon::{self, Icon};
+use crate::base::settings::{DepthStep, Kind, MAX_STEPS, Value};
+use crate::run::scenario::{Param, Scenario, param};
+
+/// How much room an editor takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Size {
+    /// A line for name and value, and a slider below over the whole width.
+    Large,
+    /// One line.
+    Small,
+}
+
+/// Ranges over more than this many times their least value get a logarithmic slider.
+const LOGARITHMIC_FROM: f64 = 50.0;
+
+/// The editor of the setting at `path`, showing its value in `scenario`.
+pub fn setting(
+    ui: &mut Ui,
+    path: &str,
+    scenario: &Scenario,
+    size: Size,
+    commands: &mut Vec<Command>,
+) {
+    let (Ok(param), Ok(value)) = (param(path), scenario.get(path)) else { return };
+    let mut change = |value: Value| commands.push(Command::Set { path: path.to_owned(), value });
+    let spec = &param.spec;
+    ui.push_id(path, |ui| {
+        let mut slider = None;
+        let response = match (&spec.allowed, &value) {
+            (Kind::Float { min, max }, Value::Float(now)) => {
+                let mut set = |x: f64| change(Value::Float(x));
+                let slider = (size == Size::Large).then_some(&mut slider);
+                number(ui, param, [*min, *max], *now, slider, &mut set)
+            }
+            (Kind::Int { min, max }, Value::Int(now)) => {
+                // Whole numbers are names and counts rather than amounts: no slider.
+                let range = [*min as f64, *max as f64];
+                let mut set = |x: f64| change(Value::Int(x.round() as i64));
+                number(ui, param, range, *now as f64, None, &mut set)
+            }
+            (Kind::Bool, Value::Bool(now)) => {
+                let mut on = *now;
+                let response = ui.checkbox(&mut on, spec.label);
+                if response.changed() {
+                    change(Value::Bool(on));
+                }
+                response
+            }
+            (Kind::Choice { .. }, Value::Text(now)) => choice(ui, param, now, size, &mut change),
+            (Kind::Text { .. }, Value::Text(now)) => text(ui, param, now, &mut change),
+            (Kind::Steps { .. }, Value::Steps(now)) => steps(ui, param, now, &mut change),
+            _ => unreachable!("the table pairs kinds with values"),
+        };
+        let response = response.on_hover_ui(|ui| describe(ui, param));
+        for part in [Some(response), slider].into_iter().flatten() {
+            part.context_menu(|ui| {
+                let default = spec.default.to_string();
+                let unit = theme::unit(spec.unit);
+                if ui.button(format!("Reset to {default} {unit}").trim_end()).clicked() {
+                    change(spec.default.clone());
+                    ui.close();
+                }
+            });
+        }
+    });
+}
+
+/// The tooltip: what it is, what is allowed, its name in files.
+fn describe(ui: &mut Ui, param: &Param) {
+    let spec = &param.spec;
+    ui.set_max_width(320.0);
+    ui.strong(spec.label);
+    ui.label(spec.doc.replace('\n', " "));
+    if let Kind::Choice { options } = &spec.allowed {
+        for option in *options {
+            ui.label(format!("{}: {}", option.label, option.doc.replace('\n', " ")));
+        }
+    } else {
+        ui.label(format!("Allowed: {}.", spec.allowed.allowed(&theme::unit(spec.unit))));
+    }
+    let acts =
+        if spec.live { "acts at once, also during the cut" } else { "belongs to the set-up" };
+    ui.weak(format!("{} ({acts})", param.path));
+}
+
+/// A number to drag or type, and a slider below where there is a place for its response: it has no
+/// tooltip, which would hide what is below it.
+fn number(
+    ui: &mut Ui,
+    param: &Param,
+    [min, max]: [f64; 2],
+    now: f64,
+    slider: Option<&mut Option<Response>>,
+    set: &mut dyn FnMut(f64),
+) -> Response {
+    let spec = &param.spec;
+    let mut value = now;
+    let unit = theme::unit(spec.unit);
+    let suffix = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+    let whole = matches!(spec.allowed, Kind::Int { .. });
+    let decimals = if whole { 0 } else { decimals(min, max) };
+    let (label, response) = labelled(ui, param, |ui| {
+        let drag = DragValue::new(&mut value)
+            .range(min..=max)
+            .speed((now.abs() * 0.004).max((max - min) * 2e-4))
+            .max_decimals(decimals)
+            .suffix(suffix.clone())
+            .update_while_editing(false);
+        ui.add(drag)
+    });
+    if let Some(place) = slider {
+        ui.spacing_mut().slider_width = ui.available_width();
+        let logarithmic = min > 0.0 && max / min > LOGARITHMIC_FROM;
+        let slider = Slider::new(&mut value, min..=max)
+            .show_value(false)
+            .logarithmic(logarithmic)
+            .max_decimals(decimals);
+        let slider = ui.add(slider).labelled_by(label.id);
+        if slider.drag_stopped() {
+            // So that the keys go to the playhead again.
+            slider.surrender_focus();
+        }
+        remember_rect(ui, &param.path, slider.rect);
+        *place = Some(slider);
+    }
+    let value = if whole { value.round() } else { value };
+    if value != now && value.is_finite() {
+        set(value);
+    }
+    response.union(label)
+}
+
+/// A line with the label at the left and an editor at the right, tied together for screen readers.
+fn labelled(
+    ui: &mut Ui,
+    param: &Param,
+    edit: impl FnOnce(&mut Ui) -> Response,
+) -> (Response, Response) {
+    ui.horizontal(|ui| {
+        let label =
+            ui.add(egui::Label::new(param.spec.label).truncate().sense(egui::Sense::click()));
+        let right = egui::Layout::right_to_left(egui::Align::Center);
+        let response = ui.with_layout(right, edit).inner.labelled_by(label.id);
+        (label, response)
+    })
+    .inner
+}
+
+/// Digits that a number in this range needs.
+fn decimals(min: f64, max: f64) -> usize {
+    match max - min {
+        span if span <= 1.0 => 4,
+        span if span <= 10.0 => 3,
+        span if span <= 1000.0 => 2,
+        _ => 1,
+    }
+}
+
+fn choice(
+    ui: &mut Ui,
+    param: &Param,
+    now: &str,
+    size: Size,
+    change: &mut dyn FnMut(Value),
+) -> Response {
+    let Kind::Choice { options } = &param.spec.allowed else { unreachable!("kind of a choice") };
+    let chosen = options.iter().find(|option| option.id == now).map_or(now, |option| option.label);
+    let mut combo = |ui: &mut Ui, width: f32| {
+        ComboBox::from_id_salt("choice")
+            .width(width)
+            .truncate()
+            .selected_text(chosen)
+            .show_ui(ui, |ui| {
+                for option in *options {
+                    let response = ui.selectable_label(option.id == now, option.label);
+                    let response = response.on_hover_text(option.doc.replace('\n', " "));
+                    if response.clicked() && option.id != now {
+                        change(Value::Text(option.id.to_owned()));
+                    }
+                }
+            })
+            .response
+    };
+    let share = if size == Size::Large { 0.68 } else { 0.52 };
+    let width = ui.available_width() * share;
+    let (label, response) = labelled(ui, param, |ui| combo(ui, width));
+    response.union(label)
+}
+
+fn text(ui: &mut Ui, param: &Param, now: &str, change: &mut dyn FnMut(Value)) -> Response {
+    let Kind::Text { max_chars } = param.spec.allowed else { unreachable!("kind of a text") };
+    let label = ui.label(param.spec.label);
+    // The text being written is kept until the field is left: one step of undo.
+    let id = ui.scope_id().with("draft");
+    let mut draft = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| now.to_owned());
+    let edit =
+        egui::TextEdit::singleline(&mut draft).char_limit(max_chars).desired_width(f32::INFINITY);
+    let response = ui.add(edit).labelled_by(label.id);
+    if response.has_focus() {
+        ui.data_mut(|data| data.insert_temp(id, draft));
+    } else {
+        if response.lost_focus() && draft != now {
+            change(Value::Text(draft));
+        }
+        ui.data_mut(|data| data.remove::<String>(id));
+    }
+    response
+}
+
+fn steps(ui: &mut Ui, param: &Param, now: &[DepthStep], change: &mut dyn FnMut(Value)) -> Response {
+    let Kind::Steps { max_position_mm, max_depth_mm } = param.spec.allowed else {
+        unreachable!("kind of a profile")
+    };
+    let mut steps = now.to_vec();
+    let response = ui.label(param.spec.label);
+    let mut removed = None;
+    let mut touched = false;
+    for i in 0..steps.len() {
+        // Between the neighbours: positions stay in order while they are dragged.
+        let low = if i == 0 { 0.0 } else { steps[i - 1][0] + 0.01 };
+        let high = steps.get(i + 1).map_or(max_position_mm, |next| next[0] - 0.01);
+        ui.horizontal(|ui| {
+            let mut edit = |value: &mut f64, what: &str, range, speed: f64, after: &str| {
+                let drag = DragValue::new(value).range(range).speed(speed).suffix(after);
+                let drag = drag.max_decimals(3).update_while_editing(false);
+                let response = ui.add(drag);
+                response.widget_info(|| WidgetInfo {
+                    label: Some(format!("{what} of depth step {}", i + 1)),
+                    ..WidgetInfo::drag_value(true, *value)
+                });
+                touched |= response.changed();
+            };
+            let [position, depth] = &mut steps[i];
+            edit(position, "Position", low..=high, 0.5, " mm on:");
+            edit(depth, "Depth", 0.0..=max_depth_mm, 0.01, " mm deep");
+            let name = format!("Remove depth step {}", i + 1);
+            if icon::button(ui, Icon::Close, &name, &name, true).clicked() {
+                removed = Some(i);
+            }
+        });
+    }
+    if let Some(i) = removed {
+        steps.remove(i);
+        touched = true;
+    }
+    let last = steps.last().map_or(0.0, |step| step[0]);
+    let room = steps.len() < MAX_STEPS && last + 20.0 <= max_position_mm;
+    if ui.add_enabled(room, egui::Button::new("Add a depth step")).clicked() {
+        steps.push([last + 20.0, 2.0]);
+        touched = true;
+    }
+    if touched {
+        change(Value::Steps(steps));
+    }
+    response
+}
+
+fn rect_id(path: &str) -> egui::Id {
+    egui::Id::unique(("slider", path))
+}
+
+fn remember_rect(ui: &Ui, path: &str, rect: egui::Rect) {
+    ui.data_mut(|data| data.insert_temp(rect_id(path), rect));
+}
+
+/// Where the slider of a setting was drawn last.
+#[must_use]
+pub fn slider_rect(ctx: &egui::Context, path: &str) -> Option<egui::Rect> {
+    ctx.data(|data| data.get_temp(rect_id(path)))
+}

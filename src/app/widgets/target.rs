@@ -1,0 +1,48 @@
+//! The editor of the target roughness: its slider is marked with the grades of ISO 1302.
+
+use egui::Ui;
+
+use super::super::command::Command;
+use super::super::theme::Palette;
+use super::setting::{Size, setting, slider_rect};
+use crate::base::math::ln;
+use crate::base::settings::{Kind, Value};
+use crate::run::scenario::{Scenario, param};
+
+/// Grades of ISO 1302 with their Ra in um, marked below the slider of the target.
+const GRADES: [(&str, f64); 5] = [("N4", 0.2), ("N5", 0.4), ("N6", 0.8), ("N7", 1.6), ("N8", 3.2)];
+
+/// The editor of the target roughness, its slider marked with the grades of ISO 1302; a click on
+/// a grade sets it.
+pub fn target_ra(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
+    const PATH: &str = "target.ra_um";
+    setting(ui, PATH, scenario, Size::Large, commands);
+    let (Ok(param), Some(rail)) = (param(PATH), slider_rect(ui.ctx(), PATH)) else { return };
+    let Kind::Float { min, max } = param.spec.allowed else { return };
+    let palette = Palette::at(ui);
+    let (row, _) = ui.allocate_exact_size(egui::vec2(rail.width(), 20.0), egui::Sense::hover());
+    let handle = 0.4 * rail.height();
+    let span = rail.x_range().shrink(handle);
+    for (name, ra_um) in GRADES {
+        let share = (ln(ra_um / min) / ln(max / min)) as f32;
+        let x = egui::lerp(span.min..=span.max, share);
+        let place =
+            egui::Rect::from_center_size(egui::pos2(x, row.center().y), egui::vec2(30.0, 20.0));
+        let id = ui.scope_id().with(name);
+        let response = ui.interact(place, id, egui::Sense::click());
+        let chosen = (scenario.target.ra_um - ra_um).abs() < 1e-9;
+        response.widget_info(|| {
+            let label = format!("{name}: Ra {ra_um} µm");
+            egui::WidgetInfo::selected(egui::Role::RadioButton, true, chosen, label)
+        });
+        let color = if chosen || response.hovered() { palette.accent } else { palette.weak };
+        let tick = [egui::pos2(x, row.top() - 3.0), egui::pos2(x, row.top() + 3.0)];
+        ui.painter().line_segment(tick, egui::Stroke::new(1.5, color));
+        let font = egui::TextStyle::Small.resolve(ui.style());
+        let at = egui::pos2(x, row.top() + 4.0);
+        ui.painter().text(at, egui::Align2::CENTER_TOP, name, font, color);
+        if response.on_hover_text(format!("ISO 1302 grade {name}: Ra {ra_um} µm")).clicked() {
+            commands.push(Command::Set { path: PATH.to_owned(), value: Value::Float(ra_um) });
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! The screens "Block diagram" and "Papers", driven by their accessible names.
+#![cfg(feature = "app")]
+
+use egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use steadycut::app::Console;
+use steadycut::app::panels::equation_cards::CARDS;
+use steadycut::base::model::gp_2007::Calibration;
+use steadycut::base::settings::Value;
+use steadycut::blocks::control::ControllerKind;
+use steadycut::run::Start;
+use steadycut::run::edits::Edits;
+use steadycut::run::presets;
+
+type Screen<'a> = Harness<'a, Option<Console>>;
+
+/// The console on the screen with this title, at the end of a preset's cut.
+fn open<'a>(preset: &str, size: [f32; 2], title: &str, change: &[(&str, Value)]) -> Screen<'a> {
+    let mut scenario = presets::load(preset).expect("shipped");
+    for (path, value) in change {
+        scenario.set(path, value.clone()).expect("a valid setting");
+    }
+    let mut harness = Harness::builder().with_size(size).with_step_dt(0.05).build_ui_state(
+        move |ui, console: &mut Option<Console>| {
+            let console = console.get_or_insert_with(|| {
+                let start =
+                    Start { scenario: scenario.clone(), edits: Edits::none(), notice: None };
+                Console::new(ui.ctx(), start)
+            });
+            console.ui(ui);
+        },
+        None,
+    );
+    harness.run_steps(2);
+    harness.get_by_role_and_label(Role::Button, title).click();
+    harness.run_steps(2);
+    // To the end of the cut, where the picture stands still.
+    harness.key_press(egui::Key::End);
+    harness.run_steps(4);
+    harness
+}
+
+fn console<'a>(harness: &'a Screen<'_>) -> &'a Console {
+    harness.state().as_ref().expect("made in the first frame")
+}
+
+/// Every text on the screen.
+fn texts(harness: &Screen<'_>) -> String {
+    let nodes = harness.root().children_recursive().map(|node| {
+        let node = node.accesskit_node();
+        node.label().or_else(|| node.value()).unwrap_or_default()
+    });
+    nodes.collect::<Vec<String>>().join("\n")
+}
+
+const SIZES: [[f32; 2]; 2] = [[1280.0, 800.0], [390.0, 844.0]];
+
+#[test]
+fn a_click_on_a_block_opens_its_equation_card() {
+    for size in SIZES {
+        let mut harness = open("table3-5", size, "Block diagram", &[]);
+        harness.get_by_role_and_label(Role::Button, "Reference K1").click();
+        harness.run_steps(2);
+        let shown = texts(&harness);
+        assert!(shown.contains("F_d = 293 - 593 / √(39.37 Ra)"), "{shown}");
+        assert!(shown.contains("SDNRP 2007, eq. 4"), "{shown}");
+        assert!(shown.contains("identified"), "{shown}");
+        let force = console(&harness).session().row().force_ref_n;
+        assert!(shown.contains(&format!("= {force:.1} N")), "{force} in {shown}");
+
+        assert!(!shown.contains("the finish constant"), "words only on request");
+        harness.get_by_label("What is this?").click();
+        harness.run_steps(2);
+        assert!(texts(&harness).contains("the finish constant"));
+    }
+}
+
+#[test]
+fn every_card_opens_for_every_controller_and_calibration() {
+    // A character that no font has would end the test.
+    let text = |text: &str| Value::Text(text.to_owned());
+    for (kind, calibration) in ControllerKind::ALL.iter().zip(Calibration::ALL) {
+        let change = [
+            ("controller.kind", text(kind.id())),
+            ("plant.calibration", text(calibration.id())),
+            ("belief.calibration", text(calibration.id())),
+        ];
+        let mut harness = open("table3-5-noise", [1280.0, 1400.0], "Block diagram", &change);
+        for card in CARDS {
+            harness.get_by_role_and_label(Role::Button, card.title).click();
+            harness.run_steps(2);
+            let shown = texts(&harness);
+            for printed in card.printed {
+                assert!(shown.contains(printed.formula), "{} in {shown}", printed.formula);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_click_on_a_wire_plots_its_signal() {
+    // High enough to show the whole card.
+    let mut harness = open("table3-5", [1280.0, 1400.0], "Block diagram", &[]);
+    harness.get_by_label("Plot Spindle command, after dead time").click();
+    harness.run_steps(2);
+    harness.get_by_role_and_label(Role::Label, "Spindle command, after dead time");
+    // A signal that has no wire of its own is plotted from the card.
+    harness.get_by_role_and_label(Role::Button, "Controller K2, K3").click();
+    harness.run_steps(2);
+    harness.get_by_role_and_label(Role::Button, "Force setpoint").click();
+    harness.run_steps(2);
+    harness.get_by_role_and_label(Role::Label, "Force setpoint");
+}
+
+#[test]
+fn wires_and_lamps_tell_their_state() {
+    let offset = ("plant.force_offset_n", Value::Float(100.0));
+    let printed = ("belief.calibration", Value::Text("printed".to_owned()));
+    let harness = open("table3-1", SIZES[0], "Block diagram", &[offset, printed]);
+    let row = *console(&harness).session().row();
+    let wire = harness.get_by_label("Plot Feed");
+    let value = wire.accesskit_node().value().unwrap_or_default();
+    assert_eq!(value, format!("{:.0} mm/min", row.feed_mm_min));
+    let controller = harness.get_by_role_and_label(Role::Button, "Controller K2, K3");
+    let state = controller.accesskit_node().value().unwrap_or_default();
+    assert!(state.contains("K2 outside its range"), "{state}");
+}
+
+#[test]
+fn the_diagram_can_be_used_from_the_keyboard() {
+    let mut harness = open("table3-5", SIZES[0], "Block diagram", &[]);
+    harness.get_by_role_and_label(Role::Button, "Dynamometer").focus();
+    harness.run_steps(2);
+    harness.key_press(egui::Key::Enter);
+    harness.run_steps(2);
+    assert!(texts(&harness).contains("sensor noise"));
+}
+
+#[test]
+fn the_papers_screen_follows_the_calibration() {
+    let mut harness = open("first-cut", SIZES[0], "Papers", &[]);
+    assert!(texts(&harness).contains("40 of 40 final values met"));
+    assert!(texts(&harness).contains("195.2 (read 190.2)"));
+    assert!(texts(&harness).contains("taken as a misprint"));
+    harness.get_by_label("as printed").click();
+    harness.run_steps(2);
+    let shown = texts(&harness);
+    assert!(!shown.contains("40 of 40") && shown.contains("K2 outside its range"), "{shown}");
+    harness.get_by_label("identified").click();
+    harness.run_steps(2);
+    assert!(texts(&harness).contains("40 of 40 final values met"));
+}
+
+#[test]
+fn load_brings_a_row_into_the_console() {
+    for size in SIZES {
+        let mut harness = open("first-cut", size, "Papers", &[]);
+        harness.get_by_label("restored").click();
+        harness.run_steps(2);
+        harness.get_by_label("Load table3-2").click();
+        harness.run_steps(3);
+        let scenario = console(&harness).session().scenario();
+        assert_eq!(scenario.info.name, "table3-2");
+        assert_eq!(scenario.plant.calibration, Calibration::Restored);
+        assert_eq!(scenario.belief.calibration, Calibration::Restored);
+        assert!(console(&harness).state_json().contains("\"screen\":\"console\""));
+    }
+}
