@@ -4,7 +4,7 @@
 use proptest::prelude::*;
 use steadycut::base::settings::{Kind, SettingError, Value};
 use steadycut::run::edits::{Edit, Edits};
-use steadycut::run::one_run::Run;
+use steadycut::run::one_run::{End, Run};
 use steadycut::run::presets::{PRESETS, load};
 use steadycut::run::scenario::{Scenario, param, parse_value, table};
 use steadycut::run::{scenario_file, scenario_link};
@@ -47,9 +47,9 @@ fn contained(scenario: &Scenario, edits: &Edits) {
         assert!(row.ra_um >= 0.0 && row.force_n >= 0.0);
     }
     let metrics = run.metrics();
-    assert!(
-        metrics.normalized_standard_error.is_finite() && metrics.ra_deviation_percent.is_finite()
-    );
+    assert!(metrics.normalized_standard_error.is_none_or(f64::is_finite));
+    assert!(metrics.ra_deviation_percent.is_finite());
+    assert!(!matches!(run.end(), Some(End::Fault(_))), "accepted settings must not fault");
 }
 
 fn candidates(kind: &Kind) -> Vec<Value> {
@@ -153,7 +153,7 @@ proptest! {
                     [*max_position_mm, 1.0],
                 ]),
                 Kind::Bool => Value::Bool(pick % 2 == 0),
-                Kind::Text { .. } => Value::Text(format!("{pick}")),
+                Kind::Text { .. } => Value::Text(format!(" {pick} \"quoted\" & = % # é\n' ")),
             };
             let _ = scenario.set(&param.path, value);
         }
@@ -235,6 +235,13 @@ fn errors_name_field_value_and_range() {
     let text = message("version = 1\n[run]\nduration_s = 3600.0\nsteps_per_control = 200\n");
     assert!(text.contains("run.duration_s") && text.contains("record_every"), "{text}");
 
+    let text = message("version = 1\n[contoller]\n");
+    assert!(text.contains("contoller"), "{text}");
+    let text = message("version = 1\n[target.foo]\n");
+    assert!(text.contains("target.foo"), "{text}");
+    let text = message("version = 1\n[run]\nrecord_every = 3\n");
+    assert!(text.contains("run.record_every") && text.contains("20"), "{text}");
+
     let message = |link: &str| scenario_link::parse(link).unwrap_err().to_string();
     assert!(message("v=1&target.ra_um=abc").contains("abc"));
     assert!(message("v=2").contains("version 2"));
@@ -287,4 +294,53 @@ fn the_table_is_complete_and_consistent() {
         assert!(!param.spec.doc.is_empty() && !param.spec.label.is_empty(), "{}", param.path);
     }
     assert!(param("nonsense").is_err());
+}
+
+#[test]
+fn a_link_keeps_a_companion_that_was_set_back_to_the_default() {
+    let mut scenario = Scenario::default();
+    scenario.set("plant.material", Value::Text("ti6al4v".to_owned())).unwrap();
+    scenario.set("plant.hardness_hb", Value::Float(200.0)).unwrap();
+    scenario.set("feed_drive.kind", Value::Text("measured_3hz".to_owned())).unwrap();
+    scenario.set("cnc.dead_time_s", Value::Float(0.08)).unwrap();
+    let link = scenario_link::write(&scenario, &Edits::none());
+    assert_eq!(scenario_link::parse(&link).unwrap().0, scenario, "{link}");
+}
+
+#[test]
+fn a_refused_edit_changes_nothing_and_a_material_brings_its_hardness() {
+    let scenario = Scenario::default();
+    let edit = |path: &str, value: Value| Edit { at_s: 2.0, path: path.to_owned(), value };
+    let mut edits = Edits::none();
+    edits.push(&scenario, edit("noise.band_low_hz", Value::Float(30.0))).unwrap();
+    let before = edits.clone();
+    // 40 Hz is the upper corner.
+    assert!(edits.push(&scenario, edit("noise.band_low_hz", Value::Float(50.0))).is_err());
+    assert!(edits.push(&scenario, edit("target.ra_um", Value::Float(50.0))).is_err());
+    assert_eq!(edits, before);
+
+    let mut edits = Edits::none();
+    for (path, value) in [
+        ("plant.material", Value::Text("ti6al4v".to_owned())),
+        ("plant.hardness_hb", Value::Float(250.0)),
+        ("plant.material", Value::Text("ck45".to_owned())),
+    ] {
+        edits.push(&scenario, edit(path, value)).unwrap();
+    }
+    assert_eq!(edits.scenario_at(&scenario, 3.0).plant.hardness_hb, 200.0);
+}
+
+#[test]
+fn thousands_of_edits_stay_affordable() {
+    let scenario = load("first-cut").unwrap();
+    let mut edits = Edits::none();
+    for k in 0..20_000 {
+        let (at_s, value) = (f64::from(k) * 1e-3, Value::Float(1.0 + f64::from(k) * 1e-5));
+        edits.push(&scenario, Edit { at_s, path: "target.ra_um".to_owned(), value }).unwrap();
+    }
+    assert_eq!(edits.list().len(), 20_000);
+    let last = edits.scenario_at(&scenario, 100.0).target.ra_um;
+    assert!((last - 1.199_99).abs() < 1e-12);
+    let link = scenario_link::write(&scenario, &edits);
+    assert_eq!(scenario_link::parse(&link).unwrap().1, edits);
 }

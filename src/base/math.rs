@@ -13,8 +13,17 @@ pub const E: f64 = std::f64::consts::E;
 pub const TAU: f64 = std::f64::consts::TAU;
 
 /// Limits `x` to `low..=high`; unlike [`f64::clamp`] it never panics: with `low > high` it gives
-/// `high`, and NaN gives `low`.
+/// `high`, and NaN gives `low`. By comparison, since `f64::max` may return either of two zeros.
 #[must_use]
+#[inline]
 pub fn limit(x: f64, low: f64, high: f64) -> f64 {
-    x.max(low).min(high)
+    let x = if x >= low { x } else { low };
+    if x > high { high } else { x }
+}
+
+/// `x` where it is positive, otherwise (also for NaN and -0) exactly +0.
+#[must_use]
+#[inline]
+pub fn positive(x: f64) -> f64 {
+    if x > 0.0 { x } else { 0.0 }
 }

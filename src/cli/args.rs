@@ -8,7 +8,12 @@ use crate::base::model::gp_2007::Calibration;
 
 /// SteadyCut: milling that keeps its surface finish constant.
 #[derive(Debug, Parser)]
-#[command(version, about, after_help = "Without a command: opens the console.")]
+#[command(
+    version,
+    about,
+    args_conflicts_with_subcommands = true,
+    after_help = "Without a command: opens the console."
+)]
 pub struct Cli {
     /// Scenario that the console opens: a preset's name or a scenario file.
     #[arg(long, value_name = "PRESET|FILE")]

@@ -59,6 +59,11 @@ pub fn execute(args: &ListArgs) -> Outcome {
         writeln!(out, "\n{name}")?;
         for option in *options {
             writeln!(out, "  {:<18}{}: {}", option.id, option.label, option.doc)?;
+            if let Some(material) = Material::from_id(option.id) {
+                let hardness = material.hardness_hb();
+                let factor = material.force_factor(hardness);
+                writeln!(out, "{:20}{hardness} HB, force {factor:.2} times Ck45's", "")?;
+            }
         }
     }
     writeln!(out, "\nsettings (--set path=value; (*) can change during a run)")?;

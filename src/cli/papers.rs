@@ -65,12 +65,10 @@ fn print(out: &mut impl Write, paper: &Paper2007) -> std::io::Result<()> {
                 word(cell)
             )?;
         }
-        let deviation = |ra: f64| 100.0 * (ra / row.ra_desired_um.printed - 1.0);
         writeln!(
             out,
             "     Ra off its target: printed {:+.1} %, reproduced {:+.1} %",
-            deviation(row.ra_produced_um.printed),
-            deviation(row.ra_produced_um.reproduced)
+            row.ra_deviation_printed_percent, row.ra_deviation_reproduced_percent
         )?;
         if !row.out_of_range.is_empty() {
             writeln!(out, "     states: {}", row.out_of_range.join(", "))?;

@@ -132,6 +132,10 @@ fn end_text(run: &Run) -> String {
     }
 }
 
+fn shown(value: Option<f64>, text: &dyn Fn(f64) -> String) -> String {
+    value.map_or("no contact".to_owned(), text)
+}
+
 fn print_metrics(
     out: &mut impl Write,
     scenario: &Scenario,
@@ -143,19 +147,23 @@ fn print_metrics(
         writeln!(out, "{}", scenario.info.description)?;
     }
     let target = scenario.target.ra_um;
+    let dead_ticks = scenario.ticks(scenario.cnc.dead_time_s);
     let settled =
         m.settling_time_s.map_or("not settled".to_owned(), |time_s| format!("{time_s:.3} s"));
     let tolerance = scenario.target.tolerance_percent;
     let lines = [
         ("Ra produced", format!("{:.4} um", m.ra_final_um)),
         ("  deviation", format!("{:+.2} % of {target} um", m.ra_deviation_percent)),
-        ("  in tolerance", format!("{:.1} % of length (+-{tolerance} %)", m.in_tolerance_percent)),
+        (
+            "  in tolerance",
+            shown(m.in_tolerance_percent, &|x| format!("{x:.1} % of length (+-{tolerance} %)")),
+        ),
         ("force", format!("{:.2} N", m.force_final_n)),
         ("  deviation", format!("{:+.2} %", m.force_deviation_percent)),
         ("  worst after 1 s", format!("{:+.2} %", m.force_worst_percent)),
         ("  largest", format!("{:.2} N", m.max_force_n)),
-        ("  Nsn", format!("{:.4}", m.normalized_standard_error)),
-        ("  Nsn, 20 samples", format!("{:.4}", m.normalized_standard_error_20)),
+        ("  normalised std. error", shown(m.normalized_standard_error, &|x| format!("{x:.4}"))),
+        ("  over 20 samples", shown(m.normalized_standard_error_20, &|x| format!("{x:.4}"))),
         ("  settling", settled),
         ("  overshoot", format!("{:.2} %", m.overshoot_percent)),
         ("feed", format!("{:.2} mm/min", m.feed_final_mm_min)),
@@ -165,12 +173,13 @@ fn print_metrics(
         ("metal removed", format!("{:.3} cm3", m.metal_removed_cm3)),
         ("at a limit", format!("{:.1} % of time", m.saturated_percent)),
         ("models outside range", format!("{:.1} % of time", m.outside_percent)),
+        ("dead time", format!("{} s ({dead_ticks} ticks)", dead_ticks as f64 * scenario.dt_s())),
         ("end", end_text(run)),
         ("ticks", run.ticks().to_string()),
         ("digest", run.recording().digest()),
     ];
     for (name, value) in lines {
-        writeln!(out, "  {name:<22}{value}")?;
+        writeln!(out, "  {name:<24}{value}")?;
     }
     Ok(())
 }

@@ -20,8 +20,9 @@
 
 use super::scenario::Scenario;
 use super::signals::{Row, SIGNALS, flag};
+use crate::base::math;
 use crate::base::model::Valued;
-use crate::base::model::gp_2007::{FEED_MIN_MM_MIN, GpModels};
+use crate::base::model::gp_2007::{FEED_MIN_MM_MIN, GpModels, SPEED_MIN_RPM};
 use crate::base::units::mm_s_from_mm_min;
 use crate::blocks::cnc::dead_time::DeadTime;
 use crate::blocks::cnc::feed_drive::FeedDrive;
@@ -132,12 +133,13 @@ impl ClosedLoop {
         self.belief = GpModels::new(scenario.belief.calibration);
         self.desired_force = reference::desired_force(&scenario.target, &self.belief);
         self.target_ra_um = scenario.target.ra_um;
-        self.controller.reconfigure(&scenario.control_setup(), current);
         let command = [self.row.feed_command_mm_min, self.row.spindle_command_rpm];
+        let sent = FeedSpeed { feed_mm_min: command[0], speed_rpm: command[1] };
+        self.controller.reconfigure(&scenario.control_setup(), current, sent);
         self.dead_time.resize(scenario.ticks(scenario.cnc.dead_time_s) as usize, command);
         self.feed_drive.reconfigure(&scenario.feed_drive, self.dt_s);
         self.spindle_drive.reconfigure(&scenario.spindle_drive, self.dt_s);
-        self.depth = DepthProfile::new(&scenario.workpiece);
+        self.depth.reconfigure(&scenario.workpiece);
         self.process = Process::new(&scenario.plant, scenario.workpiece.radial_depth_mm);
         self.dynamic_force.reconfigure(&scenario.noise, self.dt_s);
         self.dynamometer.reconfigure(&scenario.noise);
@@ -226,9 +228,13 @@ impl ClosedLoop {
         let axial_depth_mm = self.depth.at(self.position_mm);
         let force = self.process.update(feed_mm_min, speed_rpm, axial_depth_mm);
         let dynamic = self.dynamic_force.update(self.tick, self.position_mm, speed_rpm);
-        let force_dyn_n = (force.value * dynamic).max(0.0);
-        let (ra, ra_dyn) = roughness::produced(force.value, force_dyn_n, self.process.models());
-        let in_air = force.value <= 0.0;
+        let force_dyn_n = math::positive(force.value * dynamic);
+        let in_air = !self.process.engaged(axial_depth_mm);
+        let (ra, ra_dyn) = if in_air {
+            (Valued::new(0.0, true), Valued::new(0.0, true))
+        } else {
+            roughness::produced(force.value, force_dyn_n, self.process.models())
+        };
         let row = &mut self.row;
         row.time_s = self.tick as f64 * self.dt_s;
         row.position_mm = self.position_mm;
@@ -244,8 +250,8 @@ impl ClosedLoop {
         let flags = self.command_flags
             | bit(!self.desired_force.valid, flag::K1_OUTSIDE)
             | bit(!force.valid, flag::K4_OUTSIDE)
-            | bit(!ra.valid && !in_air, flag::K5_OUTSIDE)
-            | bit(!ra_dyn.valid && !in_air, flag::K6_OUTSIDE)
+            | bit(!ra.valid, flag::K5_OUTSIDE)
+            | bit(!ra_dyn.valid, flag::K6_OUTSIDE)
             | bit(in_air, flag::AIR);
         row.state_flags = f64::from(flags);
     }
@@ -275,12 +281,15 @@ fn bit(on: bool, bit: u32) -> u32 {
     if on { bit } else { 0 }
 }
 
-/// Limits of the commands. An adaptive controller's feed also stays where the force model holds:
-/// below [`FEED_MIN_MM_MIN`] the force no longer falls with the feed.
+/// Limits of the commands. An adaptive controller also stays where the force model holds: below
+/// [`FEED_MIN_MM_MIN`] the force no longer falls with the feed, and below [`SPEED_MIN_RPM`] it
+/// would stop the spindle to raise the force.
 fn limits(scenario: &Scenario) -> Limits {
     let mut feed_mm_min = scenario.cnc.range(scenario.program.feed_mm_min);
+    let mut speed_rpm = scenario.cnc.range(scenario.program.spindle_rpm);
     if scenario.controller.kind != ControllerKind::ConstantFeed {
         feed_mm_min[0] = feed_mm_min[0].max(FEED_MIN_MM_MIN).min(feed_mm_min[1]);
+        speed_rpm[0] = speed_rpm[0].max(SPEED_MIN_RPM).min(speed_rpm[1]);
     }
-    Limits { feed_mm_min, speed_rpm: scenario.cnc.range(scenario.program.spindle_rpm) }
+    Limits { feed_mm_min, speed_rpm }
 }

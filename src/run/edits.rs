@@ -1,7 +1,7 @@
 //! Edits: changes of live settings at a moment of the run. A run is a pure function of scenario
 //! and edits, so a live session replays exactly.
 
-use super::scenario::{Scenario, param};
+use super::scenario::{COMPANIONED, COMPANIONS, Scenario, param};
 use crate::base::settings::{SettingError, Value};
 
 /// One change during a run.
@@ -19,6 +19,8 @@ pub struct Edit {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Edits(Vec<Edit>);
 
+/// Live settings that a rule joins: whether one is allowed depends on the other.
+const JOINED: [&str; 2] = ["noise.band_low_hz", "noise.band_high_hz"];
 /// Most edits in one run.
 pub const MAX_EDITS: usize = 100_000;
 
@@ -50,21 +52,39 @@ impl Edits {
             let allowed = "a change of the scenario itself: it belongs to the set-up";
             return refused("changed during the run".to_owned(), allowed);
         }
-        if !(edit.at_s >= 0.0 && edit.at_s <= base.run.duration_s) {
-            let allowed = format!("a time from 0 to {} s", base.run.duration_s);
+        if !(edit.at_s >= 0.0 && edit.at_s < base.run.duration_s) {
+            let allowed = format!("a time from 0 to before {} s", base.run.duration_s);
             return refused(format!("changed at {} s", edit.at_s), &allowed);
         }
         if self.0.len() >= MAX_EDITS {
             return refused("changed again".to_owned(), "at most 100000 changes in a run");
         }
-        self.0.retain(|other| other.at_s != edit.at_s || other.path != edit.path);
-        let place = self.0.partition_point(|other| other.at_s <= edit.at_s);
-        self.0.insert(place, edit);
-        if let Err(error) = self.check(base) {
-            self.0.remove(place);
+        Scenario::accepts(&edit.path, &edit.value)?;
+        let joined = JOINED.contains(&edit.path.as_str());
+        let before = joined.then(|| self.0.clone());
+        self.insert(edit);
+        if let Some(before) = before
+            && let Err(error) = self.check(base)
+        {
+            self.0 = before;
             return Err(error);
         }
         Ok(())
+    }
+
+    fn insert(&mut self, edit: Edit) {
+        let first = self.0.partition_point(|other| other.at_s < edit.at_s);
+        let mut end = self.0.partition_point(|other| other.at_s <= edit.at_s);
+        let companion = COMPANIONED.iter().position(|path| *path == edit.path);
+        let companion = companion.map(|index| COMPANIONS[index]);
+        for index in (first..end).rev() {
+            let other = &self.0[index].path;
+            if *other == edit.path || Some(other.as_str()) == companion {
+                self.0.remove(index);
+                end -= 1;
+            }
+        }
+        self.0.insert(end, edit);
     }
 
     /// Forgets all edits at or after a time in s.
@@ -74,7 +94,7 @@ impl Edits {
 
     fn check(&self, base: &Scenario) -> Result<(), SettingError> {
         let mut scenario = base.clone();
-        for edit in &self.0 {
+        for edit in self.0.iter().filter(|edit| JOINED.contains(&edit.path.as_str())) {
             scenario.set(&edit.path, edit.value.clone())?;
         }
         Ok(())

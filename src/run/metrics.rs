@@ -1,10 +1,10 @@
 //! Metrics of a run, defined once.
 //!
-//! - Final values: means over the last second.
+//! - Final values: means over the last second in contact.
 //! - In tolerance: share of the path in contact on which the produced Ra (K5) lies within the
 //!   tolerance band of its target.
-//! - Settling time: from which time on the force stays within 2 % of its reference for good;
-//!   none if it does not at the end. Counted from the last change (target, depth, edit).
+//! - Settling time: from the last change (start of the run, target, depth, edit) until the force
+//!   stays within 2 % of its reference for good; none if it does not at the end.
 //! - Overshoot: the force's furthest excursion beyond its reference, on the side away from where
 //!   it started after a change (start of the run, target, depth, edit), in percent.
 //! - Normalised standard error: root of the mean of ((F - F_ref) / F_ref)^2 over all control
@@ -26,8 +26,8 @@ pub struct Metrics {
     pub ra_final_um: f64,
     /// Deviation of the final Ra from its target, percent.
     pub ra_deviation_percent: f64,
-    /// Share of the cut length with Ra in tolerance, percent.
-    pub in_tolerance_percent: f64,
+    /// Share of the cut length with Ra in tolerance, percent; none without contact.
+    pub in_tolerance_percent: Option<f64>,
     /// Force, mean over the last second, N.
     pub force_final_n: f64,
     /// Deviation of the final force from its reference, percent.
@@ -38,10 +38,11 @@ pub struct Metrics {
     pub feed_final_mm_min: f64,
     /// Spindle speed, mean over the last second, 1/min.
     pub spindle_final_rpm: f64,
-    /// Root mean square of the relative force error over all control samples in contact.
-    pub normalized_standard_error: f64,
+    /// Root mean square of the relative force error over all control samples in contact; none
+    /// without contact.
+    pub normalized_standard_error: Option<f64>,
     /// The same over 20 samples, as the 2005 paper has it.
-    pub normalized_standard_error_20: f64,
+    pub normalized_standard_error_20: Option<f64>,
     /// Settling time of the force after the last change, s; none if it does not settle.
     pub settling_time_s: Option<f64>,
     /// Overshoot of the force, percent of its reference.
@@ -83,9 +84,8 @@ pub fn metrics(recording: &Recording, rows: usize, scenario: &Scenario, edits: &
         return Metrics::empty();
     };
 
-    let window = ((1.0 / recording.row_s()).round() as usize).clamp(1, rows.len());
-    let tail = &rows[rows.len() - window..];
-    let mean = |get: fn(&Row) -> f64| tail.iter().map(get).sum::<f64>() / window as f64;
+    let tail = Recording::last_second(rows, recording.row_s());
+    let mean = |get: fn(&Row) -> f64| tail.iter().map(get).sum::<f64>() / tail.len() as f64;
     let (ra_final_um, force_final_n) = (mean(|r| r.ra_um), mean(|r| r.force_n));
     let deviation = |value: f64, target: f64| percent_from_ratio((value - target) / target);
 
@@ -116,7 +116,7 @@ pub fn metrics(recording: &Recording, rows: usize, scenario: &Scenario, edits: &
         rows.iter().step_by(recording.control_stride()).filter(|row| !row.has(flag::AIR)).collect();
     let rms = |samples: &[&Row]| {
         let sum: f64 = samples.iter().map(|row| relative_error(row) * relative_error(row)).sum();
-        if samples.is_empty() { 0.0 } else { (sum / samples.len() as f64).sqrt() }
+        (!samples.is_empty()).then(|| (sum / samples.len() as f64).sqrt())
     };
     let twenty: Vec<&Row> = (1..=20)
         .filter_map(|k| samples.get((samples.len() * k / 20).saturating_sub(1)).copied())
@@ -126,11 +126,8 @@ pub fn metrics(recording: &Recording, rows: usize, scenario: &Scenario, edits: &
     Metrics {
         ra_final_um,
         ra_deviation_percent: deviation(ra_final_um, mean(|r| r.ra_target_um)),
-        in_tolerance_percent: if in_contact_mm > 0.0 {
-            percent_from_ratio(good_mm / in_contact_mm)
-        } else {
-            0.0
-        },
+        in_tolerance_percent: (in_contact_mm > 0.0)
+            .then(|| percent_from_ratio(good_mm / in_contact_mm)),
         force_final_n,
         force_deviation_percent: deviation(force_final_n, mean(|r| r.force_ref_n)),
         force_worst_percent: percent_from_ratio(worst),
@@ -159,7 +156,9 @@ fn changes(recording: &Recording, rows: &[Row], edits: &Edits) -> Vec<usize> {
             found.push(i + 1);
         }
     }
-    let edited = edits.list().iter().map(|edit| recording.index_at(edit.at_s) + 1);
+    // A tolerance only judges; every other edit may move the loop.
+    let moving = edits.list().iter().filter(|edit| edit.path != "target.tolerance_percent");
+    let edited = moving.map(|edit| recording.index_at(edit.at_s) + 1);
     found.extend(edited.filter(|index| *index < rows.len()));
     found.sort_unstable();
     found.dedup();
@@ -167,11 +166,13 @@ fn changes(recording: &Recording, rows: &[Row], edits: &Edits) -> Vec<usize> {
 }
 
 fn settling(rows: &[Row], change: usize) -> Option<f64> {
+    // `change` is the first row after the change, which came with the row before it.
+    let start_s = rows[change.saturating_sub(1)].time_s;
     let outside = rows[change..].iter().rposition(|row| relative_error(row).abs() > SETTLED);
     match outside {
         None => Some(0.0),
         Some(i) if change + i + 1 >= rows.len() => None,
-        Some(i) => Some(rows[change + i + 1].time_s - rows[change].time_s),
+        Some(i) => Some(rows[change + i + 1].time_s - start_s),
     }
 }
 
@@ -194,14 +195,14 @@ impl Metrics {
         Self {
             ra_final_um: 0.0,
             ra_deviation_percent: 0.0,
-            in_tolerance_percent: 0.0,
+            in_tolerance_percent: None,
             force_final_n: 0.0,
             force_deviation_percent: 0.0,
             force_worst_percent: 0.0,
             feed_final_mm_min: 0.0,
             spindle_final_rpm: 0.0,
-            normalized_standard_error: 0.0,
-            normalized_standard_error_20: 0.0,
+            normalized_standard_error: None,
+            normalized_standard_error_20: None,
             settling_time_s: None,
             overshoot_percent: 0.0,
             time_of_cut_s: 0.0,

@@ -17,8 +17,10 @@ pub enum End {
     Fault(Fault),
 }
 
-/// Ticks between snapshots: the most that a rewind has to repeat.
+/// Ticks between snapshots at first: the most that a rewind has to repeat.
 const SNAPSHOT_TICKS: u64 = 10_000;
+/// Most snapshots that are kept; with more, every other one goes and the distance doubles.
+const MAX_SNAPSHOTS: usize = 128;
 
 #[derive(Clone, Debug)]
 struct State {
@@ -38,6 +40,7 @@ pub struct Run {
     last_tick: u64,
     recording: Recording,
     snapshots: Vec<State>,
+    snapshot_ticks: u64,
     end: Option<End>,
 }
 
@@ -61,6 +64,7 @@ impl Run {
             edits: Edits::none(),
             edit_ticks: Vec::new(),
             snapshots: vec![state.clone()],
+            snapshot_ticks: SNAPSHOT_TICKS,
             state,
             last_tick,
             recording,
@@ -107,15 +111,30 @@ impl Run {
             self.end = Some(End::Fault(fault));
             return;
         }
-        let row = self.state.closed_loop.row();
-        self.recording.push(tick, row);
+        let row = *self.state.closed_loop.row();
+        self.recording.push(tick, &row);
         if row.position_mm >= self.base.workpiece.length_mm {
             self.end = Some(End::PathDone);
         } else if tick >= self.last_tick {
             self.end = Some(End::TimeLimit);
-        } else if tick.is_multiple_of(SNAPSHOT_TICKS) {
-            self.snapshots.push(self.state.clone());
+        } else if tick.is_multiple_of(self.snapshot_ticks) {
+            self.snapshot();
         }
+        if self.end.is_some() {
+            self.recording.finish(tick, &row);
+        }
+    }
+
+    fn snapshot(&mut self) {
+        if self.snapshots.len() >= MAX_SNAPSHOTS {
+            self.snapshot_ticks *= 2;
+            let spacing = self.snapshot_ticks;
+            self.snapshots.retain(|state| state.closed_loop.tick().is_multiple_of(spacing));
+            if !self.state.closed_loop.tick().is_multiple_of(spacing) {
+                return;
+            }
+        }
+        self.snapshots.push(self.state.clone());
     }
 
     fn apply_edits(&mut self, tick: u64) {

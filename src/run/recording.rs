@@ -1,7 +1,10 @@
 //! The recording of a run: rows at even ticks, memory reserved once.
 
 use super::digest::Digest;
-use super::signals::Row;
+use super::signals::{Row, flag};
+
+/// Rows reserved at once, 38 MB: more memory is taken only as a run really needs it.
+const RESERVED_ROWS: usize = 250_000;
 
 /// All recorded rows of one run.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +21,7 @@ impl Recording {
     #[must_use]
     pub fn new(ticks: u64, every: u32, dt_s: f64, control_every: u32) -> Self {
         let every = u64::from(every.max(1));
-        let capacity = usize::try_from(ticks / every + 2).unwrap_or(0);
+        let capacity = usize::try_from(ticks / every + 2).unwrap_or(0).min(RESERVED_ROWS);
         Self {
             rows: Vec::with_capacity(capacity),
             every,
@@ -33,6 +36,22 @@ impl Recording {
         if self.every == 1 || tick.is_multiple_of(self.every) {
             self.rows.push(*row);
         }
+    }
+
+    /// Keeps the last row of a run, due or not.
+    pub fn finish(&mut self, tick: u64, row: &Row) {
+        if !tick.is_multiple_of(self.every) {
+            self.rows.push(*row);
+        }
+    }
+
+    /// The rows of the last second in contact, or of the last second if there was no contact.
+    #[must_use]
+    pub fn last_second(rows: &[Row], row_s: f64) -> Vec<Row> {
+        let window = ((1.0 / row_s).round() as usize).max(1);
+        let contact = rows.iter().rev().filter(|row| !row.has(flag::AIR));
+        let found: Vec<Row> = contact.take(window).copied().collect();
+        if found.is_empty() { rows.iter().rev().take(window).copied().collect() } else { found }
     }
 
     /// Forgets all rows after `tick`.

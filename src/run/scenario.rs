@@ -41,8 +41,8 @@ crate::settings! {
         control_period_ms: f64 = 20.0, [1.0, 100.0], "ms", setup, "Control period";
         /// Plant steps per control period: 20 give a plant step of 1 ms.
         steps_per_control: u32 = 20, [1.0, 200.0], "", setup, "Plant steps per period";
-        /// Every how many plant steps a row is recorded.
-        record_every: u32 = 1, [1.0, 1000.0], "", setup, "Record every";
+        /// Every how many plant steps a row is recorded: a divisor of the steps per control period.
+        record_every: u32 = 1, [1.0, 200.0], "", setup, "Record every";
         /// Seed of all random streams.
         seed: u32 = 1, [0.0, 4_294_967_295.0], "", setup, "Seed";
     }
@@ -131,13 +131,13 @@ pub fn table() -> &'static [Param] {
 
 fn index_of(path: &str) -> Result<usize, SettingError> {
     INDEX.get(path).copied().ok_or_else(|| {
+        // A long or binary path is cut: the message must stay readable, and the search short.
+        let path: String = path.chars().take(80).collect();
         let near = TABLE
             .iter()
-            .map(|param| (strsim::jaro_winkler(path, &param.path), &param.path))
+            .map(|param| (strsim::jaro_winkler(&path, &param.path), &param.path))
             .max_by(|a, b| a.0.total_cmp(&b.0))
             .filter(|(likeness, _)| *likeness > 0.8);
-        // A long or binary path is cut: the message must stay readable.
-        let path = path.chars().take(80).collect();
         SettingError::Unknown { path, suggestion: near.map(|(_, path)| path.clone()) }
     })
 }
@@ -151,7 +151,9 @@ pub fn param(path: &str) -> Result<&'static Param, SettingError> {
 }
 
 /// Settings that bring a companion with them.
-const COMPANIONED: [&str; 2] = ["plant.material", "feed_drive.kind"];
+pub(super) const COMPANIONED: [&str; 2] = ["plant.material", "feed_drive.kind"];
+/// Their companions, in the same order.
+pub(super) const COMPANIONS: [&str; 2] = ["plant.hardness_hb", "cnc.dead_time_s"];
 
 fn refused(param: &Param, value: &Value) -> SettingError {
     let text = match value {
@@ -218,6 +220,17 @@ impl Scenario {
         Ok(())
     }
 
+    /// This scenario's choices, all else at its default, companions included: what a link leaves
+    /// out.
+    pub(super) fn default_for_choices(&self) -> Self {
+        let mut base = Self::default();
+        for path in COMPANIONED {
+            let value = self.get(path).expect("a known path");
+            base.set(path, value).expect("it is allowed here, so it is there");
+        }
+        base
+    }
+
     /// A material comes with its hardness, a feed drive with its published dead time.
     fn set_companion(&mut self, path: &str) {
         match path {
@@ -239,6 +252,14 @@ impl Scenario {
             let high = self.noise.band_high_hz;
             let allowed = format!("below `noise.band_high_hz`, {high} Hz");
             return refuse("noise.band_low_hz", self.noise.band_low_hz, " Hz", allowed);
+        }
+        let RunSettings { record_every, steps_per_control, .. } = self.run;
+        if !steps_per_control.is_multiple_of(record_every) {
+            let allowed = format!(
+                "a divisor of `run.steps_per_control`, {steps_per_control}: every control sample \
+                 is recorded"
+            );
+            return refuse("run.record_every", f64::from(record_every), "", allowed);
         }
         let row_s = self.dt_s() * f64::from(self.run.record_every);
         if self.run.duration_s / row_s > MAX_ROWS {
@@ -283,6 +304,15 @@ impl Scenario {
         }
     }
 
+    /// Whether the setting at `path` takes this value, rules between settings aside.
+    ///
+    /// # Errors
+    /// An unknown path, or a value outside its range.
+    pub fn accepts(path: &str, value: &Value) -> Result<(), SettingError> {
+        let param = param(path)?;
+        Self::default().set_param(param, value).ok_or_else(|| refused(param, value))
+    }
+
     /// The settings that differ from `other`, with this scenario's values, in table order.
     #[must_use]
     pub fn difference(&self, other: &Self) -> Vec<(&'static Param, Value)> {
@@ -298,6 +328,9 @@ impl Scenario {
 pub fn parse_value(path: &str, text: &str) -> Result<Value, SettingError> {
     use crate::base::settings::Kind;
     let param = param(path)?;
+    if let Kind::Text { .. } = param.spec.allowed {
+        return Ok(Value::Text(text.to_owned()));
+    }
     let text = text.trim();
     let bad = || refused(param, &Value::Text(text.to_owned()));
     Ok(match &param.spec.allowed {

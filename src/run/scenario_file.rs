@@ -44,13 +44,20 @@ pub fn parse(text: &str) -> Result<(Scenario, Edits), SettingError> {
 
 fn flatten(
     prefix: &str,
-    table: toml::Table,
+    entries: toml::Table,
     changes: &mut Vec<(String, Value)>,
 ) -> Result<(), SettingError> {
-    for (key, value) in table {
+    for (key, value) in entries {
         let path = if prefix.is_empty() { key } else { format!("{prefix}.{key}") };
         match value {
-            toml::Value::Table(inner) => flatten(&path, inner, changes)?,
+            toml::Value::Table(inner) => {
+                let prefix = format!("{path}.");
+                if !table().iter().any(|param| param.path.starts_with(&prefix)) {
+                    let path = path.chars().take(80).collect();
+                    return Err(SettingError::Unknown { path, suggestion: None });
+                }
+                flatten(&path, inner, changes)?;
+            }
             other => {
                 let value = value_from_toml(&path, &other)?;
                 changes.push((path, value));

@@ -2,11 +2,11 @@
 //! `#`: `v=1&target.ra_um=0.9&at.3.5.plant.wear_factor=1.2` (the last is an edit at 3.5 s).
 
 use super::edits::{Edit, Edits};
-use super::scenario::{FORMAT_VERSION, Scenario, parse_value};
+use super::scenario::{COMPANIONED, FORMAT_VERSION, Scenario, parse_value};
 use crate::base::settings::SettingError;
 
 /// Longest link text that is read, bytes.
-const MAX_BYTES: usize = 200_000;
+const MAX_BYTES: usize = 2_000_000;
 
 fn format_error(problem: impl Into<String>) -> SettingError {
     SettingError::Format { what: "link".to_owned(), problem: problem.into() }
@@ -109,7 +109,11 @@ fn parse_edit(key: &str, value: &str) -> Result<Edit, SettingError> {
 #[must_use]
 pub fn write(scenario: &Scenario, edits: &Edits) -> String {
     let mut parts = vec![format!("v={FORMAT_VERSION}")];
-    for (param, value) in scenario.difference(&Scenario::default()) {
+    // Reading a material or a drive brings its companion, so those are left out by that value.
+    let choices = scenario.default_for_choices();
+    let chosen = choices.difference(&Scenario::default()).into_iter();
+    let chosen = chosen.filter(|(param, _)| COMPANIONED.contains(&param.path.as_str()));
+    for (param, value) in chosen.chain(scenario.difference(&choices)) {
         parts.push(format!("{}={}", param.path, encode(&value.to_string())));
     }
     for edit in edits.list() {

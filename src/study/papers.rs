@@ -8,10 +8,12 @@ use serde::Serialize;
 use super::errata::{ERRATA_2007, Erratum};
 use super::published::{self, Table3Row};
 use crate::base::model::gp_2007::Calibration;
+use crate::base::units::percent_from_ratio;
 use crate::run::edits::Edits;
 use crate::run::metrics::Metrics;
 use crate::run::one_run::{End, Run};
 use crate::run::presets;
+use crate::run::recording::Recording;
 use crate::run::scenario::Scenario;
 use crate::run::signals::FLAGS;
 
@@ -77,8 +79,13 @@ pub struct PaperRow {
     pub spindle_final_rpm: Cell,
     /// Produced roughness, um.
     pub ra_produced_um: Cell,
-    /// Names of states that held in the last second: saturation, models outside their range.
+    /// Names of states that occurred in the last second: saturation, models outside their range,
+    /// `not_at_rest` where the feed still moved by more than 1 %.
     pub out_of_range: Vec<&'static str>,
+    /// Deviation of the produced roughness from the desired one, as printed, percent.
+    pub ra_deviation_printed_percent: f64,
+    /// The same as reproduced, percent.
+    pub ra_deviation_reproduced_percent: f64,
     /// What must be said about this row.
     pub note: Option<&'static str>,
 }
@@ -124,7 +131,7 @@ const NOTE_SIM_10: &str = "printed 195.2 N is taken as a misprint of 190.2 N: fr
 
 fn cell(printed: f64, reference: f64, reproduced: f64, within: impl Fn(f64, f64) -> bool) -> Cell {
     let residual = reproduced - reference;
-    let residual_percent = 100.0 * residual / reference;
+    let residual_percent = percent_from_ratio(residual / reference);
     let met = within(residual, residual_percent);
     let verdict = if met { Verdict::Met } else { Verdict::Missed };
     Cell { printed, reference, reproduced, residual, residual_percent, verdict }
@@ -197,16 +204,23 @@ pub fn row_2007(
             |residual, _| residual.abs() <= band::RA_UM,
         ),
         out_of_range: states_at_the_end(&run),
+        ra_deviation_printed_percent: percent_from_ratio(
+            printed.ra_produced_um / printed.ra_desired_um - 1.0,
+        ),
+        ra_deviation_reproduced_percent: metrics.ra_deviation_percent,
         note: (printed.sim == 10).then_some(NOTE_SIM_10),
     }
 }
 
 fn states_at_the_end(run: &Run) -> Vec<&'static str> {
-    let rows = run.recording().rows();
-    let window = (1.0 / run.recording().row_s()) as usize;
-    let tail = &rows[rows.len().saturating_sub(window)..];
+    let tail = Recording::last_second(run.recording().rows(), run.recording().row_s());
     let held = FLAGS.iter().filter(|flag| tail.iter().any(|row| row.has(flag.bit)));
     let mut names: Vec<&'static str> = held.map(|flag| flag.id).collect();
+    let feeds = tail.iter().map(|row| row.feed_mm_min);
+    let (low, high) = feeds.fold((f64::INFINITY, 0.0_f64), |(l, h), f| (l.min(f), h.max(f)));
+    if high - low > 0.01 * high {
+        names.push("not_at_rest");
+    }
     if let Some(End::Fault(fault)) = run.end() {
         names.push(fault.signal);
     }

@@ -13,7 +13,7 @@
 //!
 //! Departures. K4's least force over the feed is at f = e / 0.039 = 69.7 mm/min; below it the
 //! printed formula turns round, so the model ends there: the force is held and the answer marked
-//! invalid. K4 restored: intercept 253.66 in place of 286.44, which gives all ten rows of Table 3
+//! invalid. So is a speed below half of the least one in Table 3. K4 restored: intercept 253.66 in place of 286.44, which gives all ten rows of Table 3
 //! within 0.75 N. K1, K2, K3 and K5 identified: quadratics fitted by `steadycut identify tables`,
 //! continued with their end slopes; K5 is the exact inverse of K1, so Ra is floored at 0.
 
@@ -47,12 +47,15 @@ pub const K4_FEED: f64 = 8973.0;
 pub const K4_INCH: f64 = 0.039;
 /// The feed of K4's least force, e / 0.039 mm/min: below it the model ends.
 pub const FEED_MIN_MM_MIN: f64 = math::E / K4_INCH;
+/// The speed below which K4 is not used: half of the least speed in Table 3 (chosen). A controller
+/// that asks for more force than the cut can give must not stop the spindle.
+pub const SPEED_MIN_RPM: f64 = 412.5;
 /// Above this force the printed K5 runs into its pole at 293 N; it is continued with its slope.
 const K5_PRINTED_MAX_N: f64 = 263.0;
 /// Below this force the printed K2 asks for a negative feed: sqrt(5926160 / 189) N.
-pub const K2_PRINTED_MIN_N: f64 = 177.073_803;
+pub const K2_PRINTED_MIN_N: f64 = 177.074_402_217;
 /// Above this force the radicand of the printed K3 is negative: (30064193 / 2.28)^(1/3) N.
-pub const K3_PRINTED_MAX_N: f64 = 236.23;
+pub const K3_PRINTED_MAX_N: f64 = 236.249_863_8;
 /// Least reference force that a target roughness can ask for, N: keeps relative errors defined
 /// where the printed K1 turns negative.
 pub const FORCE_REF_MIN_N: f64 = 10.0;
@@ -180,7 +183,8 @@ impl GpModels {
         let force = self.k4_intercept_n
             - K4_SPEED * speed_rpm * speed_rpm * speed_rpm
             - K4_FEED * math::ln(K4_INCH * feed) / feed;
-        Valued::new(force.max(0.0), feed == feed_mm_min && force >= 0.0)
+        let valid = feed == feed_mm_min && force >= 0.0 && speed_rpm >= SPEED_MIN_RPM;
+        Valued::new(math::positive(force), valid)
     }
 
     /// The feed in mm/min at which K4 gives `force_n` at `speed_rpm`: the inverse of
@@ -291,6 +295,9 @@ mod tests {
         assert!(printed.feed_from_force(177.1).valid && printed.feed_from_force(177.1).value > 0.0);
         assert!((printed.speed_from_force(177.7).value - 4170.0).abs() < 100.0);
         assert!(!printed.speed_from_force(237.0).valid);
+        assert!(printed.feed_from_force(K2_PRINTED_MIN_N).value.abs() < 1e-6);
+        assert!(printed.speed_from_force(K3_PRINTED_MAX_N).value < 1.0);
+        assert!(printed.speed_from_force(K3_PRINTED_MAX_N - 1e-6).valid);
         for force in [100.0, 160.0, 200.0, 250.0] {
             // Only as exactly as 39.37 is 1 / 0.0254.
             let ra = printed.ra_from_force(force).value;

@@ -14,12 +14,6 @@ impl DeadTime {
         Self { queue: vec![initial; ticks], head: 0 }
     }
 
-    /// Its length in ticks.
-    #[must_use]
-    pub fn ticks(&self) -> usize {
-        self.queue.len()
-    }
-
     /// Takes this tick's command and gives the one of `ticks` ticks ago.
     #[inline]
     pub fn pass(&mut self, command: [f64; 2]) -> [f64; 2] {

@@ -1,6 +1,7 @@
 //! The feed drive of the machine: one of the papers' transfer functions, discretised exactly
 //! ([`crate::base::model::feed_drive`]).
 
+use crate::base::math;
 use crate::base::model::feed_drive::{DriveState, ExactDrive, FeedDriveKind};
 
 crate::settings! {
@@ -42,6 +43,6 @@ impl FeedDrive {
     #[inline]
     pub fn update(&mut self, command_mm_min: f64) -> f64 {
         self.exact.advance(&mut self.state, command_mm_min);
-        self.state.feed_mm_min().max(0.0)
+        math::positive(self.state.feed_mm_min())
     }
 }

@@ -1,7 +1,7 @@
 //! Overrides: commands reach the machine in percent of the programmed values, within limits
 //! (2013: DNCFRO and DNCSPO, 0..250 %). Continuous here: no quantisation.
 
-use crate::base::math::limit;
+use crate::base::math::{limit, positive};
 use crate::base::units::{percent_from_ratio, ratio_from_percent};
 
 crate::settings! {
@@ -52,7 +52,7 @@ pub struct Overridden {
 /// Limits a request to `range` and expresses it as override of `programmed`.
 #[must_use]
 pub fn apply(request: f64, range: [f64; 2], programmed: f64) -> Overridden {
-    let command = limit(request, range[0], range[1]).max(0.0);
+    let command = positive(limit(request, range[0], range[1]));
     Overridden {
         command,
         percent: percent_from_ratio(command / programmed),

@@ -124,9 +124,9 @@ pub enum Controller {
 }
 
 impl Controller {
-    /// A controller that takes over a machine running at `current` without a bump.
+    /// A controller at the start of a run, the machine at rest at the programmed values.
     #[must_use]
-    pub fn new(setup: &ControlSetup, current: FeedSpeed) -> Self {
+    pub fn new(setup: &ControlSetup, programmed: FeedSpeed) -> Self {
         match setup.kind {
             // register: construction
             ControllerKind::ConstantFeed => {
@@ -134,16 +134,21 @@ impl Controller {
             }
             ControllerKind::Sdnrp => Self::Sdnrp(sdnrp::Sdnrp::new(setup.sdnrp)),
             ControllerKind::Tracking => {
-                Self::Tracking(Box::new(tracking::Tracking::new(setup, current)))
+                Self::Tracking(Box::new(tracking::Tracking::new(setup, programmed)))
             }
         }
     }
 
     /// Takes over changed settings and keeps its state if it is still the same kind; otherwise a
-    /// new controller takes over at `current`.
-    pub fn reconfigure(&mut self, setup: &ControlSetup, current: FeedSpeed) {
+    /// new controller takes over a machine that runs at `current` under the command `sent`.
+    /// Tracking does so without a bump; the others are static laws and have no state to match.
+    pub fn reconfigure(&mut self, setup: &ControlSetup, current: FeedSpeed, sent: FeedSpeed) {
         match (self, setup.kind) {
             (Self::Tracking(tracking), ControllerKind::Tracking) => tracking.configure(setup),
+            (other, ControllerKind::Tracking) => {
+                *other =
+                    Self::Tracking(Box::new(tracking::Tracking::take_over(setup, current, sent)));
+            }
             (other, _) => *other = Self::new(setup, current),
         }
     }

@@ -73,7 +73,10 @@ pub struct Tracking {
     speed_undelayed_rpm: f64,
     gain: f64,
     setpoint_n: f64,
+    /// Whether a command has been sent already that the predictor must follow.
     started: bool,
+    /// Whether the first command must equal the one that is being sent.
+    bumpless: bool,
 }
 
 impl Tracking {
@@ -99,8 +102,19 @@ impl Tracking {
             gain: 1.0,
             setpoint_n: 200.0,
             started: false,
+            bumpless: false,
         };
         tracking.configure(setup);
+        tracking
+    }
+
+    /// Takes over a running machine: the predictor starts from its feed and speed and from the
+    /// command under way, the gain from the value at which the present command is right; from
+    /// there it goes to the true one with its own time constant.
+    pub(super) fn take_over(setup: &ControlSetup, current: FeedSpeed, sent: FeedSpeed) -> Self {
+        let mut tracking = Self::new(setup, current);
+        tracking.sent.fill(sent);
+        tracking.bumpless = true;
         tracking
     }
 
@@ -162,7 +176,10 @@ impl Tracking {
 
         let model_n = input.models.force(self.feed.feed_mm_min(), self.speed_rpm).value;
         let air_n = ratio_from_percent(self.settings.air_percent) * input.force_ref_n;
-        if input.force_measured_n > air_n && model_n > 1.0 {
+        if self.bumpless && model_n > 1.0 {
+            self.gain = limit(input.force_ref_n / model_n, GAIN_RANGE[0], GAIN_RANGE[1]);
+            self.bumpless = false;
+        } else if input.force_measured_n > air_n && model_n > 1.0 {
             let observed = limit(input.force_measured_n / model_n, GAIN_RANGE[0], GAIN_RANGE[1]);
             self.gain += self.weight * (observed - self.gain);
         }

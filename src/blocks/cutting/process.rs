@@ -53,6 +53,12 @@ impl Process {
         &self.models
     }
 
+    /// Whether the tool is in the material at this axial depth in mm; otherwise it is in the air.
+    #[must_use]
+    pub fn engaged(&self, axial_depth_mm: f64) -> bool {
+        self.factor_per_mm * axial_depth_mm > 0.0
+    }
+
     /// The maximum cutting force in N.
     #[inline]
     #[must_use]

@@ -12,7 +12,8 @@ crate::settings! {
     pub struct Workpiece {
         /// Length of the path.
         length_mm: f64 = 120.0, [1.0, 20000.0], "mm", setup, "Path length";
-        /// Axial depth of cut A_D at the start of the path. Zero is an air cut.
+        /// Axial depth of cut A_D at the start of the path; zero is an air cut. Changed in the
+        /// running cut, it holds from there to the next step of the profile.
         axial_depth_mm: f64 = AXIAL_DEPTH_2007_MM, [0.0, 8.0], "mm", live, "Axial depth";
         /// Radial depth of cut R_D.
         radial_depth_mm: f64 = RADIAL_DEPTH_2007_MM, [0.0, 16.0], "mm", setup, "Radial depth";
@@ -22,33 +23,53 @@ crate::settings! {
 }
 
 /// Finds the depth along the path; positions only grow during a run, so it remembers its place.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct DepthProfile {
     first_mm: f64,
     steps: Vec<DepthStep>,
     passed: usize,
+    depth_mm: f64,
+    position_mm: f64,
 }
 
 impl DepthProfile {
     /// The profile of a workpiece.
     #[must_use]
     pub fn new(workpiece: &Workpiece) -> Self {
-        Self { first_mm: workpiece.axial_depth_mm, steps: workpiece.depth_steps.clone(), passed: 0 }
+        Self {
+            first_mm: workpiece.axial_depth_mm,
+            steps: workpiece.depth_steps.clone(),
+            passed: 0,
+            depth_mm: workpiece.axial_depth_mm,
+            position_mm: 0.0,
+        }
+    }
+
+    /// Takes over changed settings in the running cut: a new axial depth holds from here to the
+    /// next step, a new profile as if it had been there from the start.
+    pub fn reconfigure(&mut self, workpiece: &Workpiece) {
+        if workpiece.depth_steps != self.steps {
+            let position_mm = self.position_mm;
+            *self = Self::new(workpiece);
+            self.at(position_mm);
+        } else if workpiece.axial_depth_mm != self.first_mm {
+            self.first_mm = workpiece.axial_depth_mm;
+            self.depth_mm = workpiece.axial_depth_mm;
+        }
     }
 
     /// Axial depth of cut in mm at `position_mm`, which must not fall between calls.
     #[inline]
     pub fn at(&mut self, position_mm: f64) -> f64 {
-        while let Some(step) = self.steps.get(self.passed) {
-            if position_mm < step[0] {
+        self.position_mm = position_mm;
+        while let Some([from_mm, depth_mm]) = self.steps.get(self.passed) {
+            if position_mm < *from_mm {
                 break;
             }
+            self.depth_mm = *depth_mm;
             self.passed += 1;
         }
-        match self.passed {
-            0 => self.first_mm,
-            n => self.steps[n - 1][1],
-        }
+        self.depth_mm
     }
 }
 
@@ -64,5 +85,21 @@ mod tests {
         let found: Vec<f64> = [0.0, 0.49, 0.5, 1.99, 2.0, 9.0].map(|x| profile.at(x)).to_vec();
         assert_eq!(found, [2.0, 2.0, 2.3, 2.3, 0.0, 0.0]);
         assert_eq!(DepthProfile::new(&workpiece).at(5.0), 0.0, "several steps in one stride");
+    }
+
+    #[test]
+    fn a_change_in_the_cut_holds_from_there_to_the_next_step() {
+        let mut workpiece =
+            Workpiece { depth_steps: vec![[1.0, 2.3], [5.0, 1.0]], ..Workpiece::default() };
+        let mut profile = DepthProfile::new(&workpiece);
+        assert_eq!(profile.at(2.0), 2.3);
+        profile.reconfigure(&workpiece);
+        assert_eq!(profile.at(2.1), 2.3, "nothing changed");
+        workpiece.axial_depth_mm = 1.7;
+        profile.reconfigure(&workpiece);
+        assert_eq!([profile.at(2.2), profile.at(5.0)], [1.7, 1.0]);
+        workpiece.depth_steps = vec![[3.0, 0.5]];
+        profile.reconfigure(&workpiece);
+        assert_eq!(profile.at(5.1), 0.5, "a new profile as if it had always been there");
     }
 }

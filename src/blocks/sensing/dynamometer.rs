@@ -1,6 +1,7 @@
 //! The dynamometer: adds its own noise to the dynamic force once per control period.
 
 use super::dynamic_force::NoiseSettings;
+use crate::base::math;
 use crate::base::rng::Stream;
 
 /// The sensor.
@@ -28,6 +29,6 @@ impl Dynamometer {
     /// The reading in N of a force in N, reading number `sample`; never negative.
     #[must_use]
     pub fn read(&self, force_n: f64, sample: u64) -> f64 {
-        (force_n + self.deviation_n * self.stream.normal(sample)).max(0.0)
+        math::positive(force_n + self.deviation_n * self.stream.normal(sample))
     }
 }

@@ -19,7 +19,8 @@ fn items(view: &View<'_>, palette: &Palette) -> Vec<Item> {
     let comparison = view.session.comparison();
     let (chosen, twin) = (&comparison.chosen, &comparison.twin);
     let twin_has = |value: String| [format!("constant feed {value}"), value];
-    let percent = |value: f64| theme::quantity(value, "%");
+    // Before the first contact, and in the air alone, there is no share.
+    let share_of = |value: Option<f64>| value.map_or("-".to_owned(), |x| theme::quantity(x, "%"));
     let judged = |good: bool| if good { palette.good } else { palette.bad };
     let saved_s = comparison.time_saved_s;
     let (time_title, time_color) = match saved_s {
@@ -33,9 +34,9 @@ fn items(view: &View<'_>, palette: &Palette) -> Vec<Item> {
             title: "Ra in tolerance",
             help: "Share of the cut length on which the produced Ra lies within the tolerance \
                    around its target.",
-            value: percent(chosen.in_tolerance_percent),
+            value: share_of(chosen.in_tolerance_percent),
             color: judged(chosen.in_tolerance_percent >= twin.in_tolerance_percent),
-            below: twin_has(percent(twin.in_tolerance_percent)),
+            below: twin_has(share_of(twin.in_tolerance_percent)),
         },
         Item {
             title: "Worst force deviation",
