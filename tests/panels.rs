@@ -14,6 +14,9 @@ use steadycut::run::edits::Edits;
 use steadycut::run::one_run::Run;
 use steadycut::run::{Start, presets};
 
+#[path = "panels/hands.rs"]
+mod hands;
+
 const DESKTOP: Vec2 = vec2(1280.0, 800.0);
 const PHONE: Vec2 = vec2(390.0, 844.0);
 
@@ -196,6 +199,8 @@ fn a_drag_on_a_plot_zooms_all_of_them_and_a_double_click_fits_again() {
     press(&mut window, Modifiers::NONE, Key::Space);
     let rect = window.get_by_label("Roughness from 0.00 s to 20.00 s").rect();
     let at = |x: f32, y: f32| rect.lerp_inside(vec2(x, y));
+    window.hover_at(at(0.2, 0.2));
+    window.run_steps(2);
     window.drag_at(at(0.25, 0.2));
     window.run_steps(1);
     for x in [0.4, 0.6, 0.75] {
@@ -351,7 +356,19 @@ fn a_binary_file_is_refused_in_words() {
 /// Odd sizes and a scenario whose name and description are as long as they may be.
 #[test]
 fn no_size_and_no_name_breaks_the_layout() {
-    for size in [vec2(320.0, 420.0), vec2(699.0, 500.0), vec2(701.0, 460.0), vec2(3840.0, 2160.0)] {
+    let sizes = [
+        [320.0, 420.0],
+        [390.0, 844.0],
+        [640.0, 480.0],
+        [700.0, 500.0],
+        [760.0, 460.0],
+        [844.0, 390.0],
+        [899.0, 600.0],
+        [900.0, 600.0],
+        [1000.0, 700.0],
+        [3840.0, 2160.0],
+    ];
+    for size in sizes.map(Vec2::from) {
         let mut window = window(size);
         let name = "W".repeat(80);
         let text =
@@ -363,6 +380,13 @@ fn no_size_and_no_name_breaks_the_layout() {
         for name in ["Target Ra", "Playhead"] {
             let rect = window.get_by_role_and_label(Role::Slider, name).rect();
             assert!(screen.contains_rect(rect), "{name} at {rect} in {size}");
+        }
+        // The bar: no tab lies below the buttons.
+        let last = window.get_by_label("Papers").rect();
+        for name in ["Menu", "Undo"] {
+            if let Some(button) = window.query_by_label(name) {
+                assert!(last.right() < button.rect().left(), "{name} in {size}");
+            }
         }
     }
 }

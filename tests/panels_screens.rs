@@ -161,7 +161,7 @@ fn load_brings_a_row_into_the_console() {
         harness.get_by_label("Load table3-2").click();
         harness.run_steps(3);
         let scenario = console(&harness).session().scenario();
-        assert_eq!(scenario.info.name, "table3-2");
+        assert_eq!(scenario.info.name, "table3-2 (restored)");
         assert_eq!(scenario.plant.calibration, Calibration::Restored);
         assert_eq!(scenario.belief.calibration, Calibration::Restored);
         assert!(console(&harness).state_json().contains("\"screen\":\"console\""));

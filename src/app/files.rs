@@ -4,6 +4,9 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 
 use super::command::Command;
 
+#[cfg(not(target_arch = "wasm32"))]
+mod fallback;
+
 /// Answers of file dialogs that are open or were open.
 pub struct Files {
     sender: Sender<Command>,
@@ -45,10 +48,18 @@ impl Files {
     pub fn open(&self, ctx: &egui::Context) {
         let answer = self.answer(ctx);
         let dialog = rfd::AsyncFileDialog::new().add_filter("SteadyCut scenario", &["toml"]);
+        #[cfg(not(target_arch = "wasm32"))]
+        let opened = fallback::Opened::now();
         let picked = dialog.pick_file();
         spawn(async move {
-            if let Some(file) = picked.await {
-                answer.send(loaded(file.file_name(), &file.read().await));
+            match picked.await {
+                Some(file) => answer.send(loaded(file.file_name(), &file.read().await)),
+                #[cfg(not(target_arch = "wasm32"))]
+                None if opened.was_never_shown() => {
+                    answer.send(Command::Notify(fallback::NO_DIALOG_TO_OPEN.to_owned()));
+                }
+                // The user has thought better of it.
+                None => {}
             }
         });
     }
@@ -75,13 +86,36 @@ impl Files {
     #[cfg(not(target_arch = "wasm32"))]
     pub fn save(&self, ctx: &egui::Context, name: &str, bytes: Vec<u8>) {
         let answer = self.answer(ctx);
-        let picked = rfd::AsyncFileDialog::new().set_file_name(name).save_file();
+        let name = name.to_owned();
+        let opened = fallback::Opened::now();
+        let picked = rfd::AsyncFileDialog::new().set_file_name(&name).save_file();
         spawn(async move {
-            if let Some(file) = picked.await
-                && let Err(error) = file.write(&bytes).await
-            {
-                let name = file.file_name();
-                answer.send(Command::Notify(format!("{name} could not be written: {error}")));
+            match picked.await {
+                Some(file) => {
+                    let name = file.file_name();
+                    answer.send(Command::Notify(match file.write(&bytes).await {
+                        Ok(()) => format!("saved as {name}"),
+                        Err(error) => format!("{name} could not be written: {error}"),
+                    }));
+                }
+                None if opened.was_never_shown() => {
+                    let text = std::env::current_dir()
+                        .and_then(|folder| fallback::save(&folder, &name, &bytes))
+                        .map_or_else(
+                            |error| {
+                                format!(
+                                    "No file dialog is available, and {name} could not be \
+                                         written: {error}"
+                                )
+                            },
+                            |path| {
+                                format!("No file dialog is available: saved as {}", path.display())
+                            },
+                        );
+                    answer.send(Command::Notify(text));
+                }
+                // The user has thought better of it.
+                None => {}
             }
         });
     }
@@ -89,10 +123,11 @@ impl Files {
     /// Hands the file to the browser's downloads.
     #[cfg(target_arch = "wasm32")]
     pub fn save(&self, ctx: &egui::Context, name: &str, bytes: Vec<u8>) {
-        if super::web::download(name, &bytes).is_err() {
-            let text = format!("the browser did not take {name} for download");
-            self.answer(ctx).send(Command::Notify(text));
-        }
+        let text = match super::web::download(name, &bytes) {
+            Ok(()) => format!("saved as {name} in the browser's downloads"),
+            Err(_) => format!("the browser did not take {name} for download"),
+        };
+        self.answer(ctx).send(Command::Notify(text));
     }
 }
 

@@ -40,7 +40,7 @@ pub struct Playback {
     pub playhead_s: f64,
     /// Whether the playhead moves.
     pub playing: bool,
-    /// Whether it stands at the end of the run, and stays there when the run gets longer.
+    /// Whether it stands at the end of the run, and stays there while the run gets longer.
     pub at_end: bool,
     /// How fast it moves.
     pub speed: Speed,

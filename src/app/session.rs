@@ -215,7 +215,8 @@ impl Session {
         self.since_comparison_s += dt_s;
         self.refresh();
         let rows = self.revealed().len();
-        let pause_s = match (self.playback.playing, rows / COMPARE_ROWS) {
+        let moving = self.playback.playing || !self.chosen.is_over();
+        let pause_s = match (moving, rows / COMPARE_ROWS) {
             (false, 0) => 0.0,
             (_, times) => COMPARE_EVERY_S * (1 + times) as f64,
         };

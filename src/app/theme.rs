@@ -5,7 +5,7 @@ use egui::{Color32, CornerRadius, Stroke, Theme};
 use egui_plot::LineStyle;
 
 /// Below this width of the window, in points, everything stands in one column.
-pub const NARROW: f32 = 700.0;
+pub const NARROW: f32 = 900.0;
 /// Below this height of a narrow screen, in points, less is pinned above its plots.
 pub const LOW: f32 = 560.0;
 /// Size of the first window, points.
@@ -18,6 +18,10 @@ pub const CONTROLS_WIDTH: f32 = 276.0;
 pub const PLOT_HEIGHT_MIN: f32 = 132.0;
 /// See [`PLOT_HEIGHT_MIN`].
 pub const PLOT_HEIGHT_SCROLLED: f32 = 176.0;
+/// Least width of a card of the headline, points; where it is narrow, less.
+pub const CARD_WIDTH: f32 = 172.0;
+/// See [`CARD_WIDTH`].
+pub const CARD_WIDTH_NARROW: f32 = 116.0;
 /// Share of its reference within which a force counts as held.
 pub const FORCE_BAND: f64 = 0.02;
 /// Length of the window that follow mode shows, s.

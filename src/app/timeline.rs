@@ -29,6 +29,9 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         if icon::button(ui, Icon::Step, "Step", help, true).clicked() {
             commands.push(Command::Step(1));
         }
+        if icon::button(ui, Icon::End, "End", "To the end of the cut (End)", true).clicked() {
+            commands.push(Command::SeekToEnd);
+        }
         let text = theme::time_of(playback.playhead_s, view.session.length_s());
         let text = RichText::new(text).monospace();
         let text = if view.narrow { text.small() } else { text };

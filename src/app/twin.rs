@@ -6,6 +6,7 @@ use crate::run::metrics::{self, Metrics};
 use crate::run::one_run::Run;
 use crate::run::recording::Recording;
 use crate::run::scenario::Scenario;
+use crate::run::signals::Row;
 
 /// Whether a setting belongs to the controller alone, so that the twin does not know it.
 #[must_use]
@@ -44,6 +45,8 @@ pub struct Comparison {
     /// Time that the chosen run saves on the path that both have done, s; negative if it is
     /// slower.
     pub time_saved_s: f64,
+    /// The twin where it has done the same path.
+    pub twin_now: Row,
 }
 
 /// Row at which a run has done a length of path, if it ever has.
@@ -71,5 +74,10 @@ pub fn compare(chosen: &Run, rows: usize, twin: &Run) -> Comparison {
         }
     };
     let of = |run: &Run, rows| metrics::metrics(run.recording(), rows, run.scenario(), run.edits());
-    Comparison { chosen: of(chosen, rows), twin: of(twin, twin_row + 1), time_saved_s }
+    Comparison {
+        chosen: of(chosen, rows),
+        twin: of(twin, twin_row + 1),
+        time_saved_s,
+        twin_now: twin_rows[twin_row],
+    }
 }

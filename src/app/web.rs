@@ -17,10 +17,22 @@ thread_local! {
 /// # Errors
 /// The browser gives nothing to draw with.
 pub async fn start(canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
+    // Set before eframe's own hook, which logs and then calls this one.
+    std::panic::set_hook(Box::new(|info| report_panic(&info.to_string())));
     let options = eframe::WebOptions::default();
     let create: eframe::AppCreator<'static> =
         Box::new(|cc| Ok(Box::new(Console::new(&cc.egui_ctx, start_of_link()))));
     eframe::WebRunner::new().start(canvas, options, create).await
+}
+
+/// Tells the page, which shows the message and offers to reload.
+fn report_panic(message: &str) {
+    let Some(window) = web_sys::window() else { return };
+    let report = js_sys::Reflect::get(&window, &JsValue::from_str("steadycutPanic"));
+    if let Some(report) = report.ok().and_then(|found| found.dyn_into::<js_sys::Function>().ok()) {
+        // A page without a listener has no way to show it: the browser's log has it.
+        let _ = report.call1(&window, &JsValue::from_str(message));
+    }
 }
 
 fn start_of_link() -> Start {
@@ -33,7 +45,9 @@ fn start_of_link() -> Start {
     match scenario_link::parse(&hash) {
         Ok((scenario, edits)) => Start { scenario, edits, notice: None },
         Err(error) => {
-            Start { scenario: first, edits: Edits::none(), notice: Some(error.to_string()) }
+            let name = first.info.name.clone();
+            let notice = format!("The link was not used, {name} is open instead. {error}");
+            Start { scenario: first, edits: Edits::none(), notice: Some(notice) }
         }
     }
 }

@@ -54,7 +54,7 @@ pub fn parse(fragment: &str) -> Result<(Scenario, Edits), SettingError> {
             fragment.len()
         )));
     }
-    let mut version = None;
+    check_version(fragment)?;
     let (mut changes, mut edits) = (Vec::new(), Vec::new());
     for part in fragment.split('&').filter(|part| !part.is_empty()) {
         let (key, value) = part
@@ -62,20 +62,13 @@ pub fn parse(fragment: &str) -> Result<(Scenario, Edits), SettingError> {
             .ok_or_else(|| format_error(format!("`{}` is not name=value", clip(part))))?;
         let (key, value) = (decode(key)?, decode(value)?);
         if key == "v" {
-            version = Some(value);
-        } else if let Some(edit) = key.strip_prefix("at.") {
+            continue;
+        }
+        if let Some(edit) = key.strip_prefix("at.") {
             edits.push(parse_edit(edit, &value)?);
         } else {
             changes.push((key.clone(), parse_value(&key, &value)?));
         }
-    }
-    match version {
-        Some(v) if v == FORMAT_VERSION.to_string() => {}
-        Some(v) => {
-            let v = clip(&v);
-            return Err(format_error(format!("version {v}; this program reads {FORMAT_VERSION}")));
-        }
-        None => return Err(format_error(format!("`v={FORMAT_VERSION}` is missing"))),
     }
     let mut scenario = Scenario::default();
     scenario.set_all(&changes)?;
@@ -84,6 +77,18 @@ pub fn parse(fragment: &str) -> Result<(Scenario, Edits), SettingError> {
         list.push(&scenario, edit)?;
     }
     Ok((scenario, list))
+}
+
+/// The version comes first: a link from another version may hold anything.
+fn check_version(fragment: &str) -> Result<(), SettingError> {
+    match fragment.split('&').find_map(|part| part.strip_prefix("v=")) {
+        Some(v) if v == FORMAT_VERSION.to_string() => Ok(()),
+        Some(v) => {
+            let v = clip(v);
+            Err(format_error(format!("version {v}; this program reads {FORMAT_VERSION}")))
+        }
+        None => Err(format_error(format!("`v={FORMAT_VERSION}` is missing"))),
+    }
 }
 
 fn clip(text: &str) -> String {

@@ -8,6 +8,10 @@ use crate::run::edits::{Edit, Edits};
 use crate::run::scenario::param;
 use crate::run::{presets, scenario_file};
 
+/// Values of one drag are kept at this distance at least, s: a link must not grow with the frame
+/// rate.
+const DRAG_S: f64 = 0.1;
+
 impl Session {
     /// Does what a command says about scenario, run and playhead; gives back what is not the
     /// session's.
@@ -48,11 +52,14 @@ impl Session {
     }
 
     fn execute_playback(&mut self, command: Command) -> Option<Command> {
+        let (end_s, over) = (self.chosen.simulated_s(), self.chosen.is_over());
         let playback = &mut self.playback;
         let playhead_s = playback.playhead_s;
         match command {
             Command::TogglePlay if playback.playing => playback.playing = false,
-            Command::TogglePlay if !playback.at_end => playback.playing = true,
+            Command::TogglePlay if !playback.at_end || !over => {
+                (playback.playing, playback.at_end) = (true, false);
+            }
             Command::TogglePlay | Command::Restart => playback.restart(),
             Command::Step(samples) => {
                 playback.playing = false;
@@ -63,7 +70,10 @@ impl Session {
             }
             Command::SeekBy(by_s) => self.seek(playhead_s + by_s),
             Command::SeekTo(to_s) => self.seek(to_s),
-            Command::SeekToEnd => self.seek(self.chosen.simulated_s()),
+            // And on with it, while it is still being simulated.
+            Command::SeekToEnd => {
+                (playback.playhead_s, playback.playing, playback.at_end) = (end_s, false, true);
+            }
             Command::Speed(speed) => playback.speed = speed,
             Command::Follow(follow) => playback.follow = follow,
             other => return Some(other),
@@ -134,6 +144,11 @@ impl Session {
         let tick = ((self.playback.playhead_s + HAIR_S) / dt_s).floor();
         let at_s = (tick * dt_s * 1e6).round() / 1e6;
         edits.truncate(at_s + 0.5 * dt_s);
+        // A drag sends a value every frame: within a short time the last one stands for all.
+        let dragged = |edit: &&Edit| {
+            self.gesture.as_deref() == Some(path) && edit.path == path && at_s - edit.at_s < DRAG_S
+        };
+        let at_s = edits.list().last().filter(dragged).map_or(at_s, |edit| edit.at_s);
         edits.push(&scenario, Edit { at_s, path: path.to_owned(), value })?;
         Ok((scenario, edits))
     }

@@ -10,6 +10,8 @@ use super::super::session::Session;
 use super::super::theme::{self, Look, Palette};
 use super::curves::{band, fit_values, lines};
 use super::legend;
+use super::reading::reading;
+use super::zoom::{by_touch, zoom};
 use crate::base::math::{ln, pow};
 use crate::run::signals::SIGNALS;
 
@@ -41,13 +43,21 @@ pub struct Chart<'a> {
     pub include: &'static [f64],
 }
 
+impl<'a> Chart<'a> {
+    /// The curves that it is about: those compared with the twin, or else all.
+    fn foremost(&self) -> impl Iterator<Item = &'a Curve> {
+        let any = self.curves.iter().any(|curve| curve.compared);
+        self.curves.iter().filter(move |curve| curve.compared || !any)
+    }
+}
+
 /// What charts with a common time axis share.
 #[derive(Clone, Debug, Default)]
 pub struct Axes {
     /// Range of time that was zoomed to, s.
     zoomed: Option<[f64; 2]>,
     /// Where a drag over a range of time began, points.
-    drag: Option<f32>,
+    pub(super) drag: Option<f32>,
     /// Legend entries switched off: chart and name.
     pub(super) hidden: BTreeSet<(&'static str, &'static str)>,
 }
@@ -85,20 +95,26 @@ pub(super) fn index(id: &str) -> usize {
     SIGNALS.iter().position(|signal| signal.id == id).expect("charts name signals of the table")
 }
 
-/// Draws the chart into `ui`, `height` points high with its title and legend.
-pub fn show(ui: &mut Ui, chart: &Chart, session: &Session, axes: &mut Axes, height: f32) {
+/// Draws the chart into `ui`, `height` points high with its title and legend; gives back where
+/// its time axis lies.
+pub fn show(
+    ui: &mut Ui,
+    chart: &Chart,
+    session: &Session,
+    axes: &mut Axes,
+    height: f32,
+) -> egui::Rangef {
     let top = ui.cursor().top();
-    legend_row(ui, chart, session, axes);
+    let values = fit_values(chart, session, axes.zoomed);
+    legend_row(ui, chart, session, axes, values);
     let height = (height - (ui.cursor().top() - top)).max(60.0);
     let width = ui.available_width();
     let range = axes.range(session);
     let palette = Palette::at(ui);
     let unit = SIGNALS[index(chart.curves[0].signal)].unit;
-    let values = fit_values(chart, session, axes.zoomed);
     let lines = lines(chart, session, axes, range, width, palette);
     let band = band(chart, session, range, width, palette);
-    // A finger that drags scrolls the plots; a mouse marks a range.
-    let touch = ui.input(|input| input.any_touches());
+    let drags = if by_touch(ui) { egui::Sense::click() } else { egui::Sense::click_and_drag() };
     let group = egui::Id::unique("time");
     let label = move |hover: &HoverPosition<'_>| match hover {
         HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
@@ -115,7 +131,8 @@ pub fn show(ui: &mut Ui, chart: &Chart, session: &Session, axes: &mut Axes, heig
         .allow_zoom([true, false])
         .allow_boxed_zoom(false)
         .allow_double_click_reset(false)
-        .sense(if touch { egui::Sense::click() } else { egui::Sense::click_and_drag() })
+        .allow_axis_zoom_drag(false)
+        .sense(drags)
         .y_axis_min_width(44.0)
         .grid_color(palette.grid)
         .grid_fade(0.0)
@@ -151,42 +168,7 @@ pub fn show(ui: &mut Ui, chart: &Chart, session: &Session, axes: &mut Axes, heig
     } else if response.response.double_clicked() {
         axes.fit();
     }
-}
-
-/// The range of time that the user has just zoomed to: dragged over, or zoomed with wheel or
-/// fingers.
-fn zoom(
-    ui: &Ui,
-    plot: &egui_plot::PlotResponse<()>,
-    range: [f64; 2],
-    axes: &mut Axes,
-) -> Option<[f64; 2]> {
-    /// A drag over less is a click with a trembling hand, points.
-    const LEAST: f32 = 6.0;
-    let response = &plot.response;
-    let frame = *plot.transform.frame();
-    if response.drag_started() {
-        axes.drag = ui.input(|input| input.pointer.press_origin()).map(|at| at.x);
-    }
-    if let (Some(from), Some(to)) = (axes.drag, response.interact_pointer_pos()) {
-        let ends = [from.min(to.x), from.max(to.x)].map(|x| frame.x_range().clamp(x));
-        if response.drag_stopped() {
-            axes.drag = None;
-            let time = |x: f32| plot.transform.value_from_position(egui::pos2(x, frame.top())).x;
-            return (ends[1] - ends[0] >= LEAST).then(|| ends.map(time));
-        } else if response.dragged() {
-            let [left, right] = ends.map(|x| egui::pos2(x, frame.top()));
-            let marked = egui::Rect::from_min_max(left, egui::pos2(right.x, frame.bottom()));
-            let color = Palette::at(ui).accent;
-            ui.painter().rect_filled(marked, 0.0, color.gamma_multiply(0.2));
-        }
-    }
-    // What differs from what was asked for is the zoom of wheel or fingers.
-    let bounds = plot.transform.bounds().range_x();
-    let now = [*bounds.start(), *bounds.end()];
-    let off = 1e-6 * (range[1] - range[0]);
-    let differs = (now[0] - range[0]).abs() > off || (now[1] - range[1]).abs() > off;
-    differs.then_some(now)
+    response.transform.frame().x_range()
 }
 
 fn log10(x: f64) -> f64 {
@@ -213,14 +195,23 @@ fn tick(mark: GridMark) -> String {
     format!("{:.decimals$}", mark.value + 0.0)
 }
 
-/// Title with unit, and the entries of the legend.
-fn legend_row(ui: &mut Ui, chart: &Chart, session: &Session, axes: &mut Axes) {
+/// Title with unit, the values at the playhead, and the entries of the legend.
+fn legend_row(
+    ui: &mut Ui,
+    chart: &Chart,
+    session: &Session,
+    axes: &mut Axes,
+    [low, high]: [f64; 2],
+) {
     let spacing = ui.spacing().clone();
     ui.spacing_mut().item_spacing = egui::vec2(10.0, 1.0);
     ui.spacing_mut().interact_size.y = 14.0;
     ui.horizontal_wrapped(|ui| {
         let unit = theme::unit(SIGNALS[index(chart.curves[0].signal)].unit);
         ui.add(egui::Label::new(egui::RichText::new(format!("{} [{unit}]", chart.title)).strong()));
+        for curve in chart.foremost() {
+            reading(ui, curve, session.row());
+        }
         let mut entry = |name: &'static str, look: Look| {
             let key = (chart.id, name);
             let hidden = axes.hidden.contains(&key);
@@ -237,7 +228,8 @@ fn legend_row(ui: &mut Ui, chart: &Chart, session: &Session, axes: &mut Axes) {
                 entry(GHOST, Look::Ghost);
             }
         }
-        for (name, _) in &chart.levels {
+        // Those out of the picture need no explanation.
+        for (name, _) in chart.levels.iter().filter(|(_, level)| (low..=high).contains(level)) {
             entry(name, Look::Limit);
         }
     });

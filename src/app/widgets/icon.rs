@@ -15,6 +15,8 @@ pub enum Icon {
     Restart,
     /// A triangle to the right before a bar.
     Step,
+    /// Two triangles to the right before a bar.
+    End,
     /// An arrow bent back to the left.
     Undo,
     /// An arrow bent on to the right.
@@ -84,6 +86,11 @@ pub fn paint(painter: &Painter, icon: Icon, square: Rect, color: Color32, ground
         Icon::Step => {
             triangle([at(0.0, 0.05), at(0.75, 0.5), at(0.0, 0.95)]);
             bar(0.82, 1.0);
+        }
+        Icon::End => {
+            triangle([at(0.0, 0.1), at(0.42, 0.5), at(0.0, 0.9)]);
+            triangle([at(0.42, 0.1), at(0.84, 0.5), at(0.42, 0.9)]);
+            bar(0.86, 1.0);
         }
         Icon::Undo | Icon::Redo => {
             let x = |x: f32| if icon == Icon::Undo { x } else { 1.0 - x };

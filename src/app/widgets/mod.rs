@@ -4,5 +4,8 @@ pub mod chart;
 mod curves;
 pub mod icon;
 pub mod legend;
+pub mod number;
+mod reading;
 pub mod setting;
 pub mod target;
+pub mod zoom;

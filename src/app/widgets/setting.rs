@@ -1,11 +1,12 @@
 //! The editor of one setting, made from its entry in the table of settings: slider, number, choice,
 //! switch, text or depth profile. Right-click (or a long press) offers the default.
 
-use egui::{ComboBox, DragValue, Response, Slider, Ui, WidgetInfo};
+use egui::{ComboBox, Response, Slider, Ui, WidgetInfo};
 
 use super::super::command::Command;
 use super::super::theme;
 use super::icon::{self, Icon};
+use super::number::Field;
 use crate::base::settings::{DepthStep, Kind, MAX_STEPS, Value};
 use crate::run::scenario::{Param, Scenario, param};
 
@@ -30,7 +31,9 @@ pub fn setting(
     commands: &mut Vec<Command>,
 ) {
     let (Ok(param), Ok(value)) = (param(path), scenario.get(path)) else { return };
-    let mut change = |value: Value| commands.push(Command::Set { path: path.to_owned(), value });
+    let (mut changed, mut said) = (None, None);
+    let mut change = |value: Value| changed = Some(value);
+    let said_here = &mut said;
     let spec = &param.spec;
     ui.push_id(path, |ui| {
         let mut slider = None;
@@ -38,13 +41,13 @@ pub fn setting(
             (Kind::Float { min, max }, Value::Float(now)) => {
                 let mut set = |x: f64| change(Value::Float(x));
                 let slider = (size == Size::Large).then_some(&mut slider);
-                number(ui, param, [*min, *max], *now, slider, &mut set)
+                number(ui, param, [*min, *max], *now, slider, &mut set, said_here)
             }
             (Kind::Int { min, max }, Value::Int(now)) => {
                 // Whole numbers are names and counts rather than amounts: no slider.
                 let range = [*min as f64, *max as f64];
                 let mut set = |x: f64| change(Value::Int(x.round() as i64));
-                number(ui, param, range, *now as f64, None, &mut set)
+                number(ui, param, range, *now as f64, None, &mut set, said_here)
             }
             (Kind::Bool, Value::Bool(now)) => {
                 let mut on = *now;
@@ -56,7 +59,9 @@ pub fn setting(
             }
             (Kind::Choice { .. }, Value::Text(now)) => choice(ui, param, now, size, &mut change),
             (Kind::Text { .. }, Value::Text(now)) => text(ui, param, now, &mut change),
-            (Kind::Steps { .. }, Value::Steps(now)) => steps(ui, param, now, &mut change),
+            (Kind::Steps { .. }, Value::Steps(now)) => {
+                steps(ui, param, now, &mut change, said_here)
+            }
             _ => unreachable!("the table pairs kinds with values"),
         };
         let response = response.on_hover_ui(|ui| describe(ui, param));
@@ -71,6 +76,8 @@ pub fn setting(
             });
         }
     });
+    commands.extend(said.map(Command::Notify));
+    commands.extend(changed.map(|value| Command::Set { path: path.to_owned(), value }));
 }
 
 /// The tooltip: what it is, what is allowed, its name in files.
@@ -100,6 +107,7 @@ fn number(
     now: f64,
     slider: Option<&mut Option<Response>>,
     set: &mut dyn FnMut(f64),
+    said: &mut Option<String>,
 ) -> Response {
     let spec = &param.spec;
     let mut value = now;
@@ -108,13 +116,15 @@ fn number(
     let whole = matches!(spec.allowed, Kind::Int { .. });
     let decimals = if whole { 0 } else { decimals(min, max) };
     let (label, response) = labelled(ui, param, |ui| {
-        let drag = DragValue::new(&mut value)
-            .range(min..=max)
-            .speed((now.abs() * 0.004).max((max - min) * 2e-4))
-            .max_decimals(decimals)
-            .suffix(suffix.clone())
-            .update_while_editing(false);
-        ui.add(drag)
+        let field = Field {
+            name: spec.label,
+            unit: spec.unit,
+            range: [min, max],
+            speed: (now.abs() * 0.004).max((max - min) * 2e-4),
+            decimals,
+            suffix: &suffix,
+        };
+        field.show(ui, &mut value, said)
     });
     if let Some(place) = slider {
         ui.spacing_mut().slider_width = ui.available_width();
@@ -192,7 +202,8 @@ fn choice(
     let share = if size == Size::Large { 0.68 } else { 0.52 };
     let width = ui.available_width() * share;
     let (label, response) = labelled(ui, param, |ui| combo(ui, width));
-    response.union(label)
+    // Under the label's id: a menu under that of the list would be taken for the list.
+    label.union(response)
 }
 
 fn text(ui: &mut Ui, param: &Param, now: &str, change: &mut dyn FnMut(Value)) -> Response {
@@ -215,7 +226,13 @@ fn text(ui: &mut Ui, param: &Param, now: &str, change: &mut dyn FnMut(Value)) ->
     response
 }
 
-fn steps(ui: &mut Ui, param: &Param, now: &[DepthStep], change: &mut dyn FnMut(Value)) -> Response {
+fn steps(
+    ui: &mut Ui,
+    param: &Param,
+    now: &[DepthStep],
+    change: &mut dyn FnMut(Value),
+    said: &mut Option<String>,
+) -> Response {
     let Kind::Steps { max_position_mm, max_depth_mm } = param.spec.allowed else {
         unreachable!("kind of a profile")
     };
@@ -228,19 +245,19 @@ fn steps(ui: &mut Ui, param: &Param, now: &[DepthStep], change: &mut dyn FnMut(V
         let low = if i == 0 { 0.0 } else { steps[i - 1][0] + 0.01 };
         let high = steps.get(i + 1).map_or(max_position_mm, |next| next[0] - 0.01);
         ui.horizontal(|ui| {
-            let mut edit = |value: &mut f64, what: &str, range, speed: f64, after: &str| {
-                let drag = DragValue::new(value).range(range).speed(speed).suffix(after);
-                let drag = drag.max_decimals(3).update_while_editing(false);
-                let response = ui.add(drag);
+            let mut edit = |value: &mut f64, what: &str, range, speed: f64, suffix: &str| {
+                let name = format!("{what} of depth step {}", i + 1);
+                let field = Field { name: &name, unit: "mm", range, speed, decimals: 3, suffix };
+                let response = field.show(ui, value, said);
                 response.widget_info(|| WidgetInfo {
-                    label: Some(format!("{what} of depth step {}", i + 1)),
+                    label: Some(name.clone()),
                     ..WidgetInfo::drag_value(true, *value)
                 });
                 touched |= response.changed();
             };
             let [position, depth] = &mut steps[i];
-            edit(position, "Position", low..=high, 0.5, " mm on:");
-            edit(depth, "Depth", 0.0..=max_depth_mm, 0.01, " mm deep");
+            edit(position, "Position", [low, high], 0.5, " mm on:");
+            edit(depth, "Depth", [0.0, max_depth_mm], 0.01, " mm deep");
             let name = format!("Remove depth step {}", i + 1);
             if icon::button(ui, Icon::Close, &name, &name, true).clicked() {
                 removed = Some(i);

@@ -1,7 +1,7 @@
 //! The bands below the plots: over time, which controller was at work, where commands stood at
 //! their limits, where models were used outside their range, and where the tool was in the air.
 
-use egui::{Align2, Color32, Rect, Sense, Ui, WidgetInfo, pos2, vec2};
+use egui::{Align2, Color32, Rangef, Rect, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use crate::app::panels::View;
 use crate::app::theme::Palette;
@@ -19,8 +19,27 @@ const OUTSIDE: u32 = flag::K1_OUTSIDE
     | flag::K5_OUTSIDE
     | flag::K6_OUTSIDE;
 
+/// Height of the bands' text line, points.
+const TEXT: f32 = 13.0;
+const GAP: f32 = 3.0;
+
 /// Room that the bands need, points.
-pub const TOTAL_HEIGHT: f32 = 4.0 * (HEIGHT + 3.0) + 4.0;
+#[must_use]
+pub fn total_height(beside: bool) -> f32 {
+    let text = if beside { 0.0 } else { TEXT };
+    4.0 * (HEIGHT + text + GAP) + 4.0
+}
+
+/// Where the bands stand.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// The time axis of the charts above: the bands share it.
+    pub axis: Rangef,
+    /// The range of time on it, s.
+    pub range: [f64; 2],
+    /// Whether the texts stand at the right of the bands rather than above them.
+    pub beside: bool,
+}
 
 /// A stretch of time with its text.
 struct Stretch {
@@ -29,27 +48,41 @@ struct Stretch {
     text: String,
 }
 
-/// The bands over a range of time.
-pub fn show(ui: &mut Ui, view: &View<'_>, range: [f64; 2]) {
+/// The bands below the charts.
+pub fn show(ui: &mut Ui, view: &View<'_>, place: Place) {
     let palette = Palette::at(ui);
-    let row = view.session.row();
-    let bands = [
-        ("Controller", controllers(view), palette.accent, "its kind over time".to_owned()),
-        ("At a limit", flagged(view, range, SATURATED), palette.warn, now(row, SATURATED)),
-        ("Outside model", flagged(view, range, OUTSIDE), palette.bad, now(row, OUTSIDE)),
-        ("In the air", flagged(view, range, flag::AIR), palette.twin, now(row, flag::AIR)),
-    ];
-    ui.spacing_mut().item_spacing.y = 3.0;
+    let kind = view.session.current().controller.kind.label();
+    let mut bands = vec![("Controller", controllers(view), palette.accent, kind.to_owned())];
+    for (title, bits, color) in [
+        ("At a limit", SATURATED, palette.warn),
+        ("Outside model", OUTSIDE, palette.bad),
+        ("In the air", flag::AIR, palette.twin),
+    ] {
+        let (stretches, seen) = flagged(view, place.range, bits);
+        bands.push((title, stretches, color, state(view.session.row(), bits, seen)));
+    }
+    ui.spacing_mut().item_spacing.y = GAP;
     for (title, stretches, color, text) in bands {
-        band(ui, title, &stretches, color, range, view.session.playback().playhead_s, &text);
+        band(ui, title, &stretches, color, view.session.playback().playhead_s, &text, place);
     }
 }
 
-/// The flags that are set at the playhead, in words.
-fn now(row: &Row, bits: u32) -> String {
-    let set = FLAGS.iter().filter(|info| info.bit & bits != 0 && row.has(info.bit));
-    let names: Vec<&str> = set.map(|info| info.label).collect();
-    if names.is_empty() { "not at the playhead".to_owned() } else { names.join(", ") }
+/// What is so at the playhead, or else in the picture, in words.
+fn state(row: &Row, bits: u32, seen: u32) -> String {
+    let names = |set: u32| {
+        let set = FLAGS.iter().filter(|info| info.bit & bits & set != 0);
+        // "K2" of "K2 outside its range", "feed" of "feed at a limit".
+        let names = set.map(|info| info.label.split(' ').next().unwrap_or_default());
+        names.collect::<Vec<&str>>().join(", ")
+    };
+    let now = row.state_flags as u32 & bits;
+    match (bits, now, seen) {
+        (_, 0, 0) => "no".to_owned(),
+        (flag::AIR, 0, _) => "not now".to_owned(),
+        (flag::AIR, ..) => "now".to_owned(),
+        (_, 0, seen) => format!("{}, not now", names(seen)),
+        (_, now, _) => format!("{} now", names(now)),
+    }
 }
 
 fn controllers(view: &View<'_>) -> Vec<Stretch> {
@@ -70,8 +103,9 @@ fn controllers(view: &View<'_>) -> Vec<Stretch> {
     stretches
 }
 
-/// Stretches of time in which any of the bits is set, as fine as the buckets of the pyramid.
-fn flagged(view: &View<'_>, range: [f64; 2], bits: u32) -> Vec<Stretch> {
+/// Stretches of time in which any of the bits is set, as fine as the buckets of the pyramid; and
+/// those of the bits that are set anywhere in the range.
+fn flagged(view: &View<'_>, range: [f64; 2], bits: u32) -> (Vec<Stretch>, u32) {
     let cut = view.session.chosen();
     let revealed = view.session.revealed();
     let row_s = cut.run().recording().row_s();
@@ -80,10 +114,11 @@ fn flagged(view: &View<'_>, range: [f64; 2], bits: u32) -> Vec<Stretch> {
     let buckets = cut.traces().flags()[..full].iter().map(|flags| (bucket_s, *flags));
     let rest = revealed[full * FLAG_ROWS..].iter().map(|row| (row_s, row.state_flags as u32));
     let mut stretches: Vec<Stretch> = Vec::new();
-    let mut time_s = 0.0;
+    let (mut time_s, mut seen) = (0.0, 0);
     for (length_s, flags) in buckets.chain(rest) {
         let end_s = time_s + length_s;
         if flags & bits != 0 && end_s >= range[0] && time_s <= range[1] {
+            seen |= flags & bits;
             match stretches.last_mut() {
                 Some(last) if last.to_s >= time_s - 0.5 * row_s => last.to_s = end_s,
                 _ => stretches.push(Stretch { from_s: time_s, to_s: end_s, text: String::new() }),
@@ -91,7 +126,7 @@ fn flagged(view: &View<'_>, range: [f64; 2], bits: u32) -> Vec<Stretch> {
         }
         time_s = end_s;
     }
-    stretches
+    (stretches, seen)
 }
 
 fn band(
@@ -99,21 +134,27 @@ fn band(
     title: &str,
     stretches: &[Stretch],
     color: Color32,
-    [from_s, to_s]: [f64; 2],
     playhead_s: f64,
     text: &str,
+    place: Place,
 ) {
     let palette = Palette::at(ui);
     let font = egui::TextStyle::Small.resolve(ui.style());
+    let [from_s, to_s] = place.range;
+    let height = if place.beside { HEIGHT } else { HEIGHT + TEXT };
     let (rect, response) =
-        ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
-    response
-        .widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, format!("{title}: {text}")));
-    let label_width = 86.0;
+        ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    let said = format!("{title}: {text}");
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, said.clone()));
     let painter = ui.painter();
-    let at = pos2(rect.left(), rect.center().y);
-    painter.text(at, Align2::LEFT_CENTER, title, font.clone(), palette.weak);
-    let rail = Rect::from_min_max(pos2(rect.left() + label_width, rect.top()), rect.max);
+    let rail_y = Rangef::new(rect.bottom() - HEIGHT, rect.bottom());
+    let rail = Rect::from_x_y_ranges(place.axis, rail_y);
+    let at = if place.beside {
+        pos2(rail.right() + 12.0, rail.center().y)
+    } else {
+        pos2(rail.left(), rect.top() + 0.5 * TEXT)
+    };
+    painter.text(at, Align2::LEFT_CENTER, &said, font.clone(), palette.weak);
     painter.rect_filled(rail, 2.0, palette.card);
     let x = |time_s: f64| {
         let share = ((time_s - from_s) / (to_s - from_s)).clamp(0.0, 1.0);
@@ -136,5 +177,5 @@ fn band(
     if (from_s..=to_s).contains(&playhead_s) {
         painter.vline(x(playhead_s), rail.y_range(), egui::Stroke::new(1.0, palette.playhead));
     }
-    response.on_hover_text(format!("{title}: {text}"));
+    response.on_hover_text(said);
 }

@@ -4,83 +4,165 @@ use egui::{RichText, Ui};
 
 use crate::app::panels::View;
 use crate::app::theme::{self, Palette};
+use crate::app::twin::Comparison;
+use crate::base::units::ratio_from_percent;
+use crate::run::metrics::Metrics;
+use crate::run::signals::{Row, flag};
 
 /// One number of the comparison.
 struct Item {
     title: &'static str,
-    help: &'static str,
+    help: String,
     value: String,
     color: egui::Color32,
-    /// The line below the value where there is room, and where there is little.
+    /// The lines below the value.
     below: [String; 2],
 }
 
-fn items(view: &View<'_>, palette: &Palette) -> Vec<Item> {
-    let comparison = view.session.comparison();
-    let (chosen, twin) = (&comparison.chosen, &comparison.twin);
-    let twin_has = |value: String| [format!("constant feed {value}"), value];
-    // Before the first contact, and in the air alone, there is no share.
-    let share_of = |value: Option<f64>| value.map_or("-".to_owned(), |x| theme::quantity(x, "%"));
-    let judged = |good: bool| if good { palette.good } else { palette.bad };
-    let saved_s = comparison.time_saved_s;
-    let (time_title, time_color) = match saved_s {
-        saved if saved.abs() < 0.005 => ("Time saved", palette.text),
-        saved if saved > 0.0 => ("Time saved", palette.good),
-        _ => ("Time lost", palette.bad),
+/// Deviations of the force up to the first count as good, beyond the second as bad, %.
+const FORCE_LEVELS: [f64; 2] = [5.0, 15.0];
+/// Shares of the length in tolerance from the first on count as good, below the second as bad, %.
+const TOLERANCE_LEVELS: [f64; 2] = [90.0, 50.0];
+/// The worst deviation leaves the time before out, s: so long there is none.
+const WORST_FROM_S: f64 = 1.0;
+
+/// Good, bad, or neither.
+fn judged(palette: &Palette, good: bool, bad: bool) -> egui::Color32 {
+    match (good, bad) {
+        (true, _) => palette.good,
+        (_, true) => palette.bad,
+        _ => palette.text,
+    }
+}
+
+fn items(view: &View<'_>, palette: &Palette) -> [Item; 5] {
+    let twin_has = |value: String| {
+        let twin = if view.narrow { "const. feed" } else { "constant feed" };
+        format!("{twin} {value}")
     };
-    let share = if twin.time_of_cut_s > 0.0 { 100.0 * saved_s / twin.time_of_cut_s } else { 0.0 };
-    vec![
-        Item {
-            title: "Ra in tolerance",
-            help: "Share of the cut length on which the produced Ra lies within the tolerance \
-                   around its target.",
-            value: share_of(chosen.in_tolerance_percent),
-            color: judged(chosen.in_tolerance_percent >= twin.in_tolerance_percent),
-            below: twin_has(share_of(twin.in_tolerance_percent)),
-        },
-        Item {
-            title: "Worst force deviation",
-            help: "Largest deviation of the force from the desired force after the first second.",
-            value: signed(chosen.force_worst_percent, "%"),
-            color: judged(chosen.force_worst_percent.abs() <= twin.force_worst_percent.abs()),
-            below: twin_has(signed(twin.force_worst_percent, "%")),
-        },
-        Item {
-            title: "Time of cut",
-            help: "Time since the start of the cut, and what constant feed takes for the same \
-                   length of path.",
-            value: theme::time(chosen.time_of_cut_s),
-            color: palette.text,
-            below: twin_has(theme::time(twin.time_of_cut_s)),
-        },
-        Item {
-            title: time_title,
-            help: "Time that constant feed takes for the same length of path, less the time taken.",
-            value: theme::quantity(saved_s.abs(), "s"),
-            color: time_color,
-            below: [format!("{} of constant feed's time", signed(share, "%")), signed(share, "%")],
-        },
+    let Comparison { chosen, twin, .. } = view.session.comparison();
+    [
+        ra_now(view, palette, &twin_has),
+        in_tolerance(chosen, palette, twin_has(share_of(twin.in_tolerance_percent))),
+        worst_force(chosen, palette, twin_has(signed(worst(twin)))),
+        time_of_cut(view, palette),
         Item {
             title: "Metal removed",
-            help: "Axial depth times radial depth, summed over the path.",
+            help: "Axial depth times radial depth, summed over the path.".to_owned(),
             value: theme::quantity(chosen.metal_removed_cm3, "cm^3"),
             color: palette.text,
-            below: twin_has(theme::quantity(twin.metal_removed_cm3, "cm^3")),
+            below: [
+                format!("on {} of path", theme::quantity(chosen.path_mm, "mm")),
+                twin_has(theme::quantity(twin.metal_removed_cm3, "cm^3")),
+            ],
         },
     ]
 }
 
-fn signed(value: f64, unit: &str) -> String {
-    let text = theme::quantity(value, unit);
+fn ra_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> String) -> Item {
+    let (now, twin) = (view.session.row(), &view.session.comparison().twin_now);
+    let target = &view.session.current().target;
+    let tolerance_um = ratio_from_percent(target.tolerance_percent) * now.ra_target_um;
+    // In the air no surface is produced.
+    let ra = |row: &Row| (!row.has(flag::AIR)).then_some(row.ra_um);
+    let text = |ra_um: Option<f64>| ra_um.map_or("-".to_owned(), |x| theme::quantity(x, "um"));
+    let inside = |ra_um: f64| (ra_um - now.ra_target_um).abs() <= tolerance_um;
+    Item {
+        title: "Ra now",
+        help: format!(
+            "Roughness produced at the playhead: as it should be within {} % of its target.",
+            target.tolerance_percent
+        ),
+        value: text(ra(now)),
+        color: judged(palette, ra(now).is_some_and(inside), ra(now).is_some()),
+        below: [
+            format!("target {}", theme::quantity(now.ra_target_um, "um")),
+            twin_has(text(ra(twin))),
+        ],
+    }
+}
+
+fn in_tolerance(chosen: &Metrics, palette: &Palette, twin: String) -> Item {
+    let share = chosen.in_tolerance_percent;
+    let [good, bad] = TOLERANCE_LEVELS;
+    Item {
+        title: "Ra in tolerance",
+        help: "Share of the cut length on which the produced Ra lies within the tolerance around \
+               its target."
+            .to_owned(),
+        value: share_of(share),
+        color: judged(palette, share.is_some_and(|x| x >= good), share.is_some_and(|x| x < bad)),
+        below: ["of the length cut".to_owned(), twin],
+    }
+}
+
+fn worst_force(chosen: &Metrics, palette: &Palette, twin: String) -> Item {
+    let size = worst(chosen).map(f64::abs);
+    let [good, bad] = FORCE_LEVELS;
+    Item {
+        title: "Worst force deviation",
+        help: "Largest deviation of the force from the desired force after the first second."
+            .to_owned(),
+        value: signed(worst(chosen)),
+        color: judged(palette, size.is_some_and(|x| x <= good), size.is_some_and(|x| x > bad)),
+        below: ["from desired force".to_owned(), twin],
+    }
+}
+
+fn time_of_cut(view: &View<'_>, palette: &Palette) -> Item {
+    let Comparison { chosen, twin, time_saved_s, .. } = view.session.comparison();
+    let saved = if *time_saved_s < 0.0 { "lost" } else { "saved" };
+    let size_s = theme::quantity(time_saved_s.abs(), "s");
+    let percent =
+        if twin.time_of_cut_s > 0.0 { 100.0 * time_saved_s / twin.time_of_cut_s } else { 0.0 };
+    let compared = match percent {
+        even if even.abs() < 0.5 => "as long as constant feed".to_owned(),
+        saved if saved > 0.0 => format!("{saved:.0} % shorter than constant feed"),
+        lost => format!("{:.0} % longer than constant feed", -lost),
+    };
+    let below = match compared.split_once(" than ") {
+        // Where it is narrow, the sentence takes both lines.
+        Some((start, rest)) if view.narrow => [format!("{start} than"), rest.to_owned()],
+        _ => [compared, format!("{size_s} {saved} on the same path")],
+    };
+    Item {
+        title: "Time of cut",
+        help: format!(
+            "Time since the start of the cut. Constant feed takes {} for the same length of \
+             path: {size_s} {saved}.",
+            theme::time(twin.time_of_cut_s)
+        ),
+        value: theme::time(chosen.time_of_cut_s),
+        color: palette.text,
+        below,
+    }
+}
+
+/// The worst deviation, once there is one.
+fn worst(of: &Metrics) -> Option<f64> {
+    (of.time_of_cut_s >= WORST_FROM_S).then_some(of.force_worst_percent)
+}
+
+/// Before the first contact, and in the air alone, there is no share.
+fn share_of(value: Option<f64>) -> String {
+    value.map_or("-".to_owned(), |x| theme::quantity(x, "%"))
+}
+
+fn signed(value: Option<f64>) -> String {
+    let Some(value) = value else { return "-".to_owned() };
+    let text = theme::quantity(value, "%");
     if value > 0.0 && !text.starts_with("0.0 ") { format!("+{text}") } else { text }
 }
 
-/// The strip: five cards beside each other, three in a row where it is narrow.
+/// The strip: as many cards beside each other as have room for their numbers.
 pub fn show(ui: &mut Ui, view: &View<'_>) {
     let palette = Palette::at(ui);
     let items = items(view, palette);
-    let columns = if view.narrow { 3 } else { items.len() };
-    let gap = if view.narrow { 4.0 } else { 8.0 };
+    let (gap, least) =
+        if view.narrow { (4.0, theme::CARD_WIDTH_NARROW) } else { (8.0, theme::CARD_WIDTH) };
+    let most = ((ui.available_width() + gap) / (least + gap)).floor().max(1.0) as usize;
+    // Rows of about the same length.
+    let columns = items.len().div_ceil(items.len().div_ceil(most));
     let width = (ui.available_width() - gap * (columns - 1) as f32) / columns as f32;
     for row in items.chunks(columns) {
         ui.horizontal(|ui| {
@@ -110,10 +192,12 @@ fn card(ui: &mut Ui, item: &Item, width: f32, narrow: bool, palette: &Palette) {
                 let size = if narrow { 15.0 } else { 20.0 };
                 let value = RichText::new(&item.value).size(size).color(item.color).strong();
                 ui.add(egui::Label::new(value).truncate());
-                let below = RichText::new(&item.below[usize::from(narrow)]).small();
-                ui.add(egui::Label::new(below.color(palette.twin)).truncate());
+                for line in &item.below {
+                    let below = RichText::new(line).small().color(palette.weak);
+                    ui.add(egui::Label::new(below).truncate());
+                }
             });
         })
         .response;
-    response.on_hover_text(format!("{} Below: the same cut at constant feed.", item.help));
+    response.on_hover_text(&item.help);
 }

@@ -4,12 +4,14 @@ mod bands;
 mod controls;
 mod headline;
 
+use egui::scroll_area::{DragScroll, ScrollSource};
 use egui::{CentralPanel, CollapsingHeader, Frame, Margin, Panel as SidePanel, ScrollArea, Ui};
 
 use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::theme::{self, Look};
 use crate::app::widgets::chart::{self, Axes, Chart, Curve};
+use crate::app::widgets::zoom::by_touch;
 use crate::base::units::ratio_from_percent;
 
 /// The first screen.
@@ -105,6 +107,11 @@ fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
     ]
 }
 
+/// How many charts stand beside each other.
+fn columns(ui: &Ui) -> usize {
+    if ui.available_width() >= 2.0 * theme::CONTROLS_WIDTH { 2 } else { 1 }
+}
+
 impl Panel for ConsolePanel {
     fn id(&self) -> &'static str {
         "console"
@@ -147,11 +154,11 @@ impl ConsolePanel {
         CentralPanel::no_frame().frame(margin).show(ui, |ui| {
             headline::show(ui, view);
             ui.add_space(2.0);
-            let columns = if ui.available_width() >= 2.0 * theme::CONTROLS_WIDTH { 2 } else { 1 };
-            self.plots(ui, view, columns, false);
+            self.plots(ui, view, columns(ui), false);
         });
     }
 
+    /// In one column, but for the plots where there is room beside each other.
     fn narrow(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let margin = Frame::new().inner_margin(Margin::symmetric(8, 4));
         CentralPanel::no_frame().frame(margin).show(ui, |ui| {
@@ -169,7 +176,7 @@ impl ConsolePanel {
                     controls::more(ui, view, commands);
                 });
             });
-            self.plots(ui, view, 1, low);
+            self.plots(ui, view, columns(ui), low);
         });
     }
 
@@ -177,13 +184,19 @@ impl ConsolePanel {
     fn plots(&mut self, ui: &mut Ui, view: &View<'_>, columns: usize, with_headline: bool) {
         let charts = charts(view);
         let rows = charts.len() / columns;
-        ScrollArea::vertical().id_salt("plots").auto_shrink([false, false]).show(ui, |ui| {
+        // Fingers scroll from the first touch on; a mouse that drags marks a range of time.
+        let drag = if by_touch(ui) { DragScroll::Always } else { DragScroll::Never };
+        let source = ScrollSource { drag, ..ScrollSource::default() };
+        let area = ScrollArea::vertical().id_salt("plots").scroll_source(source);
+        area.auto_shrink([false, false]).show(ui, |ui| {
             if with_headline {
                 headline::show(ui, view);
             }
             // Room for the last label of each time axis.
             let gap = egui::vec2(18.0, ui.spacing().item_spacing.y);
-            let room = ui.available_height() - bands::TOTAL_HEIGHT - gap.y;
+            let beside = columns > 1;
+            let mut axis = None;
+            let room = ui.available_height() - bands::total_height(beside) - gap.y;
             let height = room / rows as f32 - gap.y;
             let least =
                 if columns == 1 { theme::PLOT_HEIGHT_SCROLLED } else { theme::PLOT_HEIGHT_MIN };
@@ -197,14 +210,18 @@ impl ConsolePanel {
                         ui.allocate_ui(egui::vec2(width, height), |ui| {
                             ui.vertical(|ui| {
                                 ui.set_width(width);
-                                chart::show(ui, chart, view.session, &mut self.axes, height);
+                                let axes = &mut self.axes;
+                                let drawn = chart::show(ui, chart, view.session, axes, height);
+                                axis.get_or_insert(drawn);
                             });
                         });
                     }
                 });
             }
             let range = self.axes.range(view.session);
-            bands::show(ui, view, range);
+            if let Some(axis) = axis {
+                bands::show(ui, view, bands::Place { axis, range, beside });
+            }
         });
     }
 }

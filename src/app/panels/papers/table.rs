@@ -4,9 +4,11 @@ use egui::{Grid, RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
 
 use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
-use crate::base::settings::Value;
+use crate::base::model::gp_2007::Calibration;
+use crate::run::edits::Edits;
+use crate::run::scenario_file;
 use crate::run::signals::FLAGS;
-use crate::study::papers::{Cell, Paper2007, PaperRow, Verdict};
+use crate::study::papers::{self, Cell, Paper2007, PaperRow, Verdict};
 
 /// Size of type of units and verdicts.
 const NOTE: f32 = 11.5;
@@ -88,11 +90,13 @@ fn load(ui: &mut Ui, row: &PaperRow, calibration: &str, commands: &mut Vec<Comma
     button.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Load {name}")));
     let hint = format!("Opens the scenario {name} in the console");
     if button.on_hover_text(hint).clicked() {
-        commands.push(Command::LoadPreset(name));
-        for path in ["plant.calibration", "belief.calibration"] {
-            let value = Value::Text(calibration.to_owned());
-            commands.push(Command::Set { path: path.to_owned(), value });
+        let calibration = Calibration::from_id(calibration).unwrap_or(Calibration::Identified);
+        let mut scenario = papers::scenario_2007(row.sim, calibration);
+        if calibration != Calibration::Identified {
+            scenario.info.name = format!("{name} ({})", calibration.label());
         }
+        let text = scenario_file::write(&scenario, &Edits::none());
+        commands.push(Command::LoadText { name, text });
         commands.push(Command::ShowScreen("console"));
     }
 }

@@ -1,0 +1,151 @@
+//! A field for a number: it is dragged, or typed with a decimal point or comma, with or without
+//! its unit. A text that is no number, or one beyond the range, is answered in words.
+
+use std::cell::RefCell;
+
+use egui::{DragValue, Response, Ui};
+
+use super::super::theme;
+
+/// What a field holds.
+#[derive(Clone, Copy, Debug)]
+pub struct Field<'a> {
+    /// Its name, for messages.
+    pub name: &'a str,
+    /// Its unit as the tables write it; empty for none.
+    pub unit: &'a str,
+    /// Least and largest value.
+    pub range: [f64; 2],
+    /// Change of the value for a point of dragging.
+    pub speed: f64,
+    /// Most digits behind the point.
+    pub decimals: usize,
+    /// Text behind the number.
+    pub suffix: &'a str,
+}
+
+impl Field<'_> {
+    /// The field; what there is to say about a text that was typed goes to `said`.
+    pub fn show(&self, ui: &mut Ui, value: &mut f64, said: &mut Option<String>) -> Response {
+        let [min, max] = self.range;
+        let problem = RefCell::new(None);
+        let drag = DragValue::new(value)
+            .range(min..=max)
+            .speed(self.speed)
+            .max_decimals(self.decimals)
+            .suffix(self.suffix.to_owned())
+            .update_while_editing(false)
+            .custom_parser(|text| match self.read(text) {
+                Ok((number, note)) => {
+                    *problem.borrow_mut() = note;
+                    Some(number)
+                }
+                Err(note) => {
+                    *problem.borrow_mut() = Some(note);
+                    None
+                }
+            });
+        let response = ui.add(drag);
+        if let Some(note) = problem.into_inner() {
+            *said = Some(note);
+        }
+        response
+    }
+
+    /// The number within the range that a text stands for, with a message where it was limited.
+    fn read(&self, text: &str) -> Result<(f64, Option<String>), String> {
+        // More would fill the window.
+        const MOST_CHARS: usize = 40;
+        let text: String = text.trim().chars().take(MOST_CHARS).collect();
+        let name = self.name;
+        let [min, max] = self.range.map(readable);
+        let with_unit = |text: String| format!("{text} {}", theme::unit(self.unit));
+        let allowed = with_unit(format!("allowed is a number from {min} to {max}"));
+        let allowed = allowed.trim_end();
+        let Some(number) = parse(&text, self.unit) else {
+            return Err(format!("{name}: `{text}` is not a number: {allowed}"));
+        };
+        let limited = number.clamp(self.range[0], self.range[1]);
+        if limited == number {
+            return Ok((number, None));
+        }
+        let taken = with_unit(readable(limited).to_string());
+        let taken = taken.trim_end();
+        Ok((limited, Some(format!("{name}: `{text}` was limited to {taken}: {allowed}"))))
+    }
+}
+
+/// Without the noise of sums in the last digits.
+fn readable(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
+}
+
+/// Letters that mean the same become the same.
+fn plain(text: &str) -> String {
+    let letters = text.chars().filter(|c| !c.is_whitespace() && *c != '^').map(|c| match c {
+        '\u{2212}' => '-',
+        'µ' | 'μ' => 'u',
+        '³' => '3',
+        other => other.to_ascii_lowercase(),
+    });
+    letters.collect()
+}
+
+/// The number that a text stands for: with point or comma, with or without the unit.
+#[must_use]
+pub fn parse(text: &str, unit: &str) -> Option<f64> {
+    let text = plain(text);
+    let own = plain(unit);
+    let other_names: &[&str] = if own == "1/min" { &["rpm", "min-1"] } else { &[] };
+    let mut names = [own.as_str()].into_iter().chain(other_names.iter().copied());
+    let bare = names.find_map(|name| text.strip_suffix(name).filter(|_| !name.is_empty()));
+    let bare = bare.unwrap_or(&text);
+    // With both signs, which one groups thousands is a guess.
+    let comma = bare.matches(',').count() == 1 && !bare.contains('.');
+    let number = if comma { bare.replace(',', ".") } else { bare.to_owned() };
+    number.parse().ok().filter(|number: &f64| number.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_read_as_people_write_them() {
+        let read = [
+            ("0,8", "um", 0.8),
+            ("0.6 um", "um", 0.6),
+            ("0,6 µm", "um", 0.6),
+            ("1 200", "HB", 1200.0),
+            ("\u{2212}5 %", "%", -5.0),
+            ("2100 rpm", "1/min", 2100.0),
+            ("2100 1/min", "1/min", 2100.0),
+            ("3 MM/min", "mm/min", 3.0),
+            ("1e-3", "", 1e-3),
+        ];
+        for (text, unit, number) in read {
+            assert_eq!(parse(text, unit), Some(number), "{text}");
+        }
+        for text in ["", "abc", "1,2,3", "1.2,3", "nan", "inf", "5 kg"] {
+            assert_eq!(parse(text, "mm"), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_is_said_with_field_text_and_range() {
+        let field = Field {
+            name: "Target Ra",
+            unit: "um",
+            range: [0.05, 4.0],
+            speed: 0.01,
+            decimals: 3,
+            suffix: "",
+        };
+        let said = field.read("abc").unwrap_err();
+        assert_eq!(said, "Target Ra: `abc` is not a number: allowed is a number from 0.05 to 4 µm");
+        let (number, said) = field.read("9,5").unwrap();
+        assert_eq!(number, 4.0);
+        let said = said.unwrap();
+        assert!(said.starts_with("Target Ra: `9,5` was limited to 4 µm: allowed"), "{said}");
+    }
+}

@@ -1,0 +1,32 @@
+//! The value of a signal at the playhead, as a number beside the title of its chart.
+
+use egui::{Role, Sense, Ui, WidgetInfo, vec2};
+
+use super::super::theme::{self, Palette};
+use super::chart::{Curve, index};
+use crate::run::signals::{Row, SIGNALS, flag};
+
+const SIZE: f32 = 15.0;
+/// Its width comes in such steps, points: what stands beside it rests while digits change.
+const WIDTH_STEP: f32 = 24.0;
+
+/// The value of a curve in a row, in the curve's colour.
+pub(super) fn reading(ui: &mut Ui, curve: &Curve, row: &Row) {
+    let signal = &SIGNALS[index(curve.signal)];
+    // In the air there is neither force nor roughness.
+    let none = row.has(flag::AIR) && matches!(signal.unit, "um" | "N");
+    let value = (signal.get)(row);
+    let text = if none { "-".to_owned() } else { theme::quantity(value, signal.unit) };
+    let (stroke, _) = curve.look.line(Palette::at(ui));
+    let font = egui::FontId::proportional(SIZE);
+    let galley = ui.painter().layout_no_wrap(text.clone(), font, stroke.color);
+    let width = (galley.size().x / WIDTH_STEP).ceil() * WIDTH_STEP;
+    let (rect, response) = ui.allocate_exact_size(vec2(width, galley.size().y), Sense::hover());
+    let said = format!("{} at the playhead: {text}", signal.label);
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, said.clone()));
+    // Twice, a pixel apart: the fonts have no bold cut.
+    let pixel = 1.0 / ui.pixels_per_point();
+    ui.painter().galley(rect.left_top(), galley.clone(), stroke.color);
+    ui.painter().galley(rect.left_top() + vec2(pixel, 0.0), galley, stroke.color);
+    response.on_hover_text(said);
+}
