@@ -38,7 +38,14 @@ fn explain(error: &eframe::Error) -> String {
              seen, and `steadycut run` needs none."
         }
     };
-    format!("the console cannot be shown: {error}\n{advice}")
+    let text = error.to_string();
+    format!("the console cannot be shown: {}\n{advice}", without_place(&text))
+}
+
+/// The window library names the place in its own source; only what follows helps a user.
+fn without_place(error: &str) -> &str {
+    let after = error.rsplit_once(".rs:").and_then(|(_, rest)| rest.split_once(": "));
+    after.map_or(error, |(_, message)| message)
 }
 
 /// The icon: a steady profile between two tolerance lines.
@@ -66,4 +73,15 @@ fn icon() -> egui::IconData {
         }
     }
     egui::IconData { rgba, width: SIZE as u32, height: SIZE as u32 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_place;
+
+    #[test]
+    fn an_error_is_told_without_its_place_in_the_source() {
+        assert_eq!(without_place("os error at /x/mod.rs:765: no display"), "no display");
+        assert_eq!(without_place("no adapter: none"), "no adapter: none");
+    }
 }

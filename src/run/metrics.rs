@@ -63,12 +63,6 @@ pub struct Metrics {
 
 /// Force counts as settled within this share of its reference.
 const SETTLED: f64 = 0.02;
-const OUTSIDE: u32 = flag::K1_OUTSIDE
-    | flag::K2_OUTSIDE
-    | flag::K3_OUTSIDE
-    | flag::K4_OUTSIDE
-    | flag::K5_OUTSIDE
-    | flag::K6_OUTSIDE;
 
 fn relative_error(row: &Row) -> f64 {
     // The reference is at least FORCE_REF_MIN_N, never zero.
@@ -107,8 +101,8 @@ pub fn metrics(recording: &Recording, rows: usize, scenario: &Scenario, edits: &
         if row.time_s >= 1.0 && !row.has(flag::AIR) && relative_error(row).abs() > worst.abs() {
             worst = relative_error(row);
         }
-        saturated += usize::from(row.has(flag::FEED_SATURATED | flag::SPEED_SATURATED));
-        outside += usize::from(row.has(OUTSIDE));
+        saturated += usize::from(row.has(flag::SATURATED));
+        outside += usize::from(row.has(flag::OUTSIDE));
     }
     let share = |count: usize| percent_from_ratio(count as f64 / (rows.len() - 1).max(1) as f64);
 

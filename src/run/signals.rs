@@ -134,6 +134,11 @@ pub mod flag {
     pub const K6_OUTSIDE: u32 = 128;
     /// The tool is in the air: no force, no roughness.
     pub const AIR: u32 = 256;
+    /// A command stands at a limit.
+    pub const SATURATED: u32 = FEED_SATURATED | SPEED_SATURATED;
+    /// Some model is used outside its range.
+    pub const OUTSIDE: u32 =
+        K1_OUTSIDE | K2_OUTSIDE | K3_OUTSIDE | K4_OUTSIDE | K5_OUTSIDE | K6_OUTSIDE;
 }
 
 /// All flags.

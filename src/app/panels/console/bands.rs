@@ -11,13 +11,6 @@ use crate::blocks::control::ControllerKind;
 use crate::run::signals::{FLAGS, Row, flag};
 
 const HEIGHT: f32 = 13.0;
-const SATURATED: u32 = flag::FEED_SATURATED | flag::SPEED_SATURATED;
-const OUTSIDE: u32 = flag::K1_OUTSIDE
-    | flag::K2_OUTSIDE
-    | flag::K3_OUTSIDE
-    | flag::K4_OUTSIDE
-    | flag::K5_OUTSIDE
-    | flag::K6_OUTSIDE;
 
 /// Height of the bands' text line, points.
 const TEXT: f32 = 13.0;
@@ -54,8 +47,8 @@ pub fn show(ui: &mut Ui, view: &View<'_>, place: Place) {
     let kind = view.session.current().controller.kind.label();
     let mut bands = vec![("Controller", controllers(view), palette.accent, kind.to_owned())];
     for (title, bits, color) in [
-        ("At a limit", SATURATED, palette.warn),
-        ("Outside model", OUTSIDE, palette.bad),
+        ("At a limit", flag::SATURATED, palette.warn),
+        ("Outside model", flag::OUTSIDE, palette.bad),
         ("In the air", flag::AIR, palette.twin),
     ] {
         let (stretches, seen) = flagged(view, place.range, bits);
