@@ -168,11 +168,27 @@ test("the console draws on a phone", async () => {
 
 test("a bad link is reported, and the console runs", async () => {
   const { page, context, wrong } = await open();
-  await page.goto(`${server.url}#target.ra_um=abc`);
+  await page.goto(`${server.url}#v=1&target.ra_um=abc`);
   await firstFrame(page);
   const { error } = await untilState(page, (now) => now.error !== null && now.frames > 2);
   assert.match(error, /target\.ra_um/);
   await picture(page, "bad-link");
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+test("a good link opens its scenario, and one pasted into the open page replaces it", async () => {
+  const { page, context, wrong } = await open();
+  await page.goto(`${server.url}#v=1&target.ra_um=0.6`);
+  const first = await firstFrame(page);
+  assert.equal(first.target_ra_um, 0.6);
+  // The page reloads: the program of before is gone until the new one draws.
+  await page.evaluate(() => { location.hash = "#v=1&target.ra_um=1.3"; });
+  await page.waitForFunction(
+    () => window.steadycut && JSON.parse(window.steadycut.state_json() || "{}").target_ra_um === 1.3,
+    null,
+    PATIENCE,
+  );
   assert.deepEqual(wrong, []);
   await context.close();
 });
