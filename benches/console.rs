@@ -7,8 +7,11 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use eframe::egui;
-use steadycut::app::Console;
-use steadycut::run::edits::Edits;
+use steadycut::app::cut::Cut;
+use steadycut::app::{Console, twin};
+use steadycut::base::settings::Value;
+use steadycut::run::edits::{Edit, Edits};
+use steadycut::run::one_run::Run;
 use steadycut::run::{Start, presets};
 
 const SIZE: egui::Vec2 = egui::vec2(1280.0, 800.0);
@@ -83,5 +86,38 @@ fn console(criterion: &mut Criterion) {
     assert_ne!(bench.state()["target_ra_um"], before, "the slider must have moved");
 }
 
-criterion_group!(benches, console);
+/// The parts of an edit: repeating one run, the same with its min-max levels, the comparison.
+fn parts(criterion: &mut Criterion) {
+    let scenario = presets::load("first-cut").expect("a shipped preset");
+    let plans = [0.9, 1.0].map(|ra_um| {
+        let mut edits = Edits::none();
+        let (path, value) = ("target.ra_um".to_owned(), Value::Float(ra_um));
+        edits.push(&scenario, Edit { at_s: 5.0, path, value }).expect("it fits");
+        edits
+    });
+    let mut run = Run::complete(&scenario, &plans[0]);
+    let mut k = 0;
+    criterion.bench_function("repeat a run from an edit at 5 s", |bencher| {
+        bencher.iter(|| {
+            k += 1;
+            run.branch(5.0, &plans[k % 2]);
+            run.advance(u64::MAX);
+        });
+    });
+    let mut cut = Cut::new(&scenario, &plans[0]);
+    criterion.bench_function("the same with min-max levels", |bencher| {
+        bencher.iter(|| {
+            k += 1;
+            cut.change(&scenario, &plans[k % 2]);
+            cut.advance(u64::MAX);
+        });
+    });
+    let twin = Run::complete(&twin::scenario(&scenario), &plans[0]);
+    let rows = run.recording().rows().len();
+    criterion.bench_function("compare with the twin", |bencher| {
+        bencher.iter(|| black_box(twin::compare(&run, rows, &twin)));
+    });
+}
+
+criterion_group!(benches, console, parts);
 criterion_main!(benches);

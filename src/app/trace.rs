@@ -35,9 +35,10 @@ impl Trace {
         }
     }
 
-    fn extend(&mut self, rows: &[Row], get: fn(&Row) -> f64) {
-        for depth in 0.. {
-            let full = rows.len() / rows_in_bucket(depth + 1);
+    /// Brings the levels above the first up to date with it, for so many rows.
+    fn grow(&mut self, rows: usize) {
+        for depth in 1.. {
+            let full = rows / rows_in_bucket(depth + 1);
             if full == 0 {
                 break;
             }
@@ -45,17 +46,26 @@ impl Trace {
                 self.levels.push(Vec::new());
             }
             for bucket in self.levels[depth].len()..full {
-                let extremes = if depth == 0 {
-                    let span = bucket * FIRST..(bucket + 1) * FIRST;
-                    rows[span].iter().fold(NOTHING, |m, row| join(m, &[get(row), get(row)]))
-                } else {
-                    let span = bucket * FACTOR..(bucket + 1) * FACTOR;
-                    self.levels[depth - 1][span].iter().fold(NOTHING, join)
-                };
+                let span = bucket * FACTOR..(bucket + 1) * FACTOR;
+                let extremes = self.levels[depth - 1][span].iter().fold(NOTHING, join);
                 self.levels[depth].push(extremes);
             }
         }
     }
+}
+
+/// The extremes of all signals over some rows. Row by row, all signals at once: memory is read in
+/// its order, and the comparisons need no branches. Recorded values are never NaN.
+fn extremes(rows: &[Row]) -> [MinMax; Row::LEN] {
+    let mut least = [f64::INFINITY; Row::LEN];
+    let mut most = [f64::NEG_INFINITY; Row::LEN];
+    for row in rows {
+        for ((value, least), most) in row.values().into_iter().zip(&mut least).zip(&mut most) {
+            *least = if value < *least { value } else { *least };
+            *most = if value > *most { value } else { *most };
+        }
+    }
+    std::array::from_fn(|i| [least[i], most[i]])
 }
 
 /// Rows whose state flags are joined into one.
@@ -89,9 +99,16 @@ impl Traces {
 
     /// Takes in the rows that came since; `rows` are all rows of the recording.
     pub fn extend(&mut self, rows: &[Row]) {
-        for (trace, signal) in self.traces.iter_mut().zip(SIGNALS) {
-            trace.extend(rows, signal.get);
+        let done = self.traces[0].levels.first().map_or(0, Vec::len);
+        for bucket in rows.chunks_exact(FIRST).skip(done) {
+            for (trace, extremes) in self.traces.iter_mut().zip(extremes(bucket)) {
+                if trace.levels.is_empty() {
+                    trace.levels.push(Vec::new());
+                }
+                trace.levels[0].push(extremes);
+            }
         }
+        self.traces.iter_mut().for_each(|trace| trace.grow(rows.len()));
         for bucket in rows.chunks_exact(FLAG_ROWS).skip(self.flags.len()) {
             self.flags.push(bucket.iter().fold(0, |bits, row| bits | row.state_flags as u32));
         }
