@@ -218,6 +218,8 @@ fn errors_name_field_value_and_range() {
     let message = |text: &str| scenario_file::parse(text).unwrap_err().to_string();
     let text = message("version = 1\n[target]\nra_um = 99.0\n");
     assert!(text.contains("target.ra_um") && text.contains("99") && text.contains("0.05 to 4"));
+    let text = message("version = 1\n[target]\nra_um = 1e300\n");
+    assert!(text.contains("1e300"), "{text}");
     let text = message("version = 1\n[target]\nra_um = \"rough\"\n");
     assert!(text.contains("target.ra_um") && text.contains("rough"), "{text}");
     let text = message("version = 1\n[target]\nra_mu = 1.0\n");

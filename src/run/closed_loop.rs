@@ -157,11 +157,6 @@ impl ClosedLoop {
         &self.row
     }
 
-    /// The commands in the dead-time queue, oldest first: feed in mm/min, speed in 1/min.
-    pub fn commands_under_way(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
-        self.dead_time.iter()
-    }
-
     /// One tick, in the order given at the head of this file.
     ///
     /// # Errors

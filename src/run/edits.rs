@@ -40,8 +40,9 @@ impl Edits {
     /// Adds a change; among changes of the same time the last one wins.
     ///
     /// # Errors
-    /// The setting is unknown or belongs to the set-up, the time is not finite or negative, the
-    /// value is refused by the scenario with all earlier edits applied, or there are too many.
+    /// The setting is unknown or belongs to the set-up, the time lies outside the run, the value is
+    /// outside its range or breaks a rule with the edits of another setting, or there are too many.
+    /// The edits are then unchanged.
     pub fn push(&mut self, base: &Scenario, edit: Edit) -> Result<(), SettingError> {
         let found = param(&edit.path)?;
         let refused = |value: String, allowed: &str| {

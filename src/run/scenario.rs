@@ -158,6 +158,8 @@ pub(super) const COMPANIONS: [&str; 2] = ["plant.hardness_hb", "cnc.dead_time_s"
 fn refused(param: &Param, value: &Value) -> SettingError {
     let text = match value {
         Value::Text(text) => format!("{:?}", text.chars().take(60).collect::<String>()),
+        // Written out, 1e300 would be cut to another number.
+        Value::Float(x) if x.abs() >= 1e15 => format!("{x:e}"),
         other => {
             let unit = param.spec.unit;
             let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };

@@ -45,7 +45,7 @@ impl DeadTime {
     }
 
     /// The commands under way, oldest first.
-    pub fn iter(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+    fn iter(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
         let (newer, older) = self.queue.split_at(self.head);
         older.iter().chain(newer).copied()
     }
