@@ -5,7 +5,7 @@ use super::live::Live;
 use crate::app::theme;
 use crate::base::model::gp_2007::{
     FEED_MIN_MM_MIN, FORCE_REF_MIN_N, FeedLaw, ForceRoughness, GpModels, K2_PRINTED_MIN_N,
-    K3_PRINTED_MAX_N, K4_FEED, K4_INCH, K4_SPEED, SpeedLaw,
+    K3_PRINTED_MAX_N, K4_FEED, K4_INCH, K4_SPEED, SPEED_MIN_RPM, SpeedLaw,
 };
 use crate::base::units::ratio_from_percent;
 use crate::blocks::control::ControllerKind;
@@ -185,7 +185,11 @@ pub fn cutting(row: &Row, scenario: &Scenario) -> Vec<Live> {
             number(speed),
             number(k4.value)
         ),
-        range: format!("f from {} mm/min on: its least force", number(FEED_MIN_MM_MIN)),
+        range: format!(
+            "f from {} mm/min on (its least force), n from {} 1/min on",
+            number(FEED_MIN_MM_MIN),
+            number(SPEED_MIN_RPM)
+        ),
         valid: k4.valid,
     };
     let engagement = depth * scenario.workpiece.radial_depth_mm;
