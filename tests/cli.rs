@@ -101,6 +101,31 @@ fn papers_prints_rows_named_like_the_table() {
 }
 
 #[test]
+fn papers_2013_prints_eight_rows_and_reports_other_calibrations_as_they_are() {
+    let paper = json(&["papers", "--paper", "2013", "--json"]);
+    assert_eq!((&paper["paper"], &paper["plant"]), (&"2013".into(), &"formula".into()));
+    let rows = paper["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), 8);
+    assert_eq!(rows[0]["force_start_n"]["printed"], 164.5);
+    assert_eq!(rows[0]["force_start_n"]["verdict"], "reported");
+    let text = steadycut(&["papers", "--paper", "2013"]).stdout;
+    assert!(String::from_utf8(text).unwrap().contains("32 of 32 cells within their bands"));
+    let printed = json(&["papers", "--paper", "2013", "--calibration", "printed", "--json"]);
+    assert_eq!(printed["rows"][0]["feed_final_mm_min"]["verdict"], "missed");
+}
+
+#[test]
+fn identify_reproduces_the_shipped_models_of_2013() {
+    let file = temporary("identified_2013.toml");
+    let args = ["identify", "tables", "--paper", "2013"];
+    let output = steadycut(&[&args[..], &["--out", file.to_str().unwrap()]].concat());
+    assert!(output.status.success());
+    let written = std::fs::read_to_string(&file).unwrap();
+    assert_eq!(written, include_str!("../assets/models/identified_2013.toml"));
+    assert_eq!(json(&[&args[..], &["--json"]].concat())["equals_shipped"], true);
+}
+
+#[test]
 fn identify_reproduces_the_shipped_model_file() {
     let file = temporary("identified.toml");
     let output = steadycut(&["identify", "tables", "--out", file.to_str().unwrap()]);

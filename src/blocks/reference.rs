@@ -2,7 +2,7 @@
 //! computed once and again when the target moves.
 
 use crate::base::model::Valued;
-use crate::base::model::gp_2007::GpModels;
+use crate::base::model::gp::GpModels;
 
 crate::settings! {
     /// The target of the cut.

@@ -4,7 +4,9 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use crate::base::model::gp_2007::Calibration;
+use crate::base::model::gp::Calibration;
+use crate::blocks::cutting::process::ForceModel;
+use crate::study::published::PaperId;
 
 /// SteadyCut: milling that keeps its surface finish constant.
 #[derive(Debug, Parser)]
@@ -61,6 +63,18 @@ pub enum Paper {
     /// SDNRP 2007, Table 3.
     #[value(name = "2007")]
     Sdnrp2007,
+    /// Control strategy 2013, Table 1.
+    #[value(name = "2013")]
+    Strategy2013,
+}
+
+impl From<Paper> for PaperId {
+    fn from(arg: Paper) -> Self {
+        match arg {
+            Paper::Sdnrp2007 => Self::Sdnrp2007,
+            Paper::Strategy2013 => Self::Strategy2013,
+        }
+    }
 }
 
 /// Calibration as an argument.
@@ -84,6 +98,13 @@ impl From<CalibrationArg> for Calibration {
     }
 }
 
+fn force_model(text: &str) -> Result<ForceModel, String> {
+    ForceModel::from_id(text).ok_or_else(|| {
+        let ids: Vec<&str> = ForceModel::OPTIONS.iter().map(|option| option.id).collect();
+        format!("allowed is {}", ids.join(", "))
+    })
+}
+
 /// Arguments of `papers`.
 #[derive(Debug, Args)]
 pub struct PapersArgs {
@@ -93,6 +114,9 @@ pub struct PapersArgs {
     /// Calibration of plant and controller.
     #[arg(long, value_enum, default_value = "identified")]
     pub calibration: CalibrationArg,
+    /// What gives the plant's cutting force.
+    #[arg(long, value_parser = force_model, default_value = ForceModel::Formula.id())]
+    pub plant: ForceModel,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
@@ -101,7 +125,7 @@ pub struct PapersArgs {
 /// What can be identified.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum IdentifyTarget {
-    /// K1..K4 of 2007 from its Table 3.
+    /// The models of a paper from its published table.
     Tables,
 }
 
@@ -111,7 +135,10 @@ pub struct IdentifyArgs {
     /// What to identify.
     #[arg(value_enum)]
     pub target: IdentifyTarget,
-    /// Another table in the format of Table 3 (CSV) in place of the shipped one.
+    /// The paper whose models are identified.
+    #[arg(long, value_enum, default_value = "2007")]
+    pub paper: Paper,
+    /// Another table in the same format (CSV) in place of the shipped one.
     #[arg(long, value_name = "FILE.csv")]
     pub table: Option<PathBuf>,
     /// Where to write the model file; without it, it is compared with the shipped one.

@@ -7,25 +7,26 @@ use serde_json::json;
 
 use super::Outcome;
 use super::args::{IdentifyArgs, IdentifyTarget};
-use crate::base::model::gp_2007::IDENTIFIED_FILE;
 use crate::study::identify::{Identified, identify, model_file};
-use crate::study::published::{TABLE_3_2007, parse_table_3};
+use crate::study::published::{PaperId, parse_table};
 
 pub fn execute(args: &IdentifyArgs) -> Outcome {
     let IdentifyTarget::Tables = args.target;
+    let paper = PaperId::from(args.paper);
+    let shipped = paper.model_set().identified_file();
     let text = match &args.table {
         Some(path) => {
             std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?
         }
-        None => TABLE_3_2007.to_owned(),
+        None => paper.text().to_owned(),
     };
-    let source = args.table.as_ref().map_or("Table 3".to_owned(), |p| p.display().to_string());
-    let rows = parse_table_3(&text).map_err(|error| format!("{source}: {error}"))?;
-    let identified = identify(&rows).map_err(|error| format!("{source}: {error}"))?;
+    let source = args.table.as_ref().map_or(paper.label().to_owned(), |p| p.display().to_string());
+    let rows = parse_table(&text).map_err(|error| format!("{source}: {error}"))?;
+    let identified = identify(paper, &rows).map_err(|error| format!("{source}: {error}"))?;
     let file = model_file(&identified);
     let mut out = std::io::stdout().lock();
     if args.json {
-        writeln!(out, "{}", serde_json::to_string_pretty(&to_json(&identified, &file))?)?;
+        writeln!(out, "{}", serde_json::to_string_pretty(&to_json(&identified, &file, shipped))?)?;
     } else {
         print(&mut out, &identified)?;
         writeln!(out, "{file}")?;
@@ -38,7 +39,7 @@ pub fn execute(args: &IdentifyArgs) -> Outcome {
             }
         }
         None if !args.json => {
-            let same = file == IDENTIFIED_FILE;
+            let same = file == shipped;
             let word = if same { "equals" } else { "differs from" };
             writeln!(out, "this {word} the shipped model file")?;
         }
@@ -47,7 +48,7 @@ pub fn execute(args: &IdentifyArgs) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
-fn to_json(identified: &Identified, file: &str) -> serde_json::Value {
+fn to_json(identified: &Identified, file: &str, shipped: &str) -> serde_json::Value {
     let fits: Vec<_> = identified
         .fits
         .iter()
@@ -59,7 +60,7 @@ fn to_json(identified: &Identified, file: &str) -> serde_json::Value {
             })
         })
         .collect();
-    json!({ "fits": fits, "model_file": file, "equals_shipped": file == IDENTIFIED_FILE })
+    json!({ "fits": fits, "model_file": file, "equals_shipped": file == shipped })
 }
 
 fn print(out: &mut impl Write, identified: &Identified) -> std::io::Result<()> {

@@ -8,16 +8,19 @@ use serde_json::json;
 use super::Outcome;
 use super::args::ListArgs;
 use crate::base::model::feed_drive::FeedDriveKind;
-use crate::base::model::gp_2007::Calibration;
+use crate::base::model::gp::{Calibration, ModelSet};
 use crate::base::settings::Choice;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::material::Material;
+use crate::blocks::cutting::process::ForceModel;
 use crate::run::presets::{self, PRESETS};
 use crate::run::scenario::table;
 
 const CHOICES: &[(&str, &[Choice])] = &[
     ("controllers", ControllerKind::OPTIONS),
+    ("model_sets", ModelSet::OPTIONS),
     ("models", Calibration::OPTIONS),
+    ("force_models", ForceModel::OPTIONS),
     ("drives", FeedDriveKind::OPTIONS),
     ("materials", Material::OPTIONS),
 ];

@@ -22,11 +22,12 @@ use super::scenario::Scenario;
 use super::signals::{Row, SIGNALS, flag};
 use crate::base::math;
 use crate::base::model::Valued;
-use crate::base::model::gp_2007::{FEED_MIN_MM_MIN, GpModels, SPEED_MIN_RPM};
+use crate::base::model::force_formula::{FEED_MIN_MM_MIN, SPEED_MIN_RPM};
+use crate::base::model::gp::GpModels;
 use crate::base::units::mm_s_from_mm_min;
 use crate::blocks::cnc::dead_time::DeadTime;
 use crate::blocks::cnc::feed_drive::FeedDrive;
-use crate::blocks::cnc::feed_override;
+use crate::blocks::cnc::feed_override::Override;
 use crate::blocks::cnc::spindle_drive::SpindleDrive;
 use crate::blocks::control::{ControlInput, Controller, ControllerKind, FeedSpeed, Limits};
 use crate::blocks::cutting::process::Process;
@@ -64,6 +65,8 @@ pub struct ClosedLoop {
     target_ra_um: f64,
     // Blocks.
     controller: Controller,
+    feed_override: Override,
+    spindle_override: Override,
     dead_time: DeadTime,
     feed_drive: FeedDrive,
     spindle_drive: SpindleDrive,
@@ -88,8 +91,9 @@ impl ClosedLoop {
             feed_mm_min: scenario.program.feed_mm_min,
             speed_rpm: scenario.program.spindle_rpm,
         };
-        let belief = GpModels::new(scenario.belief.calibration);
+        let belief = GpModels::new(scenario.belief.model_set, scenario.belief.calibration);
         let ticks = scenario.ticks(scenario.cnc.dead_time_s) as usize;
+        let (cnc, period_s) = (&scenario.cnc, scenario.control_period_s());
         let mut this = Self {
             dt_s,
             steps_per_control: u64::from(scenario.run.steps_per_control),
@@ -99,6 +103,8 @@ impl ClosedLoop {
             desired_force: reference::desired_force(&scenario.target, &belief),
             target_ra_um: scenario.target.ra_um,
             controller: Controller::new(&scenario.control_setup(), programmed),
+            feed_override: Override::new(cnc, programmed.feed_mm_min, period_s),
+            spindle_override: Override::new(cnc, programmed.speed_rpm, period_s),
             dead_time: DeadTime::new(ticks, [programmed.feed_mm_min, programmed.speed_rpm]),
             feed_drive: FeedDrive::new(&scenario.feed_drive, dt_s, programmed.feed_mm_min),
             spindle_drive: SpindleDrive::new(&scenario.spindle_drive, dt_s, programmed.speed_rpm),
@@ -130,12 +136,15 @@ impl ClosedLoop {
         let current =
             FeedSpeed { feed_mm_min: self.row.feed_mm_min, speed_rpm: self.row.spindle_rpm };
         self.limits = limits(scenario);
-        self.belief = GpModels::new(scenario.belief.calibration);
+        self.belief = GpModels::new(scenario.belief.model_set, scenario.belief.calibration);
         self.desired_force = reference::desired_force(&scenario.target, &self.belief);
         self.target_ra_um = scenario.target.ra_um;
         let command = [self.row.feed_command_mm_min, self.row.spindle_command_rpm];
         let sent = FeedSpeed { feed_mm_min: command[0], speed_rpm: command[1] };
         self.controller.reconfigure(&scenario.control_setup(), current, sent);
+        let period_s = scenario.control_period_s();
+        self.feed_override.reconfigure(&scenario.cnc, period_s);
+        self.spindle_override.reconfigure(&scenario.cnc, period_s);
         self.dead_time.resize(scenario.ticks(scenario.cnc.dead_time_s) as usize, command);
         self.feed_drive.reconfigure(&scenario.feed_drive, self.dt_s);
         self.spindle_drive.reconfigure(&scenario.spindle_drive, self.dt_s);
@@ -194,16 +203,8 @@ impl ClosedLoop {
             limits: self.limits,
             models: &self.belief,
         });
-        let feed = feed_override::apply(
-            output.request.feed_mm_min,
-            self.limits.feed_mm_min,
-            self.programmed.feed_mm_min,
-        );
-        let speed = feed_override::apply(
-            output.request.speed_rpm,
-            self.limits.speed_rpm,
-            self.programmed.speed_rpm,
-        );
+        let feed = self.feed_override.update(output.request.feed_mm_min, self.limits.feed_mm_min);
+        let speed = self.spindle_override.update(output.request.speed_rpm, self.limits.speed_rpm);
         self.row.force_measured_n = force_measured_n;
         self.row.force_setpoint_n = output.force_setpoint_n;
         self.row.gain_estimate = output.gain_estimate;
@@ -213,6 +214,8 @@ impl ClosedLoop {
         self.row.spindle_override_percent = speed.percent;
         self.command_flags = bit(feed.saturated, flag::FEED_SATURATED)
             | bit(speed.saturated, flag::SPEED_SATURATED)
+            | bit(feed.rate_limited, flag::FEED_RATE_LIMITED)
+            | bit(speed.rate_limited, flag::SPEED_RATE_LIMITED)
             | bit(!output.feed_model_valid, flag::K2_OUTSIDE)
             | bit(!output.speed_model_valid, flag::K3_OUTSIDE);
     }

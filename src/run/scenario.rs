@@ -151,9 +151,10 @@ pub fn param(path: &str) -> Result<&'static Param, SettingError> {
 }
 
 /// Settings that bring a companion with them.
-pub(super) const COMPANIONED: [&str; 2] = ["plant.material", "feed_drive.kind"];
+pub(super) const COMPANIONED: [&str; 3] = ["plant.model_set", "plant.material", "feed_drive.kind"];
 /// Their companions, in the same order.
-pub(super) const COMPANIONS: [&str; 2] = ["plant.hardness_hb", "cnc.dead_time_s"];
+pub(super) const COMPANIONS: [&str; 3] =
+    ["belief.model_set", "plant.hardness_hb", "cnc.dead_time_s"];
 
 fn refused(param: &Param, value: &Value) -> SettingError {
     let text = match value {
@@ -196,8 +197,9 @@ impl Scenario {
         })
     }
 
-    /// Sets several settings, all or none. Choosing a material or a feed drive also sets its
-    /// reference hardness or published dead time, unless that is among the changes.
+    /// Sets several settings, all or none. Choosing a material, a feed drive or the plant's model
+    /// set also sets its reference hardness, its published dead time or the controller's model
+    /// set, unless that is among the changes.
     ///
     /// # Errors
     /// The first setting that is unknown, outside its range, of the wrong type, or that does not
@@ -233,9 +235,11 @@ impl Scenario {
         base
     }
 
-    /// A material comes with its hardness, a feed drive with its published dead time.
+    /// A material comes with its hardness, a feed drive with its published dead time, a model set
+    /// with the controller that was built for it.
     fn set_companion(&mut self, path: &str) {
         match path {
+            "plant.model_set" => self.belief.model_set = self.plant.model_set,
             "plant.material" => self.plant.hardness_hb = self.plant.material.hardness_hb(),
             "feed_drive.kind" => {
                 self.cnc.dead_time_s = self.feed_drive.kind.published_dead_time_s();

@@ -120,20 +120,24 @@ pub mod flag {
     pub const FEED_SATURATED: u32 = 1;
     /// The speed command stands at a limit.
     pub const SPEED_SATURATED: u32 = 2;
-    /// K1 is used outside its range.
+    /// Model 1 (K1, M1) is used outside its range.
     pub const K1_OUTSIDE: u32 = 4;
-    /// K2 (or the inverse of K4 in its place) is used outside its range.
+    /// Model 2 (or the inverse of model 4 in its place) is used outside its range.
     pub const K2_OUTSIDE: u32 = 8;
-    /// K3 is used outside its range.
+    /// Model 3 is used outside its range.
     pub const K3_OUTSIDE: u32 = 16;
-    /// K4 is used outside its range.
+    /// Model 4, or the neural force model, is used outside its range.
     pub const K4_OUTSIDE: u32 = 32;
-    /// K5 is used outside its range.
+    /// Model 5 is used outside its range.
     pub const K5_OUTSIDE: u32 = 64;
-    /// K6 is used outside its range.
+    /// Model 6 is used outside its range.
     pub const K6_OUTSIDE: u32 = 128;
     /// The tool is in the air: no force, no roughness.
     pub const AIR: u32 = 256;
+    /// The feed override moves no faster than its rate allows.
+    pub const FEED_RATE_LIMITED: u32 = 512;
+    /// The spindle override moves no faster than its rate allows.
+    pub const SPEED_RATE_LIMITED: u32 = 1024;
     /// A command stands at a limit.
     pub const SATURATED: u32 = FEED_SATURATED | SPEED_SATURATED;
     /// Some model is used outside its range.
@@ -152,6 +156,16 @@ pub const FLAGS: &[FlagInfo] = &[
     FlagInfo { bit: flag::K5_OUTSIDE, id: "k5_outside", label: "K5 outside its range" },
     FlagInfo { bit: flag::K6_OUTSIDE, id: "k6_outside", label: "K6 outside its range" },
     FlagInfo { bit: flag::AIR, id: "air", label: "in the air" },
+    FlagInfo {
+        bit: flag::FEED_RATE_LIMITED,
+        id: "feed_rate_limited",
+        label: "feed override at its rate",
+    },
+    FlagInfo {
+        bit: flag::SPEED_RATE_LIMITED,
+        id: "speed_rate_limited",
+        label: "spindle override at its rate",
+    },
 ];
 
 impl Row {

@@ -4,7 +4,7 @@
 use serde_json::{Map, json};
 
 use crate::base::model::feed_drive::{ExactDrive, FeedDriveKind};
-use crate::base::model::gp_2007::Calibration;
+use crate::base::model::gp::{Calibration, ModelSet};
 use crate::base::settings::Value;
 use crate::run::digest::Digest;
 use crate::run::edits::{Edit, Edits};
@@ -48,14 +48,20 @@ fn variants(preset: &Scenario) -> String {
                 digest.word(word);
             }
         }
-        for calibration in Calibration::ALL {
+        for (set, calibration) in
+            ModelSet::ALL.iter().flat_map(|set| Calibration::ALL.iter().map(move |c| (*set, *c)))
+        {
             let mut scenario = preset.clone();
             scenario.run.duration_s = 1.5;
             scenario.feed_drive.kind = *kind;
-            scenario.plant.calibration = *calibration;
-            scenario.belief.calibration = *calibration;
+            scenario.plant.model_set = set;
+            scenario.plant.calibration = calibration;
+            scenario.belief.model_set = set;
+            scenario.belief.calibration = calibration;
             let mut edits = Edits::none();
             for (at_s, path, value) in [
+                (0.1, "cnc.override_quantised", Value::Bool(true)),
+                (0.2, "cnc.override_rate_limited", Value::Bool(true)),
                 (0.3, "noise.level", Value::Float(1.5)),
                 (0.5, "controller.kind", Value::Text("tracking".to_owned())),
                 (0.7, "plant.wear_factor", Value::Float(1.2)),

@@ -1,8 +1,14 @@
 //! Pure model functions that both the plant (truth) and the controllers (belief) need.
 
 pub mod curve;
+pub mod exponential;
 pub mod feed_drive;
+pub mod force_formula;
+pub mod gp;
 pub mod gp_2007;
+pub mod gp_2013;
+pub mod model_file;
+pub mod quartic;
 pub mod spindle;
 
 /// A model's answer and whether its input lay inside the model's range of validity.

@@ -1,5 +1,12 @@
-//! Overrides: commands reach the machine in percent of the programmed values, within limits
-//! (2013: DNCFRO and DNCSPO, 0..250 %). Continuous here: no quantisation.
+//! Overrides: commands reach the machine in percent of the programmed values (2013: DNCFRO for the
+//! feed, DNCSPO for the spindle, 0..250 %). A CNC takes whole percents and moves to a new override
+//! no faster than a rate; both can be switched on, and are off in the papers' simulations.
+//!
+//! ```text
+//! wanted  = limit(request, override range)                       in percent of the programmed value
+//! ramp   += limit(wanted - ramp, -rate T, rate T)                rate-limited
+//! sent    = round(ramp)                                          quantised
+//! ```
 
 use crate::base::math::{limit, positive};
 use crate::base::units::{percent_from_ratio, ratio_from_percent};
@@ -11,6 +18,12 @@ crate::settings! {
         override_min_percent: f64 = 0.0, [0.0, 100.0], "%", live, "Least override";
         /// Largest override of feed and spindle, in percent of the programmed values.
         override_max_percent: f64 = 250.0, [100.0, 250.0], "%", live, "Largest override";
+        /// Whether overrides are whole percents, as DNCFRO and DNCSPO are.
+        override_quantised: bool = false, [], "", live, "Whole percents";
+        /// Whether overrides move no faster than the override rate.
+        override_rate_limited: bool = false, [], "", live, "Limit override rate";
+        /// Fastest change of an override (chosen: no paper gives it).
+        override_rate_percent_s: f64 = 500.0, [10.0, 10000.0], "%/s", live, "Override rate";
         /// Dead time of the command channel (the PLC): a whole number of plant steps. Choosing a
         /// feed drive sets the dead time published with it.
         dead_time_s: f64 = 0.08, [0.0, 0.5], "s", live, "Dead time";
@@ -47,15 +60,128 @@ pub struct Overridden {
     pub percent: f64,
     /// Whether a limit acted.
     pub saturated: bool,
+    /// Whether the rate limit acted.
+    pub rate_limited: bool,
 }
 
-/// Limits a request to `range` and expresses it as override of `programmed`.
-#[must_use]
-pub fn apply(request: f64, range: [f64; 2], programmed: f64) -> Overridden {
-    let command = positive(limit(request, range[0], range[1]));
-    Overridden {
-        command,
-        percent: percent_from_ratio(command / programmed),
-        saturated: command != request,
+/// One channel, of feed or spindle.
+#[derive(Clone, Debug)]
+pub struct Override {
+    programmed: f64,
+    quantised: bool,
+    /// Largest change per control period in percent; infinite without a rate limit.
+    step_percent: f64,
+    /// The rate-limited override before it is made a whole percent: with a slow rate it moves by
+    /// less than a percent a period and must not stand still.
+    ramp_percent: f64,
+}
+
+impl Override {
+    /// A channel at 100 % of `programmed`, for control periods of `period_s`.
+    #[must_use]
+    pub fn new(cnc: &Cnc, programmed: f64, period_s: f64) -> Self {
+        let ramp_percent = 100.0;
+        let mut this = Self { programmed, quantised: false, step_percent: 0.0, ramp_percent };
+        this.reconfigure(cnc, period_s);
+        this
+    }
+
+    /// Takes over changed settings; the override goes on from where it stands.
+    pub fn reconfigure(&mut self, cnc: &Cnc, period_s: f64) {
+        self.quantised = cnc.override_quantised;
+        self.step_percent = if cnc.override_rate_limited {
+            cnc.override_rate_percent_s * period_s
+        } else {
+            f64::INFINITY
+        };
+    }
+
+    /// One control period: the command for a request, within `range`, both in the unit of the
+    /// programmed value.
+    #[must_use]
+    pub fn update(&mut self, request: f64, range: [f64; 2]) -> Overridden {
+        let mut command = positive(limit(request, range[0], range[1]));
+        let saturated = command != request;
+        let mut percent = percent_from_ratio(command / self.programmed);
+        let (lowest, highest) =
+            (self.ramp_percent - self.step_percent, self.ramp_percent + self.step_percent);
+        let ramp = limit(percent, lowest, highest);
+        let rate_limited = ramp != percent;
+        self.ramp_percent = ramp;
+        if rate_limited || self.quantised {
+            percent = if self.quantised { self.whole(ramp, range) } else { ramp };
+            command = self.programmed * ratio_from_percent(percent);
+        }
+        Overridden { command, percent, saturated, rate_limited }
+    }
+
+    /// The nearest whole percent, inside the range where a whole percent fits into it.
+    fn whole(&self, percent: f64, range: [f64; 2]) -> f64 {
+        let of = |command: f64| percent_from_ratio(command / self.programmed);
+        // 1e-9: 250 % of a programmed value must not become 249.99.. %.
+        let (lowest, highest) = ((of(range[0]) - 1e-9).ceil(), (of(range[1]) + 1e-9).floor());
+        let nearest = percent.round();
+        // A ramp may be outside a range that has just become narrower: it goes on from there.
+        if nearest < lowest && percent >= of(range[0]) {
+            lowest
+        } else if nearest > highest && percent <= of(range[1]) {
+            highest
+        } else {
+            nearest
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RANGE: [f64; 2] = [69.7, 1000.0];
+
+    fn channel(cnc: &Cnc) -> Override {
+        Override::new(cnc, 400.0, 0.02)
+    }
+
+    #[test]
+    fn without_switches_only_the_range_acts() {
+        let mut channel = channel(&Cnc::default());
+        let inside = channel.update(300.0, RANGE);
+        assert_eq!((inside.command, inside.percent), (300.0, 75.0));
+        assert!(!inside.saturated && !inside.rate_limited);
+        let above = channel.update(1e9, RANGE);
+        assert_eq!((above.command, above.percent, above.saturated), (1000.0, 250.0, true));
+        assert_eq!(channel.update(f64::NAN, RANGE).command, 69.7);
+    }
+
+    #[test]
+    fn quantised_overrides_are_whole_percents_within_the_range() {
+        let mut channel = channel(&Cnc { override_quantised: true, ..Cnc::default() });
+        for request in [-1.0, 0.0, 69.8, 71.0, 75.9, 301.3, 555.0, 999.9, 1e6] {
+            let out = channel.update(request, RANGE);
+            assert_eq!(out.percent, out.percent.round());
+            assert_eq!(out.command, 400.0 * out.percent / 100.0);
+            assert!(out.command >= RANGE[0] && out.command <= RANGE[1], "{request}: {out:?}");
+            let wanted = limit(request, RANGE[0], RANGE[1]);
+            assert!((out.command - wanted).abs() <= 4.0, "at most a percent away");
+        }
+        assert_eq!(channel.update(69.7, RANGE).percent, 18.0, "17 % would be below the range");
+        assert_eq!(channel.update(1e6, RANGE).percent, 250.0);
+    }
+
+    #[test]
+    fn a_rate_limited_override_ramps_and_a_slow_one_does_not_stick() {
+        let rate = |override_rate_percent_s, override_quantised| Cnc {
+            override_rate_limited: true,
+            override_rate_percent_s,
+            override_quantised,
+            ..Cnc::default()
+        };
+        let mut fast = channel(&rate(500.0, false));
+        let ramp: Vec<f64> = (0..4).map(|_| fast.update(500.0, RANGE).percent).collect();
+        assert_eq!(ramp, [110.0, 120.0, 125.0, 125.0]);
+        let mut slow = channel(&rate(10.0, true));
+        let steps: Vec<Overridden> = (0..500).map(|_| slow.update(800.0, RANGE)).collect();
+        assert!(steps[499].percent == 200.0 && steps[0].rate_limited);
+        assert!(steps.windows(2).all(|w| (w[1].percent - w[0].percent).abs() <= 1.0));
     }
 }

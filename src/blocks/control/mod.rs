@@ -7,7 +7,7 @@ pub mod sdnrp;
 pub mod tracking;
 
 use crate::base::model::feed_drive::FeedDriveKind;
-use crate::base::model::gp_2007::{Calibration, GpModels};
+use crate::base::model::gp::{Calibration, GpModels, ModelSet};
 
 crate::choice! {
     /// A controller.
@@ -32,7 +32,9 @@ crate::settings! {
 crate::settings! {
     /// What the controller believes about machine and cut; it may differ from the truth.
     pub struct Belief {
-        /// Calibration of the models K1..K4 that the controller computes with.
+        /// Set of models that the controller computes with.
+        model_set: ModelSet = ModelSet::Sdnrp2007, [], "", live, "Controller's model set";
+        /// Calibration of the models that the controller computes with.
         calibration: Calibration = Calibration::Identified, [], "", live, "Model calibration";
         /// Feed drive that the controller's predictor assumes.
         feed_drive: FeedDriveKind = FeedDriveKind::Eq3Of2007, [], "", live, "Assumed feed drive";

@@ -22,7 +22,7 @@
 use super::{ControlInput, ControlOutput, ControlSetup, FeedSpeed, Limits};
 use crate::base::math::{self, limit};
 use crate::base::model::feed_drive::{DriveState, ExactDrive};
-use crate::base::model::gp_2007::GpModels;
+use crate::base::model::gp::GpModels;
 use crate::base::model::spindle::ExactSpindle;
 use crate::base::units::ratio_from_percent;
 
@@ -188,7 +188,8 @@ impl Tracking {
         self.setpoint_n = setpoint_for(asked_n, self.setpoint_n, input.models, &input.limits);
         let speed = input.models.speed_from_force(self.setpoint_n);
         let (feed_max, near) = (input.limits.feed_mm_min[1], input.applied.feed_mm_min);
-        let feed = input.models.feed_for_force(asked_n, self.speed_undelayed_rpm, feed_max, near);
+        let feed =
+            input.models.force.feed_for_force(asked_n, self.speed_undelayed_rpm, feed_max, near);
         ControlOutput {
             request: FeedSpeed { feed_mm_min: feed.value, speed_rpm: speed.value },
             force_setpoint_n: asked_n,

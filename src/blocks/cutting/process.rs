@@ -10,12 +10,24 @@
 use super::material::Material;
 use super::workpiece::{AXIAL_DEPTH_2007_MM, RADIAL_DEPTH_2007_MM};
 use crate::base::model::Valued;
-use crate::base::model::gp_2007::{Calibration, GpModels};
+use crate::base::model::gp::{Calibration, GpModels, ModelSet};
+
+crate::choice! {
+    /// What gives the plant's cutting force.
+    pub enum ForceModel {
+        /// The formula of the model set: K4 or M4.
+        Formula = "formula", "Formula (K4, M4)";
+    }
+}
 
 crate::settings! {
     /// The plant: what really is cut, whatever the controller believes.
     pub struct Plant {
-        /// Calibration of the true force and roughness models K4, K5 and K6.
+        /// Set of the true force and roughness models; choosing one also sets the controller's.
+        model_set: ModelSet = ModelSet::Sdnrp2007, [], "", live, "Model set";
+        /// What gives the true cutting force.
+        force_model: ForceModel = ForceModel::Formula, [], "", live, "Force model";
+        /// Calibration of the true force and roughness models.
         calibration: Calibration = Calibration::Identified, [], "", live, "Calibration";
         /// Workpiece material; choosing one sets the hardness to its reference value.
         material: Material = Material::Ck45, [], "", live, "Material";
@@ -40,8 +52,8 @@ impl Process {
     /// The process for a plant with a radial depth of cut in mm.
     #[must_use]
     pub fn new(plant: &Plant, radial_depth_mm: f64) -> Self {
-        let mut models = GpModels::new(plant.calibration);
-        models.k4_intercept_n += plant.force_offset_n;
+        let mut models = GpModels::new(plant.model_set, plant.calibration);
+        models.force.intercept_n += plant.force_offset_n;
         let engagement = radial_depth_mm / (AXIAL_DEPTH_2007_MM * RADIAL_DEPTH_2007_MM);
         let material = plant.material.force_factor(plant.hardness_hb);
         Self { models, factor_per_mm: material * plant.wear_factor * engagement }

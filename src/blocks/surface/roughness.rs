@@ -2,7 +2,7 @@
 //! the force; K5 and K6 are the same equation (2007 eq. 8), the exact inverse of K1.
 
 use crate::base::model::Valued;
-use crate::base::model::gp_2007::GpModels;
+use crate::base::model::gp::GpModels;
 
 /// Produced Ra without and with machine dynamics, um.
 #[must_use]
