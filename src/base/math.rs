@@ -9,6 +9,8 @@ pub use libm::{exp, log as ln, pow, sin};
 
 /// Euler's number, e.
 pub const E: f64 = std::f64::consts::E;
+/// Half a turn, in radians.
+pub const PI: f64 = std::f64::consts::PI;
 /// A full turn, in radians.
 pub const TAU: f64 = std::f64::consts::TAU;
 

@@ -35,3 +35,9 @@ pub fn percent_from_ratio(ratio: f64) -> f64 {
 pub fn cm3_from_mm3(volume_mm3: f64) -> f64 {
     volume_mm3 / 1000.0
 }
+
+/// Seconds from minutes.
+#[must_use]
+pub fn s_from_min(time_min: f64) -> f64 {
+    time_min * 60.0
+}

@@ -5,6 +5,7 @@ pub mod digest;
 pub mod edits;
 pub mod metrics;
 pub mod one_run;
+pub mod plan_settings;
 pub mod presets;
 pub mod recording;
 pub mod scenario;

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
+use super::plan_settings::PlanSettings;
 use crate::base::settings::{Group, SettingError, Spec, Value};
 use crate::blocks::cnc::feed_drive::FeedDriveSettings;
 use crate::blocks::cnc::feed_override::{Cnc, Program};
@@ -104,6 +105,7 @@ scenario! {
     "spindle_drive", spindle_drive: SpindleDriveSettings;
     "cnc", cnc: Cnc;
     "program", program: Program;
+    "plan", plan: PlanSettings;
     "workpiece", workpiece: Workpiece;
     "run", run: RunSettings;
 }

@@ -5,4 +5,5 @@ pub mod export;
 pub mod golden;
 pub mod identify;
 pub mod papers;
+pub mod plan;
 pub mod published;

@@ -2,4 +2,5 @@
 
 pub mod material;
 pub mod process;
+pub mod tool;
 pub mod workpiece;

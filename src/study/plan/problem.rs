@@ -1,0 +1,336 @@
+//! What is optimised: the force surface of the network over cutting speed and feed per tooth, cut
+//! off by the seven constraints, and the weighted objective on it.
+//!
+//! ```text
+//! J = (w_F F/F_max + w_Q Q/Q_0 + w_t t_0/t_p + w_C C_0/C) / sum w + 0.01 Q/Q_0    -> max
+//! Q = A_D R_D f    t_m = L / f    t_p = t_m (1 + t_ch/T)    C = t_m C_m + (t_m/T)(C_m t_ch + C_t)
+//! ```
+//!
+//! Every term is a gain relative to a stated reference: the force to its limit, the others to the
+//! same cut at the 2005 paper's 80 m/min and 0.08 mm per tooth (index 0). The last term breaks a
+//! tie (chosen): every cutting speed at which the force reaches its limit is as good as any other
+//! for the force alone.
+
+use super::constraints::{Bounds, Checked, FORCE, bounds, check};
+use super::machine::Machine;
+use super::surface::ForceSurface;
+use super::swarm::Score;
+use crate::base::math;
+use crate::base::model::gp_2007::GpModels;
+use crate::base::settings::SettingError;
+use crate::base::units::cm3_from_mm3;
+use crate::blocks::cutting::tool::{R216_16B20_040, Tool};
+use crate::blocks::reference::desired_force;
+use crate::run::plan_settings::{ForceLimit, PlanSettings, PlannedSection};
+use crate::run::scenario::Scenario;
+
+/// Range of the cutting speed, m/min: the network's training range.
+pub const CUTTING_SPEED_M_MIN: [f64; 2] = [40.0, 150.0];
+/// Range of the feed per tooth, mm: the network's training range.
+pub const FEED_PER_TOOTH_MM: [f64; 2] = [0.02, 0.2];
+/// Cutting speed in m/min and feed per tooth in mm of the reference cut (2005).
+pub const REFERENCE: [f64; 2] = [80.0, 0.08];
+/// Weight of the removal rate that breaks ties (chosen).
+const TIE_BREAK: f64 = 0.01;
+/// Least depth of cut that can be planned, mm: below it there is no cut worth the name.
+const LEAST_DEPTH_MM: f64 = 0.01;
+
+/// Everything that follows from a cutting speed and a feed per tooth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cut {
+    /// Spindle speed, 1/min.
+    pub speed_rpm: f64,
+    /// Feed, mm/min.
+    pub feed_mm_min: f64,
+    /// Force components F_x, F_y, F_z at the instant of the largest force, N.
+    pub components_n: [f64; 3],
+    /// The largest force across the tool, sqrt(F_x^2 + F_y^2), N.
+    pub force_n: f64,
+    /// Spindle power, kW.
+    pub power_kw: f64,
+    /// Roughness of the feed marks, um.
+    pub ra_um: f64,
+    /// Deflection of the cutter's tip, mm.
+    pub deflection_mm: f64,
+    /// Tool life, min.
+    pub tool_life_min: f64,
+}
+
+impl Cut {
+    /// The values of the seven constraints, in their order.
+    #[must_use]
+    #[inline]
+    pub fn values(&self) -> [f64; 7] {
+        [
+            self.speed_rpm,
+            self.feed_mm_min,
+            self.force_n,
+            self.power_kw,
+            self.ra_um,
+            self.deflection_mm,
+            self.tool_life_min,
+        ]
+    }
+}
+
+/// Taylor's tool life T = T_0 (v_0/v_c)^4 (f_0/f_z)^0.8 (a_0/A_D)^0.4 by its reference values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ToolLife {
+    /// Tool life at the reference cut, min.
+    pub life_min: f64,
+    /// Cutting speed in m/min, feed per tooth in mm and axial depth in mm of the reference cut.
+    pub reference: [f64; 3],
+}
+
+/// The preset `table_2005`: 60 min at the 2005 paper's cut (chosen).
+pub const TABLE_2005: ToolLife =
+    ToolLife { life_min: 60.0, reference: [REFERENCE[0], REFERENCE[1], 2.0] };
+
+impl ToolLife {
+    /// T v_c^4 f_z^0.8 at an axial depth in mm.
+    fn factor(&self, axial_depth_mm: f64) -> f64 {
+        let [speed, feed, depth] = self.reference;
+        let depth = math::pow(depth / axial_depth_mm, 0.4);
+        self.life_min * speed * speed * speed * speed * math::pow(feed, 0.8) * depth
+    }
+}
+
+/// Cost and time constants of a plan.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Economy {
+    machine_cost_per_min: f64,
+    tool_cost: f64,
+    tool_change_min: f64,
+}
+
+/// What a cut yields.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Yield {
+    /// Metal removal rate, cm^3/min.
+    pub removal_rate_cm3_min: f64,
+    /// Time of the cut, min.
+    pub cut_min: f64,
+    /// Time of the cut with its share of tool changes, min.
+    pub production_min: f64,
+    /// Cost of the cut with its share of tools.
+    pub cost: f64,
+}
+
+/// The optimisation problem of a scenario.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    tool: Tool,
+    surface: ForceSurface,
+    axial_depth_mm: f64,
+    radial_depth_mm: f64,
+    length_mm: f64,
+    economy: Economy,
+    bounds: [Bounds; 7],
+    range: [[f64; 2]; 2],
+    /// Factor of 1 / (v_c^4 f_z^0.8) in the tool life.
+    life_factor: f64,
+    /// Factor of |F_y| v_c in the power.
+    power_factor: f64,
+    compliance_mm_n: f64,
+    /// Weights divided by the references: of F, Q, 1/t_p and 1/C.
+    weights: [f64; 4],
+}
+
+fn refused(path: &str, value: String, allowed: String) -> SettingError {
+    SettingError::Refused { path: path.to_owned(), value, allowed }
+}
+
+/// The axial depth in mm that the plan is made for.
+fn planned_depth_mm(scenario: &Scenario) -> f64 {
+    let workpiece = &scenario.workpiece;
+    // A step at the very start of the path replaces the first depth.
+    let first = match workpiece.depth_steps.first() {
+        Some([position_mm, _]) if *position_mm == 0.0 => None,
+        _ => Some(workpiece.axial_depth_mm),
+    };
+    let reached = workpiece.depth_steps.iter().filter(|step| step[0] < workpiece.length_mm);
+    let depths = first.into_iter().chain(reached.map(|step| step[1]));
+    match scenario.plan.section {
+        PlannedSection::Heaviest => depths.fold(0.0, f64::max),
+        PlannedSection::Lightest => {
+            let lightest = depths.filter(|depth| *depth > 0.0).fold(f64::INFINITY, f64::min);
+            if lightest.is_finite() { lightest } else { 0.0 }
+        }
+    }
+}
+
+impl Problem {
+    /// The problem of a scenario on a machine.
+    ///
+    /// # Errors
+    /// The cut has no depth, all weights are zero, or cost is sought where nothing costs.
+    pub fn new(scenario: &Scenario, machine: &Machine) -> Result<Self, SettingError> {
+        let (plan, tool) = (&scenario.plan, R216_16B20_040);
+        let axial_depth_mm = planned_depth_mm(scenario);
+        let radial_depth_mm = scenario.workpiece.radial_depth_mm;
+        for (path, depth) in [
+            ("workpiece.axial_depth_mm", axial_depth_mm),
+            ("workpiece.radial_depth_mm", radial_depth_mm),
+        ] {
+            if depth < LEAST_DEPTH_MM {
+                let allowed = format!("at least {LEAST_DEPTH_MM} mm for a plan");
+                return Err(refused(path, format!("{depth} mm"), allowed));
+            }
+        }
+        let force_max_n = match plan.force_limit {
+            ForceLimit::Fixed => plan.force_max_n,
+            ForceLimit::TargetRa => {
+                desired_force(&scenario.target, &GpModels::new(scenario.belief.calibration)).value
+            }
+        };
+        let speeds = match plan.free_speed {
+            true => CUTTING_SPEED_M_MIN,
+            false => [plan.cutting_speed_m_min; 2],
+        };
+        let mut problem = Self {
+            tool,
+            surface: ForceSurface::new(scenario, axial_depth_mm),
+            axial_depth_mm,
+            radial_depth_mm,
+            length_mm: scenario.workpiece.length_mm,
+            economy: Economy {
+                machine_cost_per_min: plan.machine_cost_per_min,
+                tool_cost: plan.tool_cost,
+                tool_change_min: plan.tool_change_min,
+            },
+            bounds: bounds(machine, force_max_n),
+            range: [speeds, FEED_PER_TOOTH_MM],
+            life_factor: TABLE_2005.factor(axial_depth_mm),
+            power_factor: 1.0 / (60_000.0 * machine.spindle_efficiency.value),
+            compliance_mm_n: tool.compliance_mm_n(),
+            weights: [0.0; 4],
+        };
+        problem.weights = problem.weigh(plan)?;
+        Ok(problem)
+    }
+
+    /// The weights divided by their references.
+    fn weigh(&self, plan: &PlanSettings) -> Result<[f64; 4], SettingError> {
+        let sum =
+            plan.weight_force + plan.weight_removal_rate + plan.weight_time + plan.weight_cost;
+        // A sum of subnormal weights has no reciprocal.
+        if !(1.0 / sum).is_finite() {
+            let allowed = "above 0 for at least one of weight_force, weight_removal_rate, \
+                           weight_time and weight_cost";
+            return Err(refused("plan.weight_force", sum.to_string(), allowed.to_owned()));
+        }
+        let reference = self.yield_of(&self.cut(REFERENCE));
+        if plan.weight_cost > 0.0 && !(1.0 / reference.cost).is_finite() {
+            let allowed = "above 0, or `plan.tool_cost` above 0, where cost is sought";
+            let value = plan.machine_cost_per_min.to_string();
+            return Err(refused("plan.machine_cost_per_min", value, allowed.to_owned()));
+        }
+        let force_max_n = self.bounds[FORCE].high;
+        Ok([
+            plan.weight_force / sum / force_max_n,
+            (plan.weight_removal_rate / sum + TIE_BREAK) / reference.removal_rate_cm3_min,
+            plan.weight_time / sum * reference.production_min,
+            plan.weight_cost / sum * reference.cost,
+        ])
+    }
+
+    /// Everything that follows from a point (cutting speed in m/min, feed per tooth in mm).
+    #[must_use]
+    #[inline]
+    pub fn cut(&self, [cutting_speed_m_min, feed_per_tooth_mm]: [f64; 2]) -> Cut {
+        let speed_rpm = self.tool.speed_rpm(cutting_speed_m_min);
+        let feed_mm_min = self.tool.feed_mm_min(feed_per_tooth_mm, speed_rpm);
+        let components_n = self.surface.components_n(feed_mm_min, speed_rpm);
+        let [x, y, _] = components_n;
+        let force_n = (x * x + y * y).sqrt();
+        let turn_mm = self.tool.teeth * feed_per_tooth_mm;
+        let squared = cutting_speed_m_min * cutting_speed_m_min;
+        Cut {
+            speed_rpm,
+            feed_mm_min,
+            components_n,
+            force_n,
+            power_kw: y.abs() * cutting_speed_m_min * self.power_factor,
+            ra_um: 5.0 * 318.0 / (4.0 * self.tool.diameter_mm) * turn_mm * turn_mm,
+            deflection_mm: force_n * self.compliance_mm_n,
+            tool_life_min: self.life_factor
+                / (squared * squared * math::pow(feed_per_tooth_mm, 0.8)),
+        }
+    }
+
+    /// What a cut yields.
+    #[must_use]
+    #[inline]
+    pub fn yield_of(&self, cut: &Cut) -> Yield {
+        let economy = &self.economy;
+        let section_mm2 = self.axial_depth_mm * self.radial_depth_mm;
+        let cut_min = self.length_mm / cut.feed_mm_min;
+        let lives = cut_min / cut.tool_life_min;
+        Yield {
+            removal_rate_cm3_min: cm3_from_mm3(section_mm2 * cut.feed_mm_min),
+            cut_min,
+            production_min: cut_min + lives * economy.tool_change_min,
+            cost: cut_min * economy.machine_cost_per_min
+                + lives
+                    * (economy.machine_cost_per_min * economy.tool_change_min + economy.tool_cost),
+        }
+    }
+
+    /// The score of a point: objective and sum of relative violations.
+    #[must_use]
+    #[inline]
+    pub fn score(&self, point: [f64; 2]) -> Score {
+        let cut = self.cut(point);
+        let yielded = self.yield_of(&cut);
+        let [force, rate, time, cost] = self.weights;
+        let mut value = force * cut.force_n + rate * yielded.removal_rate_cm3_min;
+        if time > 0.0 {
+            value += time / yielded.production_min;
+        }
+        if cost > 0.0 {
+            value += cost / yielded.cost;
+        }
+        let mut violation = 0.0;
+        for (bounds, value) in self.bounds.iter().zip(cut.values()) {
+            violation += bounds.violation(value);
+        }
+        Score { value, violation }
+    }
+
+    /// All seven constraints at a point.
+    #[must_use]
+    pub fn check(&self, point: [f64; 2]) -> [Checked; 7] {
+        check(&self.bounds, &self.cut(point).values())
+    }
+
+    /// The limits of the seven constraints.
+    #[must_use]
+    pub fn bounds(&self) -> &[Bounds; 7] {
+        &self.bounds
+    }
+
+    /// The ranges searched: cutting speed in m/min (one value where it is fixed), feed per tooth
+    /// in mm.
+    #[must_use]
+    pub fn range(&self) -> [[f64; 2]; 2] {
+        self.range
+    }
+
+    /// The force surface.
+    #[must_use]
+    pub fn surface(&self) -> &ForceSurface {
+        &self.surface
+    }
+
+    /// The tool.
+    #[must_use]
+    pub fn tool(&self) -> &Tool {
+        &self.tool
+    }
+
+    /// Axial and radial depth of the planned section, mm.
+    #[must_use]
+    pub fn depths_mm(&self) -> [f64; 2] {
+        [self.axial_depth_mm, self.radial_depth_mm]
+    }
+}

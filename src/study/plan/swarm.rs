@@ -1,0 +1,344 @@
+//! Particle swarm in two dimensions with inertia weight (Shi and Eberhart 1998), constraints by
+//! feasibility rules (Deb 2000). It knows nothing of milling.
+//!
+//! ```text
+//! v <- w v + c1 r1 (p - x) + c2 r2 (g - x)     r1, r2 new for every dimension
+//! x <- x + v
+//! ```
+//!
+//! w falls linearly from 0.9 to 0.4 over the iterations allowed, c1 = c2 = 2, |v| is at most 0.2 of
+//! the range. A particle that would leave the range stops at its edge: x is limited and that
+//! component of v set to zero. Every random number is drawn by counter from one stream, so that the
+//! result depends on the seed alone and not on how the work was cut in slices.
+
+use serde::Serialize;
+
+use crate::base::math::limit;
+use crate::base::rng::Stream;
+
+/// Inertia weight at the first and the last iteration.
+const INERTIA: [f64; 2] = [0.9, 0.4];
+/// Pull towards the own best and towards the swarm's best, c1 and c2.
+const PULL: f64 = 2.0;
+/// Largest step of an iteration as a share of the range.
+const LARGEST_STEP: f64 = 0.2;
+/// A relative gain below this counts as none.
+const GAIN: f64 = 1e-4;
+
+/// What is known of a point: its value, to be made large, and how much it violates constraints.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Score {
+    /// The value.
+    pub value: f64,
+    /// Sum of relative violations; 0 is feasible.
+    pub violation: f64,
+}
+
+impl Score {
+    /// Whether no constraint is violated.
+    #[must_use]
+    #[inline]
+    pub fn feasible(self) -> bool {
+        self.violation == 0.0
+    }
+
+    /// Deb's rules: feasible beats infeasible, among feasible ones the value decides, among
+    /// infeasible ones the violation.
+    #[must_use]
+    #[inline]
+    pub fn beats(self, other: Self) -> bool {
+        if self.violation == other.violation {
+            self.value > other.value
+        } else {
+            self.violation < other.violation
+        }
+    }
+
+    /// Whether the step from `before` to here counts as progress.
+    fn gains_on(self, before: Self) -> bool {
+        if before.feasible() {
+            self.value > before.value + GAIN * before.value.abs()
+        } else {
+            self.violation < before.violation * (1.0 - GAIN)
+        }
+    }
+}
+
+/// One particle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Particle {
+    /// Where it is.
+    pub position: [f64; 2],
+    /// Its last step.
+    pub velocity: [f64; 2],
+    /// What it found there.
+    pub score: Score,
+    /// The best place it has been to.
+    pub best_position: [f64; 2],
+    /// What it found there.
+    pub best_score: Score,
+}
+
+/// One iteration in the history.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Iteration {
+    /// Number of the iteration; 0 is the random start.
+    pub iteration: u32,
+    /// The swarm's best so far.
+    pub best: Score,
+    /// Mean of the particles' present values.
+    pub mean_value: f64,
+    /// Share of the particles that are at a feasible place now.
+    pub feasible_share: f64,
+}
+
+/// How a swarm is set up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Setup {
+    /// Seed of all random numbers.
+    pub seed: u64,
+    /// Number of particles, at least 1.
+    pub particles: u32,
+    /// Most iterations.
+    pub iterations: u32,
+    /// Ends after so many iterations without a relative gain of 1e-4.
+    pub stop_after: u32,
+    /// Least position; equal to `high` in a dimension that is not searched.
+    pub low: [f64; 2],
+    /// Largest position.
+    pub high: [f64; 2],
+}
+
+/// A swarm on its way.
+#[derive(Clone, Debug)]
+pub struct Swarm {
+    setup: Setup,
+    stream: Stream,
+    particles: Vec<Particle>,
+    best: ([f64; 2], Score),
+    /// The score of the last iteration that counted as progress.
+    anchor: Score,
+    stale: u32,
+    history: Vec<Iteration>,
+}
+
+impl Swarm {
+    /// The swarm at its random start, every particle evaluated once.
+    #[must_use]
+    pub fn new(setup: Setup, evaluate: impl Fn([f64; 2]) -> Score) -> Self {
+        let stream = Stream::new(setup.seed, "plan.swarm");
+        let particles: Vec<Particle> = (0..u64::from(setup.particles))
+            .map(|index| {
+                let draw = |k: u64| stream.uniform(4 * index + k);
+                let position = [0, 1]
+                    .map(|d: usize| setup.low[d] + draw(d as u64) * (setup.high[d] - setup.low[d]));
+                let velocity = [0, 1].map(|d: usize| {
+                    let largest = LARGEST_STEP * (setup.high[d] - setup.low[d]);
+                    (2.0 * draw(2 + d as u64) - 1.0) * largest
+                });
+                let score = evaluate(position);
+                Particle { position, velocity, score, best_position: position, best_score: score }
+            })
+            .collect();
+        let mut best = (particles[0].position, particles[0].score);
+        for particle in &particles {
+            if particle.score.beats(best.1) {
+                best = (particle.position, particle.score);
+            }
+        }
+        let history = Vec::with_capacity(setup.iterations as usize + 1);
+        let mut swarm = Self { setup, stream, particles, best, anchor: best.1, stale: 0, history };
+        swarm.record();
+        swarm
+    }
+
+    /// Goes on for at most `iterations`; `true` when the swarm has ended.
+    pub fn advance(&mut self, iterations: u32, evaluate: impl Fn([f64; 2]) -> Score) -> bool {
+        for _ in 0..iterations {
+            if self.done() {
+                break;
+            }
+            self.iterate(&evaluate);
+        }
+        self.done()
+    }
+
+    fn iterate(&mut self, evaluate: impl Fn([f64; 2]) -> Score) {
+        let Setup { low, high, particles, iterations, .. } = self.setup;
+        let iteration = self.iteration() + 1;
+        let share = f64::from(iteration - 1) / f64::from(iterations.max(2) - 1);
+        let inertia = INERTIA[0] + share * (INERTIA[1] - INERTIA[0]);
+        let largest = [0, 1].map(|d: usize| LARGEST_STEP * (high[d] - low[d]));
+        let first = u64::from(iteration) * u64::from(particles);
+        let (attractor, mut best) = (self.best.0, self.best);
+        for (counter, particle) in (first..).zip(&mut self.particles) {
+            for d in 0..2 {
+                // Both numbers from one draw of 64 bits: 32 are plenty for a random pull.
+                let bits = self.stream.bits(4 * counter + d as u64);
+                let own = (bits >> 32) as f64 * (1.0 / 4_294_967_296.0);
+                let swarm = (bits & 0xffff_ffff) as f64 * (1.0 / 4_294_967_296.0);
+                let x = particle.position[d];
+                let velocity = inertia * particle.velocity[d]
+                    + PULL * own * (particle.best_position[d] - x)
+                    + PULL * swarm * (attractor[d] - x);
+                let velocity = limit(velocity, -largest[d], largest[d]);
+                let moved = x + velocity;
+                particle.position[d] = limit(moved, low[d], high[d]);
+                particle.velocity[d] = if particle.position[d] == moved { velocity } else { 0.0 };
+            }
+            particle.score = evaluate(particle.position);
+            if particle.score.beats(particle.best_score) {
+                (particle.best_position, particle.best_score) = (particle.position, particle.score);
+                if particle.score.beats(best.1) {
+                    best = (particle.position, particle.score);
+                }
+            }
+        }
+        self.best = best;
+        if best.1.gains_on(self.anchor) {
+            (self.anchor, self.stale) = (best.1, 0);
+        } else {
+            self.stale += 1;
+        }
+        self.record();
+    }
+
+    fn record(&mut self) {
+        let count = self.particles.len() as f64;
+        let (mut sum, mut feasible) = (0.0, 0_u32);
+        for particle in &self.particles {
+            sum += particle.score.value;
+            feasible += u32::from(particle.score.feasible());
+        }
+        self.history.push(Iteration {
+            iteration: self.history.len() as u32,
+            best: self.best.1,
+            mean_value: sum / count,
+            feasible_share: f64::from(feasible) / count,
+        });
+    }
+
+    /// Iterations so far.
+    #[must_use]
+    pub fn iteration(&self) -> u32 {
+        self.history.len() as u32 - 1
+    }
+
+    /// Whether it has ended: all iterations done, or no gain for too long.
+    #[must_use]
+    pub fn done(&self) -> bool {
+        self.iteration() >= self.setup.iterations || self.stale >= self.setup.stop_after
+    }
+
+    /// Evaluations so far.
+    #[must_use]
+    pub fn evaluations(&self) -> u64 {
+        self.history.len() as u64 * self.particles.len() as u64
+    }
+
+    /// The particles as they are now.
+    #[must_use]
+    pub fn particles(&self) -> &[Particle] {
+        &self.particles
+    }
+
+    /// The best place found and its score.
+    #[must_use]
+    pub fn best(&self) -> ([f64; 2], Score) {
+        self.best
+    }
+
+    /// All iterations so far, the random start first.
+    #[must_use]
+    pub fn history(&self) -> &[Iteration] {
+        &self.history
+    }
+
+    /// How it was set up.
+    #[must_use]
+    pub fn setup(&self) -> &Setup {
+        &self.setup
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SETUP: Setup = Setup {
+        seed: 1,
+        particles: 30,
+        iterations: 100,
+        stop_after: 30,
+        low: [-5.0, 0.0],
+        high: [5.0, 20.0],
+    };
+
+    /// A hill with its top 7 at (1, 4), allowed where x + y <= `sum`.
+    fn hill(sum: f64) -> impl Fn([f64; 2]) -> Score {
+        move |[x, y]| Score {
+            value: 7.0 - (x - 1.0) * (x - 1.0) - 0.1 * (y - 4.0) * (y - 4.0),
+            violation: (x + y - sum).max(0.0),
+        }
+    }
+
+    fn found(setup: Setup, f: impl Fn([f64; 2]) -> Score) -> Swarm {
+        let mut swarm = Swarm::new(setup, &f);
+        while !swarm.advance(1, &f) {}
+        swarm
+    }
+
+    #[test]
+    fn the_top_of_a_hill_is_found_inside_and_on_a_constraint() {
+        for seed in 0..50 {
+            let (top, score) = found(Setup { seed, ..SETUP }, hill(99.0)).best();
+            assert!((score.value - 7.0).abs() < 2e-3, "seed {seed}: {top:?} {score:?}");
+            // On x + y = 3 by Lagrange: x - 1 = 0.1 (y - 4), so x = 0.9 / 1.1, value 6.6364.
+            let (edge, score) = found(Setup { seed, ..SETUP }, hill(3.0)).best();
+            assert!(
+                score.feasible() && (score.value - 6.636_36).abs() < 0.033,
+                "{edge:?} {score:?}"
+            );
+            // Nothing is allowed: the least violation is at the lower corner.
+            let (corner, score) = found(Setup { seed, ..SETUP }, hill(-6.0)).best();
+            assert_eq!((corner, score.violation), ([-5.0, 0.0], 1.0));
+        }
+    }
+
+    #[test]
+    fn slicing_changes_nothing_and_the_seed_everything() {
+        let f = hill(3.0);
+        let whole = found(SETUP, &f);
+        let mut sliced = Swarm::new(SETUP, &f);
+        for slice in [0, 1, 5, 2, 1000] {
+            sliced.advance(slice, &f);
+        }
+        assert_eq!((whole.particles(), whole.history()), (sliced.particles(), sliced.history()));
+        let other = found(Setup { seed: 2, ..SETUP }, &f);
+        assert_ne!(whole.best().0, other.best().0);
+    }
+
+    #[test]
+    fn particles_stay_inside_and_a_fixed_dimension_does_not_move() {
+        let f = |[x, y]: [f64; 2]| Score { value: x + y, violation: 0.0 };
+        let setup = Setup { low: [2.0, 0.0], high: [2.0, 20.0], stop_after: 100, ..SETUP };
+        let mut swarm = Swarm::new(setup, f);
+        while !swarm.advance(1, f) {
+            for particle in swarm.particles() {
+                let [x, y] = particle.position;
+                assert!(x == 2.0 && (0.0..=20.0).contains(&y));
+                assert!(particle.velocity[0] == 0.0 && particle.velocity[1].abs() <= 4.0);
+            }
+        }
+        assert_eq!(swarm.best().0, [2.0, 20.0]);
+        assert_eq!((swarm.iteration(), swarm.evaluations()), (100, 3030));
+        let bests = swarm.history().windows(2);
+        assert!(bests.into_iter().all(|pair| pair[1].best.value >= pair[0].best.value));
+    }
+
+    #[test]
+    fn it_stops_after_so_many_iterations_without_gain() {
+        let flat = |_| Score { value: 1.0, violation: 0.0 };
+        assert_eq!(found(Setup { stop_after: 12, ..SETUP }, flat).iteration(), 12);
+    }
+}
