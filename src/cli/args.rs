@@ -36,6 +36,8 @@ pub enum Command {
     Identify(IdentifyArgs),
     /// List presets, controllers, models, drives, materials and all settings.
     List(ListArgs),
+    /// Plan a cut: the best feed and speed within seven constraints, by particle swarm.
+    Plan(PlanArgs),
     /// Check scenario files.
     Check(CheckArgs),
 }
@@ -152,6 +154,27 @@ pub struct IdentifyArgs {
 /// Arguments of `list`.
 #[derive(Debug, Args)]
 pub struct ListArgs {
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `plan`.
+#[derive(Debug, Args)]
+pub struct PlanArgs {
+    /// A preset's name or a scenario file.
+    #[arg(value_name = "PRESET|FILE")]
+    pub scenario: String,
+    /// Change a setting, for example `--set plan.free_speed=false`; `steadycut list` names all.
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// Limits of another machine, in the format of the shipped file of the papers' machine, whose
+    /// values are placeholders.
+    #[arg(long, value_name = "FILE.toml")]
+    pub machine: Option<PathBuf>,
+    /// Write the scenario with the optimum as its programmed feed and speed.
+    #[arg(long, value_name = "FILE.toml")]
+    pub out: Option<PathBuf>,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,

@@ -5,6 +5,7 @@ mod check;
 mod identify;
 mod list;
 mod papers;
+mod plan;
 mod run;
 
 use std::process::ExitCode;
@@ -22,6 +23,7 @@ pub fn execute(command: &Command) -> ExitCode {
         Command::Papers(args) => papers::execute(args),
         Command::Identify(args) => identify::execute(args),
         Command::List(args) => list::execute(args),
+        Command::Plan(args) => plan::execute(args),
         Command::Check(args) => check::execute(args),
     };
     match result {

@@ -46,7 +46,7 @@ pub fn load(name: &str) -> Result<(Scenario, Edits), Box<dyn std::error::Error>>
 }
 
 /// Applies `--set path=value` arguments, all or none.
-fn apply(scenario: &mut Scenario, sets: &[String]) -> Result<(), SettingError> {
+pub fn apply(scenario: &mut Scenario, sets: &[String]) -> Result<(), SettingError> {
     let mut changes = Vec::with_capacity(sets.len());
     for set in sets {
         let (path, value) = set.split_once('=').ok_or_else(|| SettingError::Format {

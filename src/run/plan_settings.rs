@@ -36,7 +36,7 @@ crate::settings! {
         /// Cutting speed where it is not searched.
         cutting_speed_m_min: f64 = 80.0, [40.0, 150.0], "m/min", setup, "Cutting speed";
         /// Weight of the force, relative to its limit: the paper's objective is the largest force
-        /// that is still allowed.
+        /// that is still allowed. A tenth of it goes to the removal rate, to break ties.
         weight_force: f64 = 1.0, [0.0, 1.0], "", setup, "Weight of force";
         /// Weight of the metal removal rate, relative to the reference cut (80 m/min, 0.08 mm).
         weight_removal_rate: f64 = 0.0, [0.0, 1.0], "", setup, "Weight of removal rate";
@@ -55,7 +55,8 @@ crate::settings! {
         particles: u32 = 30, [2.0, 500.0], "", setup, "Particles";
         /// Most iterations of the swarm.
         iterations: u32 = 100, [1.0, 1000.0], "", setup, "Iterations";
-        /// The swarm stops after so many iterations without a gain of one part in ten thousand.
+        /// The swarm stops after so many iterations without a gain of one part in ten thousand, once
+        /// its particles have gathered.
         stop_after: u32 = 12, [1.0, 1000.0], "", setup, "Stop after";
         /// Seed of the swarm's random numbers.
         seed: u32 = 1, [0.0, 4_294_967_295.0], "", setup, "Swarm seed";

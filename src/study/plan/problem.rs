@@ -2,14 +2,13 @@
 //! off by the seven constraints, and the weighted objective on it.
 //!
 //! ```text
-//! J = (w_F F/F_max + w_Q Q/Q_0 + w_t t_0/t_p + w_C C_0/C) / sum w + 0.01 Q/Q_0    -> max
+//! J = (w_F (F/F_max + 0.1 Q/Q_0) + w_Q Q/Q_0 + w_t t_0/t_p + w_C C_0/C) / sum w    -> max
 //! Q = A_D R_D f    t_m = L / f    t_p = t_m (1 + t_ch/T)    C = t_m C_m + (t_m/T)(C_m t_ch + C_t)
 //! ```
 //!
 //! Every term is a gain relative to a stated reference: the force to its limit, the others to the
-//! same cut at the 2005 paper's 80 m/min and 0.08 mm per tooth (index 0). The last term breaks a
-//! tie (chosen): every cutting speed at which the force reaches its limit is as good as any other
-//! for the force alone.
+//! same cut at the 2005 paper's 80 m/min and 0.08 mm per tooth (index 0). The tenth of Q breaks a
+//! tie (chosen): for the force alone, all cutting speeds at which it reaches its limit are equal.
 
 use super::constraints::{Bounds, Checked, FORCE, bounds, check};
 use super::machine::Machine;
@@ -30,8 +29,8 @@ pub const CUTTING_SPEED_M_MIN: [f64; 2] = [40.0, 150.0];
 pub const FEED_PER_TOOTH_MM: [f64; 2] = [0.02, 0.2];
 /// Cutting speed in m/min and feed per tooth in mm of the reference cut (2005).
 pub const REFERENCE: [f64; 2] = [80.0, 0.08];
-/// Weight of the removal rate that breaks ties (chosen).
-const TIE_BREAK: f64 = 0.01;
+/// Share of the weight of force that goes to the removal rate, to break ties (chosen).
+const TIE_BREAK: f64 = 0.1;
 /// Least depth of cut that can be planned, mm: below it there is no cut worth the name.
 const LEAST_DEPTH_MM: f64 = 0.01;
 
@@ -228,7 +227,9 @@ impl Problem {
         let force_max_n = self.bounds[FORCE].high;
         Ok([
             plan.weight_force / sum / force_max_n,
-            (plan.weight_removal_rate / sum + TIE_BREAK) / reference.removal_rate_cm3_min,
+            (plan.weight_removal_rate + TIE_BREAK * plan.weight_force)
+                / sum
+                / reference.removal_rate_cm3_min,
             plan.weight_time / sum * reference.production_min,
             plan.weight_cost / sum * reference.cost,
         ])

@@ -7,8 +7,11 @@
 //! ```
 //!
 //! w falls linearly from 0.9 to 0.4 over the iterations allowed, c1 = c2 = 2, |v| is at most 0.2 of
-//! the range. A particle that would leave the range stops at its edge: x is limited and that
-//! component of v set to zero. Every random number is drawn by counter from one stream, so that the
+//! the range. A particle that would leave the range is set on its edge and comes back with half of
+//! that component of v: set to zero, as is also done, whole swarms stick to an edge near which the
+//! feasible region is narrow (measured: in up to a quarter of all seeds). The swarm ends when its
+//! best has not gained for a while and all particles have gathered around it; without the second
+//! condition most runs end before the swarm has contracted. Every random number is drawn by counter from one stream, so that the
 //! result depends on the seed alone and not on how the work was cut in slices.
 
 use serde::Serialize;
@@ -22,6 +25,11 @@ const INERTIA: [f64; 2] = [0.9, 0.4];
 const PULL: f64 = 2.0;
 /// Largest step of an iteration as a share of the range.
 const LARGEST_STEP: f64 = 0.2;
+/// Share of its velocity with which a particle comes back from an edge (chosen).
+const REBOUND: f64 = 0.5;
+/// The swarm has gathered when its particles' own bests lie, on the mean, within this share of the
+/// best (chosen).
+const GATHERED: f64 = 5e-3;
 /// A relative gain below this counts as none.
 const GAIN: f64 = 1e-4;
 
@@ -101,7 +109,7 @@ pub struct Setup {
     pub particles: u32,
     /// Most iterations.
     pub iterations: u32,
-    /// Ends after so many iterations without a relative gain of 1e-4.
+    /// Ends after so many iterations without a relative gain of 1e-4, once gathered.
     pub stop_after: u32,
     /// Least position; equal to `high` in a dimension that is not searched.
     pub low: [f64; 2],
@@ -184,7 +192,8 @@ impl Swarm {
                 let velocity = limit(velocity, -largest[d], largest[d]);
                 let moved = x + velocity;
                 particle.position[d] = limit(moved, low[d], high[d]);
-                particle.velocity[d] = if particle.position[d] == moved { velocity } else { 0.0 };
+                let inside = particle.position[d] == moved;
+                particle.velocity[d] = if inside { velocity } else { -REBOUND * velocity };
             }
             particle.score = evaluate(particle.position);
             if particle.score.beats(particle.best_score) {
@@ -227,7 +236,24 @@ impl Swarm {
     /// Whether it has ended: all iterations done, or no gain for too long.
     #[must_use]
     pub fn done(&self) -> bool {
-        self.iteration() >= self.setup.iterations || self.stale >= self.setup.stop_after
+        self.iteration() >= self.setup.iterations
+            || (self.stale >= self.setup.stop_after && self.gathered())
+    }
+
+    /// Whether the particles' own bests are nearly as good as the swarm's.
+    fn gathered(&self) -> bool {
+        let best = self.best.1;
+        let apart = |score: Score| {
+            if best.feasible() {
+                (best.value - score.value) / best.value.abs()
+            } else {
+                (score.violation - best.violation) / best.violation
+            }
+        };
+        let all = self.particles.iter().map(|particle| particle.best_score);
+        let feasible = all.clone().filter(|score| score.feasible() == best.feasible()).count();
+        let sum: f64 = all.map(apart).sum();
+        feasible == self.particles.len() && sum <= GATHERED * feasible as f64
     }
 
     /// Evaluations so far.

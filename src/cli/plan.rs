@@ -1,0 +1,175 @@
+//! `steadycut plan`: the best feed and speed for a scenario's cut.
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use serde::Serialize;
+
+use super::Outcome;
+use super::args::PlanArgs;
+use super::run::{apply, load};
+use crate::run::scenario_file;
+use crate::study::plan::PlanJob;
+use crate::study::plan::constraints::{Checked, ORIGIN};
+use crate::study::plan::field::exhaustive;
+use crate::study::plan::machine::{Machine, Source};
+use crate::study::plan::optimum::Optimum;
+use crate::study::plan::swarm::Iteration;
+
+/// Points per axis of the exhaustive search printed beside the swarm.
+const GRID: usize = 200;
+
+/// The JSON object of a plan.
+#[derive(Serialize)]
+struct Report<'a> {
+    scenario: &'a str,
+    machine: &'a Machine,
+    verdict: String,
+    optimum: &'a Optimum,
+    iterations: u32,
+    evaluations: u64,
+    history: &'a [Iteration],
+    grid: &'a Optimum,
+    grid_evaluations: u64,
+    constraints_origin: &'static str,
+}
+
+/// Runs the command.
+pub fn execute(args: &PlanArgs) -> Outcome {
+    let (mut scenario, edits) = load(&args.scenario)?;
+    apply(&mut scenario, &args.set)?;
+    let machine = match &args.machine {
+        Some(path) => {
+            let name = path.display();
+            let text = std::fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
+            Machine::parse(&text).map_err(|error| format!("{name}: {error}"))?
+        }
+        None => Machine::heller_bea_01(),
+    };
+    let mut job = PlanJob::on(&scenario, &machine)?;
+    job.advance(u32::MAX);
+    let optimum = job.optimum();
+    let grid = exhaustive(job.problem(), GRID, GRID);
+    let report = Report {
+        scenario: &scenario.info.name,
+        machine: &machine,
+        verdict: optimum.verdict(),
+        optimum: &optimum,
+        iterations: job.progress().iteration,
+        evaluations: job.progress().evaluations,
+        history: job.history(),
+        grid: &Optimum::at(job.problem(), grid.point),
+        grid_evaluations: grid.evaluations,
+        constraints_origin: ORIGIN,
+    };
+    let mut out = std::io::stdout().lock();
+    if args.json {
+        writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
+    } else {
+        print(&mut out, &report)?;
+    }
+    if let Some(path) = &args.out {
+        if !optimum.feasible {
+            return Err(format!("{}: not written: {}", path.display(), report.verdict).into());
+        }
+        let text = scenario_file::write(&optimum.apply(&scenario)?, &edits);
+        std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))?;
+        if !args.json {
+            writeln!(out, "scenario with these programmed values written to {}", path.display())?;
+        }
+    }
+    // Nothing feasible is a finding about the cut, not an error of the program.
+    Ok(if optimum.feasible { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}
+
+fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {
+    let o = report.optimum;
+    writeln!(out, "{}: {}", report.scenario, report.verdict)?;
+    let [x, y, z] = o.components_n;
+    let lines = [
+        ("programmed feed", format!("{:.2} mm/min", o.feed_mm_min)),
+        ("programmed speed", format!("{:.1} 1/min", o.speed_rpm)),
+        ("cutting speed", format!("{:.2} m/min", o.cutting_speed_m_min)),
+        ("feed per tooth", format!("{:.4} mm", o.feed_per_tooth_mm)),
+        ("force", format!("{:.1} N (x {x:.1}, y {y:.1}, z {z:.1})", o.force_n)),
+        ("removal rate", format!("{:.3} cm3/min", o.removal_rate_cm3_min)),
+        ("time of cut", format!("{:.2} s", o.time_s)),
+        ("  with tool changes", format!("{:.2} s", o.production_time_s)),
+        ("cost of cut", format!("{:.4}", o.cost)),
+    ];
+    for (name, value) in lines {
+        writeln!(out, "  {name:<24}{value}")?;
+    }
+    writeln!(out, "\nconstraints ({})", report.constraints_origin)?;
+    for one in &o.constraints {
+        constraint(out, one)?;
+    }
+    let first = report.history.iter().position(|iteration| iteration.best.feasible());
+    let last = report.history.last().map_or(0.0, |iteration| iteration.feasible_share);
+    writeln!(out, "\nconvergence")?;
+    writeln!(
+        out,
+        "  swarm: {:.5} after {} iterations, {} evaluations{}; {:.0} % of particles feasible",
+        o.score.value,
+        report.iterations,
+        report.evaluations,
+        first.map_or(String::new(), |i| format!(", feasible from iteration {i}")),
+        100.0 * last,
+    )?;
+    let grid = report.grid;
+    writeln!(
+        out,
+        "  grid:  {:.5} at {:.2} m/min and {:.4} mm, {} evaluations; swarm {:+.3} %",
+        grid.score.value,
+        grid.cutting_speed_m_min,
+        grid.feed_per_tooth_mm,
+        report.grid_evaluations,
+        100.0 * (o.score.value / grid.score.value - 1.0),
+    )?;
+    let placeholders = o.constraints.iter().filter(|one| one.source == Source::Placeholder).count();
+    if placeholders > 0 {
+        writeln!(
+            out,
+            "\n{placeholders} of 7 limits are placeholders: no public data of a {} were found. Give \
+             your machine's with --machine FILE.toml.",
+            report.machine.name
+        )?;
+    }
+    writeln!(out, "Costs, tool life and process limits are chosen values.")
+}
+
+fn constraint(out: &mut impl Write, one: &Checked) -> std::io::Result<()> {
+    let text = one.constraint;
+    let limits = match (one.low, one.high) {
+        (Some(low), Some(high)) => format!("{low} to {high}"),
+        (Some(low), None) => format!("at least {low}"),
+        (None, Some(high)) => format!("at most {}", rounded(high)),
+        (None, None) => "no limit".to_owned(),
+    };
+    let state = match (one.violation > 0.0, one.binding) {
+        (true, _) => "VIOLATED",
+        (false, true) => "binding",
+        (false, false) => "",
+    };
+    writeln!(
+        out,
+        "  {:<28}{:>9} {:<7}{:<16}{:>+8.1} %  {:<12}{state}",
+        text.label,
+        rounded(one.value),
+        text.unit,
+        limits,
+        one.margin_percent,
+        one.source.id(),
+    )?;
+    writeln!(out, "      {}: {}", text.formula, text.why)
+}
+
+/// About four significant digits.
+fn rounded(x: f64) -> String {
+    match x.abs() {
+        size if size >= 1000.0 => format!("{x:.0}"),
+        size if size >= 10.0 => format!("{x:.1}"),
+        size if size >= 0.1 => format!("{x:.3}"),
+        _ => format!("{x:.5}"),
+    }
+}
