@@ -15,7 +15,7 @@ use super::machine::Machine;
 use super::surface::ForceSurface;
 use super::swarm::Score;
 use crate::base::math;
-use crate::base::model::gp_2007::GpModels;
+use crate::base::model::gp::GpModels;
 use crate::base::settings::SettingError;
 use crate::base::units::cm3_from_mm3;
 use crate::blocks::cutting::tool::{R216_16B20_040, Tool};
@@ -179,7 +179,11 @@ impl Problem {
         let force_max_n = match plan.force_limit {
             ForceLimit::Fixed => plan.force_max_n,
             ForceLimit::TargetRa => {
-                desired_force(&scenario.target, &GpModels::new(scenario.belief.calibration)).value
+                desired_force(
+                    &scenario.target,
+                    &GpModels::new(scenario.belief.model_set, scenario.belief.calibration),
+                )
+                .value
             }
         };
         let speeds = match plan.free_speed {
