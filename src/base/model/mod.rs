@@ -1,5 +1,6 @@
 //! Pure model functions that both the plant (truth) and the controllers (belief) need.
 
+pub mod ball_end;
 pub mod curve;
 pub mod exponential;
 pub mod feed_drive;

@@ -1,0 +1,360 @@
+//! Mechanistic forces of a ball-end mill: the simulated process of the 2005 system, and the source
+//! of the neural force model's training data.
+//!
+//! Geometry after Lee and Altintas (1996), with z measured from the tip and R0 = D/2:
+//!
+//! ```text
+//! R(z) = sqrt(z (D - z)) for z < R0, else R0      sin k = R/R0, cos k = (R0 - z)/R0 (0 above R0)
+//! psi(z) = (z/R0) tan(helix)                      phi = spindle - 2 pi j/teeth - psi, 0 < phi < pi
+//! x = R sin phi, y = R cos phi                    contact point; +x is the direction of feed
+//! h = [(f_t + X) sin phi + Y cos phi + rho_j - rho_(j-1)] sin k,  no cut for h <= 0
+//! db = w dz / sin k,  dF_i = k_i h^(1 - m_i) db   i = c (tangential), r (radial), a (axial)
+//! dFx = -sk sp dFr - cp dFc - ck sp dFa
+//! dFy = -sk cp dFr + sp dFc - ck cp dFa
+//! dFz =  ck dFr - sk dFa
+//! ```
+//!
+//! Forces act on the tool. Slices are taken at their midpoints; w is the part of a slice below the
+//! surface, so that the top slice may be partial. Three Kienzle laws stand in place of linear edge
+//! forces: published tables give them, and a power law needs no edge constants. X and Y are the
+//! regenerative deflection of the 2005 paper's eq. (1), X = G [F(t) - F(t - T)] with T one tooth
+//! period; the forces of the sample before are used, which avoids an algebraic loop (loop gain 0.1).
+//! The slice height is part of the calibration: thinner slices give about 3 % less force
+//! (`steadycut force` prints how it converges).
+
+use crate::base::math;
+
+/// Elasticity G of tool and holder in mm/N: 50 N/um. As printed, in m/N, 650 N would bend the tool
+/// by 13 mm.
+pub const ELASTICITY_MM_PER_N: f64 = 2e-5;
+/// Most teeth of a cutter.
+pub const MAX_TEETH: usize = 8;
+/// Steps of a static cut in a revolution (rounded down to whole steps a tooth).
+const STEPS_PER_REV: usize = 720;
+/// Most revolutions until the regeneration of a static cut has settled; three or four are usual.
+const MAX_REVS: usize = 20;
+
+/// Uncorrected Kienzle constants k_i1.1 in N/mm^2 with exponents m_i, at 1 mm chip thickness.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Steel {
+    /// k_c1.1 in N/mm^2 and m_c: tangential.
+    pub tangential: [f64; 2],
+    /// k_r1.1 in N/mm^2 and m_r: radial (chosen so that F_r/F_c is 0.5 at 0.05 mm, 0.33 at 0.2 mm).
+    pub radial: [f64; 2],
+    /// k_a1.1 in N/mm^2 and m_a: axial (chosen).
+    pub axial: [f64; 2],
+    /// Hardness in HB at which they hold.
+    pub hardness_hb: f64,
+}
+
+/// Ck45 (1.0503); tangential after Tschätsch/Dietrich.
+pub const CK45: Steel = Steel {
+    tangential: [2220.0, 0.14],
+    radial: [450.0, 0.45],
+    axial: [200.0, 0.20],
+    hardness_hb: 200.0,
+};
+/// 16MnCrSi5 as 16MnCr5 (1.7131); tangential fitted to a published k_c table (Röhm RN-1391).
+pub const MNCRSI5: Steel = Steel {
+    tangential: [2100.0, 0.26],
+    radial: [430.0, 0.50],
+    axial: [200.0, 0.25],
+    hardness_hb: 180.0,
+};
+
+/// Kienzle's laws with all corrections applied: k_i in N/mm^2 and 1 - m_i.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kienzle {
+    /// k_c, k_r, k_a in N/mm^2.
+    pub k_n_mm2: [f64; 3],
+    /// 1 - m_c, 1 - m_r, 1 - m_a.
+    pub exponents: [f64; 3],
+}
+
+impl Kienzle {
+    /// Corrections for rake, x [1 - 0.015 (rake - 6 deg)], for cutting speed, x 2.023 / v_c^0.153
+    /// (both Tschätsch/Dietrich; carbide), and for hardness, x (HB/HB_ref)^0.4 (chosen).
+    #[must_use]
+    pub fn new(steel: &Steel, speed_m_min: f64, rake_deg: f64, hardness_hb: f64) -> Self {
+        let factor = (1.0 - 0.015 * (rake_deg - 6.0)) * 2.023 / math::pow(speed_m_min, 0.153)
+            * math::pow(hardness_hb / steel.hardness_hb, 0.4);
+        let laws = [steel.tangential, steel.radial, steel.axial];
+        Self { k_n_mm2: laws.map(|[k, _]| k * factor), exponents: laws.map(|[_, m]| 1.0 - m) }
+    }
+
+    /// Forces per mm of edge width, N/mm: tangential, radial, axial.
+    #[inline]
+    fn per_width(&self, thickness_mm: f64) -> [f64; 3] {
+        let log = math::ln(thickness_mm);
+        let [c, r, a] = self.exponents;
+        let [kc, kr, ka] = self.k_n_mm2;
+        [kc * math::exp(c * log), kr * math::exp(r * log), ka * math::exp(a * log)]
+    }
+}
+
+/// A ball-end mill.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cutter {
+    /// Diameter D, mm.
+    pub diameter_mm: f64,
+    /// Number of teeth, 1 to [`MAX_TEETH`].
+    pub teeth: usize,
+    /// Helix angle, degrees.
+    pub helix_deg: f64,
+    /// Radial position of each tooth off the mean, mm.
+    pub runout_mm: [f64; MAX_TEETH],
+    /// Height of a slice, mm.
+    pub slice_mm: f64,
+}
+
+impl Cutter {
+    /// The papers' cutter R216-16B20-040 at another diameter if wanted: two teeth, helix 10 deg;
+    /// run-out of `+-runout_mm`.
+    #[must_use]
+    pub fn two_teeth(diameter_mm: f64, runout_mm: f64, slice_mm: f64) -> Self {
+        let mut runout = [0.0; MAX_TEETH];
+        (runout[0], runout[1]) = (runout_mm, -runout_mm);
+        Self { diameter_mm, teeth: 2, helix_deg: 10.0, runout_mm: runout, slice_mm }
+    }
+
+    /// Radius in mm at height `z_mm` above the tip.
+    #[must_use]
+    pub fn radius_mm(&self, z_mm: f64) -> f64 {
+        let r0 = 0.5 * self.diameter_mm;
+        if z_mm < r0 { math::positive(z_mm * (self.diameter_mm - z_mm)).sqrt() } else { r0 }
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Slice {
+    bottom_mm: f64,
+    radius_mm: f64,
+    sin_k: f64,
+    cos_k: f64,
+    sin_lag: f64,
+    cos_lag: f64,
+}
+
+/// A cutter sliced up to a depth.
+#[derive(Clone, Debug)]
+pub struct Sliced {
+    cutter: Cutter,
+    slices: Vec<Slice>,
+    /// sin and cos of each tooth's pitch angle, and rho_j - rho_(j-1) in mm.
+    teeth: Vec<[f64; 3]>,
+}
+
+impl Sliced {
+    /// Slices `cutter` up to `depth_mm`; its teeth are limited to 1..=[`MAX_TEETH`].
+    #[must_use]
+    pub fn new(cutter: &Cutter, depth_mm: f64) -> Self {
+        let r0 = 0.5 * cutter.diameter_mm;
+        let tan_helix = {
+            let helix = cutter.helix_deg * (math::PI / 180.0);
+            math::sin(helix) / math::cos(helix)
+        };
+        // A hair less than the quotient, so that 2 mm in slices of 0.1 mm are 20.
+        let count = (depth_mm / cutter.slice_mm - 1e-9).ceil() as usize;
+        let slice = |i: usize| {
+            let bottom_mm = i as f64 * cutter.slice_mm;
+            let z = bottom_mm + 0.5 * cutter.slice_mm;
+            let radius_mm = cutter.radius_mm(z);
+            let lag = z / r0 * tan_helix;
+            Slice {
+                bottom_mm,
+                radius_mm,
+                sin_k: radius_mm / r0,
+                cos_k: math::positive((r0 - z) / r0),
+                sin_lag: math::sin(lag),
+                cos_lag: math::cos(lag),
+            }
+        };
+        let n = cutter.teeth.clamp(1, MAX_TEETH);
+        let tooth = |j: usize| {
+            let pitch = math::TAU * j as f64 / n as f64;
+            let runout = cutter.runout_mm[j] - cutter.runout_mm[(j + n - 1) % n];
+            [math::sin(pitch), math::cos(pitch), runout]
+        };
+        Self {
+            cutter: *cutter,
+            slices: (0..count).map(slice).collect(),
+            teeth: (0..n).map(tooth).collect(),
+        }
+    }
+
+    /// Forces on the tool in N, [Fx, Fy, Fz], at the spindle angle `spindle_rad`.
+    ///
+    /// `deflection_mm` is the regenerative deflection X, Y; `depth_at(x_mm, y_mm)` is the axial
+    /// depth of the material in mm at a contact point relative to the tool's axis, 0 where there
+    /// is none.
+    #[must_use]
+    #[inline]
+    pub fn forces(
+        &self,
+        law: &Kienzle,
+        spindle_rad: f64,
+        feed_per_tooth_mm: f64,
+        deflection_mm: [f64; 2],
+        depth_at: impl Fn(f64, f64) -> f64,
+    ) -> [f64; 3] {
+        let (sin_spindle, cos_spindle) = (math::sin(spindle_rad), math::cos(spindle_rad));
+        let advance = feed_per_tooth_mm + deflection_mm[0];
+        let mut sum = [0.0; 3];
+        for [sin_pitch, cos_pitch, runout] in &self.teeth {
+            let sin_tooth = sin_spindle * cos_pitch - cos_spindle * sin_pitch;
+            let cos_tooth = cos_spindle * cos_pitch + sin_spindle * sin_pitch;
+            for slice in &self.slices {
+                let sp = sin_tooth * slice.cos_lag - cos_tooth * slice.sin_lag;
+                if sp <= 0.0 {
+                    continue;
+                }
+                let cp = cos_tooth * slice.cos_lag + sin_tooth * slice.sin_lag;
+                let depth = depth_at(slice.radius_mm * sp, slice.radius_mm * cp);
+                let width = math::limit(depth - slice.bottom_mm, 0.0, self.cutter.slice_mm);
+                let h = (advance * sp + deflection_mm[1] * cp + runout) * slice.sin_k;
+                if width <= 0.0 || h <= 0.0 {
+                    continue;
+                }
+                let db = width / slice.sin_k;
+                let [c, r, a] = law.per_width(h).map(|force| force * db);
+                let (sk, ck) = (slice.sin_k, slice.cos_k);
+                sum[0] -= sk * sp * r + cp * c + ck * sp * a;
+                sum[1] += sp * c - sk * cp * r - ck * cp * a;
+                sum[2] += ck * r - sk * a;
+            }
+        }
+        sum
+    }
+}
+
+/// A cut that does not change: feed and depths.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StaticCut {
+    /// Feed per tooth, mm.
+    pub feed_per_tooth_mm: f64,
+    /// Axial depth A_D, mm.
+    pub axial_depth_mm: f64,
+    /// Nominal radial depth R_D, mm: the side wall lies at y_e = R(A_D) - R_D.
+    pub radial_depth_mm: f64,
+}
+
+/// Forces of a static cut, regeneration settled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StaticPeak {
+    /// Fx, Fy, Fz in N at the instant of the largest F_xy.
+    pub components_n: [f64; 3],
+    /// That largest F_xy = sqrt(Fx^2 + Fy^2), N.
+    pub fxy_n: f64,
+    /// Mean of F_xy over the revolution, N.
+    pub mean_fxy_n: f64,
+}
+
+/// Turns the cutter through a static cut until the regeneration has settled.
+#[must_use]
+pub fn static_peak(cutter: &Cutter, law: &Kienzle, cut: &StaticCut) -> StaticPeak {
+    let sliced = Sliced::new(cutter, cut.axial_depth_mm);
+    let wall_mm = cutter.radius_mm(cut.axial_depth_mm) - cut.radial_depth_mm;
+    let depth_at = |_: f64, y_mm: f64| if y_mm >= wall_mm { cut.axial_depth_mm } else { 0.0 };
+    let per_tooth = STEPS_PER_REV / sliced.teeth.len();
+    let steps = per_tooth * sliced.teeth.len();
+    // Forces of the last revolution; the first turns with a rigid tool.
+    let mut forces = vec![[0.0; 3]; steps];
+    let mut peak = StaticPeak { components_n: [0.0; 3], fxy_n: 0.0, mean_fxy_n: 0.0 };
+    for rev in 0..MAX_REVS {
+        let before = peak.fxy_n;
+        peak = StaticPeak { components_n: [0.0; 3], fxy_n: 0.0, mean_fxy_n: 0.0 };
+        for step in 0..steps {
+            let last = forces[(step + steps - 1) % steps];
+            let tooth_before = forces[(step + 2 * steps - 1 - per_tooth) % steps];
+            let gain = if rev == 0 { 0.0 } else { ELASTICITY_MM_PER_N };
+            let deflection = [0, 1].map(|axis| gain * (last[axis] - tooth_before[axis]));
+            let angle = math::TAU * step as f64 / steps as f64;
+            let force = sliced.forces(law, angle, cut.feed_per_tooth_mm, deflection, depth_at);
+            forces[step] = force;
+            let fxy = (force[0] * force[0] + force[1] * force[1]).sqrt();
+            peak.mean_fxy_n += fxy / steps as f64;
+            if fxy > peak.fxy_n {
+                (peak.components_n, peak.fxy_n) = (force, fxy);
+            }
+        }
+        if rev > 0 && (peak.fxy_n - before).abs() <= 1e-7 * peak.fxy_n {
+            break;
+        }
+    }
+    peak
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn peak(feed: f64, axial: f64, radial: f64, runout_mm: f64) -> StaticPeak {
+        let law = Kienzle::new(&CK45, 80.0, 12.0, 200.0);
+        let cut =
+            StaticCut { feed_per_tooth_mm: feed, axial_depth_mm: axial, radial_depth_mm: radial };
+        static_peak(&Cutter::two_teeth(16.0, runout_mm, 0.1), &law, &cut)
+    }
+
+    #[test]
+    fn corrected_constants_are_those_published_with_the_model() {
+        for (steel, expected) in
+            [(CK45, [2090.34, 423.72, 188.32]), (MNCRSI5, [1977.35, 404.89, 188.32])]
+        {
+            let law = Kienzle::new(&steel, 80.0, 12.0, steel.hardness_hb);
+            for (k, expected) in law.k_n_mm2.iter().zip(expected) {
+                assert!((k - expected).abs() < 0.01, "{k} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_force_grows_with_the_published_powers_of_the_feed() {
+        for (feed, expected) in [(0.02, 0.80), (0.08, 0.828), (0.16, 0.837)] {
+            let [low, high] = [0.99, 1.01].map(|part| peak(part * feed, 2.0, 4.0, 0.0).fxy_n);
+            let exponent = math::ln(high / low) / math::ln(1.01 / 0.99);
+            assert!((exponent - expected).abs() < 0.01, "{feed}: {exponent}");
+        }
+    }
+
+    #[test]
+    fn run_out_makes_the_teeth_cut_unequally_around_the_same_mean() {
+        let (even, odd) = (peak(0.08, 2.0, 4.0, 0.0), peak(0.08, 2.0, 4.0, 0.003));
+        assert!(odd.fxy_n > 1.05 * even.fxy_n && odd.fxy_n < 1.09 * even.fxy_n);
+        assert!((odd.mean_fxy_n / even.mean_fxy_n - 1.0).abs() < 2e-3);
+    }
+
+    #[test]
+    fn force_needs_material_at_the_contact_point() {
+        let cutter = Cutter::two_teeth(16.0, 0.0, 0.25);
+        let law = Kienzle::new(&CK45, 80.0, 12.0, 200.0);
+        let sliced = Sliced::new(&cutter, 2.0);
+        let at = |depth_at: &dyn Fn(f64, f64) -> f64| {
+            sliced.forces(&law, 1.0, 0.08, [0.0, 0.0], depth_at)
+        };
+        assert_eq!(at(&|_, _| 0.0), [0.0; 3]);
+        let whole = at(&|_, _| 2.0);
+        assert!(whole[0] < 0.0 && whole[2] > 0.0);
+        // A tenth of the first slice only: a tenth of its force, at the same place of the edge.
+        let [slice, tenth] = [0.25, 0.025].map(|depth| at(&|_, _| depth));
+        for (part, all) in tenth.iter().zip(slice) {
+            assert!((10.0 * part - all).abs() < 1e-9 * all.abs());
+        }
+        // The contact points are those of a sphere's circles: x^2 + y^2 = R(z)^2.
+        at(&|x: f64, y: f64| {
+            let radius = (x * x + y * y).sqrt();
+            assert!(radius > 1.3 && radius < cutter.radius_mm(2.0), "{radius}");
+            2.0
+        });
+    }
+
+    #[test]
+    fn deflection_towards_the_cut_thickens_the_chip() {
+        let sliced = Sliced::new(&Cutter::two_teeth(16.0, 0.0, 0.1), 2.0);
+        let law = Kienzle::new(&MNCRSI5, 80.0, 12.0, 180.0);
+        let at = |deflection| sliced.forces(&law, 1.2, 0.08, deflection, |_, _| 2.0)[0];
+        let ahead = at([0.01, 0.0]) / at([0.0, 0.0]);
+        let faster = sliced.forces(&law, 1.2, 0.09, [0.0, 0.0], |_, _| 2.0)[0] / at([0.0, 0.0]);
+        assert!(ahead > 1.05 && ahead == faster, "{ahead} {faster}");
+        assert_eq!(at([-0.08, 0.0]), 0.0, "no chip");
+    }
+}
