@@ -3,6 +3,7 @@
 
 pub mod math;
 pub mod model;
+pub mod network;
 pub mod rng;
 pub mod settings;
 pub mod units;
