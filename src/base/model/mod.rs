@@ -9,6 +9,7 @@ pub mod gp;
 pub mod gp_2007;
 pub mod gp_2013;
 pub mod model_file;
+pub mod neural_force;
 pub mod quartic;
 pub mod spindle;
 
