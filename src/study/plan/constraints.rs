@@ -47,7 +47,8 @@ pub const CONSTRAINTS: [Constraint; 7] = [
         label: "Cutting force",
         unit: "N",
         formula: "F = sqrt(F_x^2 + F_y^2), from the network",
-        why: "More force than the limit would leave a rougher surface than the target.",
+        why: "Roughness follows the force: above the reference force of the target Ra (or a limit \
+              of one's own) the surface gets rougher than it should.",
     },
     Constraint {
         id: "power",

@@ -103,6 +103,12 @@ impl PlanJob {
         &self.problem
     }
 
+    /// The swarm.
+    #[must_use]
+    pub fn swarm(&self) -> &Swarm {
+        &self.swarm
+    }
+
     /// The particles now; positions are cutting speed in m/min and feed per tooth in mm.
     #[must_use]
     pub fn particles(&self) -> &[Particle] {
