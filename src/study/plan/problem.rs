@@ -10,7 +10,7 @@
 //! same cut at the 2005 paper's 80 m/min and 0.08 mm per tooth (index 0). The tenth of Q breaks a
 //! tie (chosen): for the force alone, all cutting speeds at which it reaches its limit are equal.
 
-use super::constraints::{Bounds, Checked, FORCE, bounds, check};
+use super::constraints::{Bounds, Checked, bounds, check};
 use super::machine::Machine;
 use super::surface::ForceSurface;
 use super::swarm::Score;
@@ -124,14 +124,19 @@ pub struct Problem {
     radial_depth_mm: f64,
     length_mm: f64,
     economy: Economy,
+    force_max_n: f64,
     bounds: [Bounds; 7],
     range: [[f64; 2]; 2],
+    /// Spindle speed in 1/min at a cutting speed of 1 m/min.
+    rpm_per_m_min: f64,
+    /// Factor of (z f_z)^2 in the roughness.
+    ra_factor: f64,
     /// Factor of 1 / (v_c^4 f_z^0.8) in the tool life.
     life_factor: f64,
     /// Factor of |F_y| v_c in the power.
     power_factor: f64,
     compliance_mm_n: f64,
-    /// Weights divided by the references: of F, Q, 1/t_p and 1/C.
+    /// Weights divided by the references: of F, f (for Q, which is in proportion), 1/t_p and 1/C.
     weights: [f64; 4],
 }
 
@@ -201,8 +206,11 @@ impl Problem {
                 tool_cost: plan.tool_cost,
                 tool_change_min: plan.tool_change_min,
             },
+            force_max_n,
             bounds: bounds(machine, force_max_n),
             range: [speeds, FEED_PER_TOOTH_MM],
+            rpm_per_m_min: tool.speed_rpm(1.0),
+            ra_factor: 5.0 * 318.0 / (4.0 * tool.diameter_mm),
             life_factor: TABLE_2005.factor(axial_depth_mm),
             power_factor: 1.0 / (60_000.0 * machine.spindle_efficiency.value),
             compliance_mm_n: tool.compliance_mm_n(),
@@ -222,18 +230,16 @@ impl Problem {
                            weight_time and weight_cost";
             return Err(refused("plan.weight_force", sum.to_string(), allowed.to_owned()));
         }
-        let reference = self.yield_of(&self.cut(REFERENCE));
+        let cut = self.cut(REFERENCE);
+        let reference = self.yield_of(&cut);
         if plan.weight_cost > 0.0 && !(1.0 / reference.cost).is_finite() {
             let allowed = "above 0, or `plan.tool_cost` above 0, where cost is sought";
             let value = plan.machine_cost_per_min.to_string();
             return Err(refused("plan.machine_cost_per_min", value, allowed.to_owned()));
         }
-        let force_max_n = self.bounds[FORCE].high;
         Ok([
-            plan.weight_force / sum / force_max_n,
-            (plan.weight_removal_rate + TIE_BREAK * plan.weight_force)
-                / sum
-                / reference.removal_rate_cm3_min,
+            plan.weight_force / sum / self.force_max_n,
+            (plan.weight_removal_rate + TIE_BREAK * plan.weight_force) / sum / cut.feed_mm_min,
             plan.weight_time / sum * reference.production_min,
             plan.weight_cost / sum * reference.cost,
         ])
@@ -243,23 +249,26 @@ impl Problem {
     #[must_use]
     #[inline]
     pub fn cut(&self, [cutting_speed_m_min, feed_per_tooth_mm]: [f64; 2]) -> Cut {
-        let speed_rpm = self.tool.speed_rpm(cutting_speed_m_min);
-        let feed_mm_min = self.tool.feed_mm_min(feed_per_tooth_mm, speed_rpm);
+        // (v_c^5 f_z)^(-4/5) is v_c^-4 f_z^-0.8, from one root.
+        let squared = cutting_speed_m_min * cutting_speed_m_min;
+        let root =
+            math::inverse_fifth_root(squared * squared * cutting_speed_m_min * feed_per_tooth_mm);
+        let root_squared = root * root;
+        let speed_rpm = self.rpm_per_m_min * cutting_speed_m_min;
+        let turn_mm = self.tool.teeth * feed_per_tooth_mm;
+        let feed_mm_min = turn_mm * speed_rpm;
         let components_n = self.surface.components_n(feed_mm_min, speed_rpm);
         let [x, y, _] = components_n;
         let force_n = (x * x + y * y).sqrt();
-        let turn_mm = self.tool.teeth * feed_per_tooth_mm;
-        let squared = cutting_speed_m_min * cutting_speed_m_min;
         Cut {
             speed_rpm,
             feed_mm_min,
             components_n,
             force_n,
             power_kw: y.abs() * cutting_speed_m_min * self.power_factor,
-            ra_um: 5.0 * 318.0 / (4.0 * self.tool.diameter_mm) * turn_mm * turn_mm,
+            ra_um: self.ra_factor * turn_mm * turn_mm,
             deflection_mm: force_n * self.compliance_mm_n,
-            tool_life_min: self.life_factor
-                / (squared * squared * math::pow(feed_per_tooth_mm, 0.8)),
+            tool_life_min: self.life_factor * root_squared * root_squared,
         }
     }
 
@@ -286,14 +295,13 @@ impl Problem {
     #[inline]
     pub fn score(&self, point: [f64; 2]) -> Score {
         let cut = self.cut(point);
-        let yielded = self.yield_of(&cut);
-        let [force, rate, time, cost] = self.weights;
-        let mut value = force * cut.force_n + rate * yielded.removal_rate_cm3_min;
-        if time > 0.0 {
+        let [force, feed, time, cost] = self.weights;
+        let mut value = force * cut.force_n + feed * cut.feed_mm_min;
+        if time > 0.0 || cost > 0.0 {
+            let yielded = self.yield_of(&cut);
             value += time / yielded.production_min;
-        }
-        if cost > 0.0 {
-            value += cost / yielded.cost;
+            // Where cost has no weight there may be none, and 0 / 0.
+            value += if cost > 0.0 { cost / yielded.cost } else { 0.0 };
         }
         let mut violation = 0.0;
         for (bounds, value) in self.bounds.iter().zip(cut.values()) {
