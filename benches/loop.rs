@@ -9,6 +9,7 @@ use std::hint::black_box;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use steadycut::base::rng::Stream;
 use steadycut::blocks::control::ControllerKind;
+use steadycut::blocks::cutting::process::ForceModel;
 use steadycut::run::edits::Edits;
 use steadycut::run::one_run::Run;
 use steadycut::run::presets::load;
@@ -220,9 +221,41 @@ fn ratio() {
     }
 }
 
+/// What the neural force model costs in the loop, beside the formula in the same run.
+#[expect(clippy::disallowed_methods, reason = "a bench needs a clock")]
+fn neural_ratio() {
+    const LIMIT: f64 = 8.0;
+    for kind in [ForceModel::Neural, ForceModel::NeuralLiteral] {
+        let run = |force_model: ForceModel| {
+            let mut scenario = noisy(ControllerKind::Sdnrp);
+            scenario.plant.force_model = force_model;
+            Run::new(&scenario, &Edits::none())
+        };
+        let mut runs = [run(ForceModel::Formula), run(kind)];
+        let mut best = [f64::INFINITY; 2];
+        for _ in 0..200 {
+            for (run, best) in runs.iter_mut().zip(&mut best) {
+                let start = std::time::Instant::now();
+                run.branch(0.0, &Edits::none());
+                run.advance(u64::MAX);
+                black_box(run.ticks());
+                *best = best.min(start.elapsed().as_secs_f64() / run.ticks() as f64);
+            }
+        }
+        let [formula, neural] = best.map(|seconds| seconds * 1e9);
+        let ratio = neural / formula;
+        println!(
+            "{}: {neural:.1} ns per step, formula {formula:.1} ns, ratio {ratio:.2} (limit {LIMIT})",
+            kind.label()
+        );
+        assert!(ratio <= LIMIT, "{} costs {ratio:.2} times the formula", kind.label());
+    }
+}
+
 fn loops(criterion: &mut Criterion) {
     check_baseline();
     ratio();
+    neural_ratio();
     let steps = 15_000;
     let mut group = criterion.benchmark_group("15 s run with recording");
     group.throughput(Throughput::Elements(steps));

@@ -4,6 +4,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use steadycut::blocks::control::ControllerKind;
+use steadycut::blocks::cutting::process::ForceModel;
 use steadycut::run::edits::Edits;
 use steadycut::run::one_run::Run;
 use steadycut::run::presets::load;
@@ -28,15 +29,20 @@ static ALLOCATOR: Counting = Counting;
 
 #[test]
 fn a_step_with_recording_allocates_nothing() {
-    for kind in ControllerKind::ALL {
+    let all = ControllerKind::ALL.iter();
+    let all = all.flat_map(|kind| ForceModel::ALL.iter().map(move |force| (*kind, *force)));
+    for (kind, force_model) in all {
         let mut scenario = load("table3-5-noise").unwrap();
-        scenario.controller.kind = *kind;
+        scenario.controller.kind = kind;
+        scenario.plant.force_model = force_model;
+        scenario.cnc.override_quantised = true;
+        scenario.cnc.override_rate_limited = true;
         let mut run = Run::new(&scenario, &Edits::none());
         run.advance(100);
         let before = ALLOCATIONS.load(Ordering::Relaxed);
         // Short of the first snapshot, which may allocate: it is one in ten thousand steps.
         run.advance(9_000);
         let after = ALLOCATIONS.load(Ordering::Relaxed);
-        assert_eq!(after - before, 0, "{}", kind.id());
+        assert_eq!(after - before, 0, "{} {}", kind.id(), force_model.id());
     }
 }

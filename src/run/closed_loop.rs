@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!  target Ra ─▶ reference ─F_d─▶ controller ─▶ override ─▶ dead time ─▶ feed drive ──f_a─┐
-//!                 (K1)      ┌──▶ (K2, K3)      (limits)     (queue)    spindle drive ─n_a─┤
+//!                 (K1)      ┌──▶ (K2, K3)      (percent)    (queue)    spindle drive ─n_a─┤
 //!                           │                                                             ▼
 //!                      dynamometer ◀──F_dyn── dynamic component ◀──F── cutting process (K4)
 //!                                                    │                 depth, material, wear

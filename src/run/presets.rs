@@ -37,6 +37,7 @@ presets![
     "table3-8",
     "table3-9",
     "table3-10",
+    "strategy-2013",
     "strategy-table1-1",
     "strategy-table1-2",
     "strategy-table1-3",

@@ -5,12 +5,14 @@ use serde_json::{Map, json};
 
 use crate::base::model::feed_drive::{ExactDrive, FeedDriveKind};
 use crate::base::model::gp::{Calibration, ModelSet};
+use crate::base::model::neural_force::NeuralForce;
 use crate::base::settings::Value;
 use crate::run::digest::Digest;
 use crate::run::edits::{Edit, Edits};
 use crate::run::one_run::Run;
 use crate::run::presets::{PRESETS, load};
 use crate::run::scenario::Scenario;
+use crate::study::plan::PlanJob;
 
 /// Golden values of all presets, by name.
 ///
@@ -27,6 +29,7 @@ pub fn golden() -> Map<String, serde_json::Value> {
             "ticks": run.ticks(),
             "digest": run.recording().digest(),
             "variants": variants(&scenario),
+            "plan": plan(&scenario),
             "ra_final_um": rounded(m.ra_final_um),
             "force_final_n": rounded(m.force_final_n),
             "feed_final_mm_min": rounded(m.feed_final_mm_min),
@@ -35,6 +38,25 @@ pub fn golden() -> Map<String, serde_json::Value> {
         all.insert(preset.name.to_owned(), entry);
     }
     all
+}
+
+/// Digest over the plan of a preset, iteration by iteration, and over the shipped networks; the
+/// message where the preset cannot be planned.
+fn plan(preset: &Scenario) -> String {
+    let mut digest = Digest::default();
+    NeuralForce::output_bits().into_iter().for_each(|word| digest.word(word));
+    let job = match PlanJob::complete(preset) {
+        Ok(job) => job,
+        Err(error) => return error.to_string(),
+    };
+    for step in job.history() {
+        digest.word(step.best.value.to_bits());
+        digest.word(step.mean_value.to_bits());
+    }
+    let optimum = job.optimum();
+    digest.word(optimum.feed_mm_min.to_bits());
+    digest.word(optimum.speed_rpm.to_bits());
+    digest.hex()
 }
 
 /// Digest over what the preset itself does not show: the coefficients of every drive for several
@@ -64,7 +86,9 @@ fn variants(preset: &Scenario) -> String {
                 (0.2, "cnc.override_rate_limited", Value::Bool(true)),
                 (0.3, "noise.level", Value::Float(1.5)),
                 (0.5, "controller.kind", Value::Text("tracking".to_owned())),
+                (0.6, "plant.force_model", Value::Text("neural".to_owned())),
                 (0.7, "plant.wear_factor", Value::Float(1.2)),
+                (0.8, "plant.force_model", Value::Text("neural_literal".to_owned())),
                 (0.9, "cnc.dead_time_s", Value::Float(0.033)),
                 (1.1, "controller.kind", Value::Text("sdnrp".to_owned())),
             ] {

@@ -91,7 +91,6 @@ impl ForceFormula {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::base::model::{gp_2007, gp_2013};
 
     #[test]

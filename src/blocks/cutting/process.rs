@@ -1,22 +1,32 @@
-//! The cutting process: K4 (2007 eq. 7) times what K4 does not know.
+//! The cutting process: the formula of the model set (K4: 2007 eq. 7, M4: 2013 eq. 5) times what it
+//! does not know, or the neural force model (2013, section 2.3).
 //!
 //! ```text
 //! F = (K4(f_a, n_a) + offset) x material(HB) x (A_D R_D) / (2 mm x 3 mm) x wear
+//! F = (|F_xy|(f_a, n_a, R_D, A_D, material, HB, tool) + offset) x wear
 //! ```
 //!
-//! K4 was identified on Ck45 at A_D 2 mm and R_D 3 mm with a sharp tool; force is taken as
-//! proportional to the cross-section of the cut (chosen).
+//! K4 and M4 belong to Ck45 at A_D 2 mm and R_D 3 mm with a sharp tool; force is taken as
+//! proportional to the cross-section of the cut (chosen). The network knows depths and material
+//! itself; wear multiplies its force as well.
 
 use super::material::Material;
+use super::neural::{NeuralCut, NeuralLaw};
 use super::workpiece::{AXIAL_DEPTH_2007_MM, RADIAL_DEPTH_2007_MM};
+use crate::base::math;
 use crate::base::model::Valued;
 use crate::base::model::gp::{Calibration, GpModels, ModelSet};
+use crate::base::model::neural_force::NeuralKind;
 
 crate::choice! {
     /// What gives the plant's cutting force.
     pub enum ForceModel {
         /// The formula of the model set: K4 or M4.
         Formula = "formula", "Formula (K4, M4)";
+        /// The 8-15-3 network trained for accuracy.
+        Neural = "neural", "Neural network";
+        /// The 8-15-3 network with the inputs and learning parameters of the 2013 paper.
+        NeuralLiteral = "neural_literal", "Neural network as in the paper";
     }
 }
 
@@ -40,12 +50,28 @@ crate::settings! {
     }
 }
 
+impl ForceModel {
+    /// The network; `None` for the formula.
+    #[must_use]
+    pub fn network(self) -> Option<NeuralKind> {
+        match self {
+            Self::Formula => None,
+            Self::Neural => Some(NeuralKind::Improved),
+            Self::NeuralLiteral => Some(NeuralKind::Literal),
+        }
+    }
+}
+
 /// The cutting process set up from plant and workpiece settings.
 #[derive(Clone, Debug)]
 pub struct Process {
     models: GpModels,
-    /// Force factor per millimetre of axial depth.
+    /// Force factor per millimetre of axial depth, for the formula.
     factor_per_mm: f64,
+    /// In place of the formula.
+    neural: Option<Box<NeuralLaw>>,
+    wear_factor: f64,
+    offset_n: f64,
 }
 
 impl Process {
@@ -56,13 +82,28 @@ impl Process {
         models.force.intercept_n += plant.force_offset_n;
         let engagement = radial_depth_mm / (AXIAL_DEPTH_2007_MM * RADIAL_DEPTH_2007_MM);
         let material = plant.material.force_factor(plant.hardness_hb);
-        Self { models, factor_per_mm: material * plant.wear_factor * engagement }
+        let cut =
+            NeuralCut::new(plant.material, plant.hardness_hb, AXIAL_DEPTH_2007_MM, radial_depth_mm);
+        let neural = plant.force_model.network().map(|kind| Box::new(NeuralLaw::new(kind, cut)));
+        Self {
+            models,
+            factor_per_mm: material * plant.wear_factor * engagement,
+            neural,
+            wear_factor: plant.wear_factor,
+            offset_n: plant.force_offset_n,
+        }
     }
 
     /// The true models, for the surface block.
     #[must_use]
     pub fn models(&self) -> &GpModels {
         &self.models
+    }
+
+    /// The network that gives the force, if one does.
+    #[must_use]
+    pub fn neural(&self) -> Option<&NeuralLaw> {
+        self.neural.as_deref()
     }
 
     /// Whether the tool is in the material at this axial depth in mm; otherwise it is in the air.
@@ -74,7 +115,15 @@ impl Process {
     /// The maximum cutting force in N.
     #[inline]
     #[must_use]
-    pub fn update(&self, feed_mm_min: f64, speed_rpm: f64, axial_depth_mm: f64) -> Valued {
+    pub fn update(&mut self, feed_mm_min: f64, speed_rpm: f64, axial_depth_mm: f64) -> Valued {
+        if let Some(neural) = &mut self.neural {
+            let peak = neural.update(feed_mm_min, speed_rpm, axial_depth_mm);
+            if peak.value == 0.0 {
+                return peak;
+            }
+            let force_n = (peak.value + self.offset_n) * self.wear_factor;
+            return Valued::new(math::positive(force_n), peak.valid);
+        }
         let base = self.models.force(feed_mm_min, speed_rpm);
         Valued::new(base.value * self.factor_per_mm * axial_depth_mm, base.valid)
     }
