@@ -24,7 +24,7 @@ use crate::base::math;
 use crate::base::model::Valued;
 use crate::base::model::force_formula::{FEED_MIN_MM_MIN, SPEED_MIN_RPM};
 use crate::base::model::gp::GpModels;
-use crate::base::units::mm_s_from_mm_min;
+use crate::base::units::{mm_s_from_mm_min, ratio_from_percent};
 use crate::blocks::cnc::dead_time::DeadTime;
 use crate::blocks::cnc::feed_drive::FeedDrive;
 use crate::blocks::cnc::feed_override::Override;
@@ -289,5 +289,10 @@ fn limits(scenario: &Scenario) -> Limits {
         feed_mm_min[0] = feed_mm_min[0].max(FEED_MIN_MM_MIN).min(feed_mm_min[1]);
         speed_rpm[0] = speed_rpm[0].max(SPEED_MIN_RPM).min(speed_rpm[1]);
     }
-    Limits { feed_mm_min, speed_rpm }
+    let percent = if scenario.cnc.override_quantised { ratio_from_percent(1.0) } else { 0.0 };
+    let resolution = FeedSpeed {
+        feed_mm_min: scenario.program.feed_mm_min * percent,
+        speed_rpm: scenario.program.spindle_rpm * percent,
+    };
+    Limits { feed_mm_min, speed_rpm, resolution }
 }

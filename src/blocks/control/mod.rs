@@ -54,6 +54,9 @@ pub struct Limits {
     pub feed_mm_min: [f64; 2],
     /// Spindle speed range, 1/min.
     pub speed_rpm: [f64; 2],
+    /// Steps in which commands are sent: a percent of the programmed values where overrides are
+    /// whole percents, 0 where they are continuous.
+    pub resolution: FeedSpeed,
 }
 
 /// A pair of feed and spindle speed.

@@ -18,6 +18,10 @@
 //! nothing winds up while they saturate. lambda grows with the dead time, so that a dead time
 //! wrong by half either way keeps the loop stable. The feed takes over what the slower spindle
 //! has not yet done.
+//!
+//! Where overrides are whole percents, what rounding took away is added to the next request
+//! (error feedback): the command then alternates between neighbouring percents, and its mean is the
+//! one that was asked for.
 
 use super::{ControlInput, ControlOutput, ControlSetup, FeedSpeed, Limits};
 use crate::base::math::{self, limit};
@@ -77,6 +81,8 @@ pub struct Tracking {
     started: bool,
     /// Whether the first command must equal the one that is being sent.
     bumpless: bool,
+    /// The request of the period before, with what rounding owed to it.
+    asked: FeedSpeed,
 }
 
 impl Tracking {
@@ -103,6 +109,7 @@ impl Tracking {
             setpoint_n: 200.0,
             started: false,
             bumpless: false,
+            asked: current,
         };
         tracking.configure(setup);
         tracking
@@ -115,6 +122,7 @@ impl Tracking {
         let mut tracking = Self::new(setup, current);
         tracking.sent.fill(sent);
         tracking.bumpless = true;
+        tracking.asked = sent;
         tracking
     }
 
@@ -190,14 +198,27 @@ impl Tracking {
         let (feed_max, near) = (input.limits.feed_mm_min[1], input.applied.feed_mm_min);
         let feed =
             input.models.force.feed_for_force(asked_n, self.speed_undelayed_rpm, feed_max, near);
+        let FeedSpeed { feed_mm_min, speed_rpm } = input.limits.resolution;
+        let (asked, applied) = (self.asked, input.applied);
+        let feed_owed = owed(asked.feed_mm_min, applied.feed_mm_min, feed_mm_min);
+        let speed_owed = owed(asked.speed_rpm, applied.speed_rpm, speed_rpm);
+        self.asked =
+            FeedSpeed { feed_mm_min: feed.value + feed_owed, speed_rpm: speed.value + speed_owed };
         ControlOutput {
-            request: FeedSpeed { feed_mm_min: feed.value, speed_rpm: speed.value },
+            request: self.asked,
             force_setpoint_n: asked_n,
             gain_estimate: self.gain,
             feed_model_valid: feed.valid,
             speed_model_valid: speed.valid,
         }
     }
+}
+
+/// What rounding to steps of `resolution` took from a request: at most half a step. What limits or
+/// a rate took is not owed.
+fn owed(asked: f64, applied: f64, resolution: f64) -> f64 {
+    let half = 0.5 * resolution;
+    limit(asked - applied, -half, half)
 }
 
 /// Range of the setpoint s that is searched, N.
