@@ -50,7 +50,7 @@ fn visited(setup: Setup, problem: &Problem) -> Vec<[f64; 2]> {
 fn bare(problem: &Problem, points: &[[f64; 2]]) -> f64 {
     let mut sum = 0.0;
     for [feed_mm_min, speed_rpm] in points {
-        let [x, y, _] = problem.surface().components_n(*feed_mm_min, *speed_rpm);
+        let [x, y, _] = problem.surface().network().components(*feed_mm_min, *speed_rpm);
         sum += x + y;
     }
     sum

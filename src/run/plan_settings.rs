@@ -1,6 +1,8 @@
 //! Settings of the off-line optimisation (`study/plan`): what is sought, under which force, with
 //! which swarm. The cut itself comes from `plant`, `workpiece`, `target` and `belief`.
 
+use crate::base::model::neural_force::NeuralKind;
+
 crate::choice! {
     /// Where the largest force that the plan allows comes from.
     pub enum ForceLimit {
@@ -31,6 +33,8 @@ crate::settings! {
         force_max_n: f64 = 665.0, [10.0, 10000.0], "N", setup, "Largest force";
         /// The section of the depth profile that the plan is made for.
         section: PlannedSection = PlannedSection::Heaviest, [], "", setup, "Planned section";
+        /// The network whose force surface is searched.
+        network: NeuralKind = NeuralKind::Improved, [], "", setup, "Network";
         /// Whether cutting speed and feed per tooth are searched, or only the feed per tooth.
         free_speed: bool = true, [], "", setup, "Search the speed too";
         /// Cutting speed where it is not searched.

@@ -1,14 +1,14 @@
 //! The force surface: the neural network's answer over feed and speed with everything else fixed,
-//! times what the network does not know.
+//! times what the network does not know of material and wear.
 
-use crate::base::math;
+use crate::base::model::neural_force::{NeuralForce, NeuralForceAt};
+use crate::blocks::cutting::neural::NeuralCut;
 use crate::run::scenario::Scenario;
 
 /// The force over feed and speed for one cut.
 #[derive(Clone, Debug)]
 pub struct ForceSurface {
-    radial_depth_mm: f64,
-    axial_depth_mm: f64,
+    network: NeuralForceAt,
     factor: f64,
 }
 
@@ -16,26 +16,25 @@ impl ForceSurface {
     /// The surface for a scenario's plant and workpiece at an axial depth in mm.
     #[must_use]
     pub fn new(scenario: &Scenario, axial_depth_mm: f64) -> Self {
-        let plant = &scenario.plant;
-        let material = plant.material.force_factor(plant.hardness_hb);
+        let (plant, radial_depth_mm) = (&scenario.plant, scenario.workpiece.radial_depth_mm);
+        let cut =
+            NeuralCut::new(plant.material, plant.hardness_hb, axial_depth_mm, radial_depth_mm);
         Self {
-            radial_depth_mm: scenario.workpiece.radial_depth_mm,
-            axial_depth_mm,
-            factor: material * plant.wear_factor,
+            network: NeuralForce::shipped(scenario.plan.network).at(&cut.point),
+            factor: cut.factor * plant.wear_factor,
         }
+    }
+
+    /// The network, everything but feed and speed folded in.
+    #[must_use]
+    pub fn network(&self) -> &NeuralForceAt {
+        &self.network
     }
 
     /// Signed force components F_x, F_y, F_z in N at the instant of the largest force.
     #[must_use]
     #[inline]
     pub fn components_n(&self, feed_mm_min: f64, speed_rpm: f64) -> [f64; 3] {
-        let feed_per_tooth_mm = feed_mm_min / (2.0 * speed_rpm);
-        let force = 1147.0
-            * self.factor
-            * math::pow(feed_per_tooth_mm, 0.83)
-            * math::pow(self.axial_depth_mm, 0.9)
-            * math::pow(self.radial_depth_mm, 0.6)
-            * math::pow(1500.0 / speed_rpm, 0.1);
-        [-0.82 * force, 0.572 * force, 0.4 * force]
+        self.network.components(feed_mm_min, speed_rpm).map(|force_n| self.factor * force_n)
     }
 }

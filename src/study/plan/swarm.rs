@@ -178,7 +178,7 @@ impl Swarm {
         let inertia = INERTIA[0] + share * (INERTIA[1] - INERTIA[0]);
         let largest = [0, 1].map(|d: usize| LARGEST_STEP * (high[d] - low[d]));
         let first = u64::from(iteration) * u64::from(particles);
-        let (attractor, mut best) = (self.best.0, self.best);
+        let attractor = self.best.0;
         for (counter, particle) in (first..).zip(&mut self.particles) {
             for d in 0..2 {
                 // Both numbers from one draw of 64 bits: 32 are plenty for a random pull.
@@ -195,15 +195,21 @@ impl Swarm {
                 let inside = particle.position[d] == moved;
                 particle.velocity[d] = if inside { velocity } else { -REBOUND * velocity };
             }
+        }
+        // First all evaluations, then all comparisons: a comparison that the processor guesses
+        // wrongly would throw away the evaluation that it had begun meanwhile.
+        for particle in &mut self.particles {
             particle.score = evaluate(particle.position);
+        }
+        for particle in &mut self.particles {
             if particle.score.beats(particle.best_score) {
                 (particle.best_position, particle.best_score) = (particle.position, particle.score);
-                if particle.score.beats(best.1) {
-                    best = (particle.position, particle.score);
+                if particle.score.beats(self.best.1) {
+                    self.best = (particle.position, particle.score);
                 }
             }
         }
-        self.best = best;
+        let best = self.best;
         if best.1.gains_on(self.anchor) {
             (self.anchor, self.stale) = (best.1, 0);
         } else {
