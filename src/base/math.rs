@@ -63,20 +63,22 @@ pub fn atan(x: f64) -> f64 {
     (offset + (r + r * (z * p / q))).copysign(x)
 }
 
-/// x^(-1/5) for a positive normal `x`, to some 1e-15 of itself, in a quarter of the time of `pow`
-/// and by exact operations alone.
+/// x^(-1/5) for a positive normal `x`, to some 2e-15 of itself, by exact operations alone and
+/// in a fraction of the time of `pow`.
 #[must_use]
 #[inline]
 pub fn inverse_fifth_root(x: f64) -> f64 {
     // The exponent divided by -5 through the bits, within 4 %; the constant centres the error.
     let mut root = f64::from_bits(0x4cb8_9800_0000_0000 - x.to_bits() / 5);
-    for _ in 0..2 {
-        // The series of (1 - e)^(-1/5) with e = 1 - x root^5: the error goes to its fifth power.
+    // The series of (1 - e)^(-1/5) with e = 1 - x root^5, twice: e falls from 0.16 to 3e-5 to 0.
+    let error = |root: f64| {
         let squared = root * root;
-        let e = 1.0 - x * (squared * squared * root);
-        root += root * (e * (0.2 + e * (0.12 + e * (0.088 + e * 0.0704))));
-    }
-    root
+        1.0 - x * (squared * squared * root)
+    };
+    let e = error(root);
+    root += root * (e * (0.2 + e * (0.12 + e * (0.088 + e * 0.0704))));
+    let e = error(root);
+    root + root * (e * (0.2 + e * 0.12))
 }
 
 #[cfg(test)]
@@ -102,7 +104,7 @@ mod tests {
             let x = pow(1.07, f64::from(i));
             let root = inverse_fifth_root(x);
             let one = x * root * root * root * root * root;
-            assert!((one - 1.0).abs() < 3e-15, "{x}: {root}");
+            assert!((one - 1.0).abs() < 1e-14, "{x}: {root}");
         }
     }
 }

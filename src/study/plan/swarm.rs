@@ -178,13 +178,14 @@ impl Swarm {
         let inertia = INERTIA[0] + share * (INERTIA[1] - INERTIA[0]);
         let largest = [0, 1].map(|d: usize| LARGEST_STEP * (high[d] - low[d]));
         let first = u64::from(iteration) * u64::from(particles);
+        // Four random numbers from one draw: steps of 1/65536 are fine enough for a pull.
+        let share = |bits: u64| f64::from(bits as u16) * (1.0 / 65_536.0);
         let attractor = self.best.0;
         for (counter, particle) in (first..).zip(&mut self.particles) {
+            let bits = self.stream.bits(4 * counter);
             for d in 0..2 {
-                // Both numbers from one draw of 64 bits: 32 are plenty for a random pull.
-                let bits = self.stream.bits(4 * counter + d as u64);
-                let own = (bits >> 32) as f64 * (1.0 / 4_294_967_296.0);
-                let swarm = (bits & 0xffff_ffff) as f64 * (1.0 / 4_294_967_296.0);
+                let own = share(bits >> (32 * d));
+                let swarm = share(bits >> (32 * d + 16));
                 let x = particle.position[d];
                 let velocity = inertia * particle.velocity[d]
                     + PULL * own * (particle.best_position[d] - x)
