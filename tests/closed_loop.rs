@@ -2,7 +2,7 @@
 
 use steadycut::base::math;
 use steadycut::base::model::feed_drive::FeedDriveKind;
-use steadycut::base::model::gp::Calibration;
+use steadycut::base::model::gp::{Calibration, GpModels, ModelSet};
 use steadycut::base::settings::Value;
 use steadycut::blocks::control::ControllerKind;
 use steadycut::blocks::cutting::material::Material;
@@ -13,6 +13,7 @@ use steadycut::run::presets::{PRESETS, load};
 use steadycut::run::scenario::Scenario;
 use steadycut::run::signals::{Row, flag};
 use steadycut::study::papers::{self, PaperTable};
+use steadycut::study::plan::PlanJob;
 use steadycut::study::published::PaperId;
 
 fn table(paper: PaperId, calibration: Calibration) -> PaperTable {
@@ -146,6 +147,26 @@ fn tracking_holds_ra_within_1_percent_in_all_ten_rows() {
         let metrics = Run::complete(&tracking(sim), &Edits::none()).metrics();
         assert!(metrics.ra_deviation_percent.abs() < 1.0, "row {sim}: {metrics:?}");
     }
+}
+
+#[test]
+fn the_strategy_preset_goes_its_eight_steps() {
+    let scenario = load("strategy-2013").unwrap();
+    // 1, 2: what is programmed is the swarm's optimum over the neural force surface.
+    let optimum = PlanJob::complete(&scenario).unwrap().optimum();
+    assert!(optimum.feasible);
+    assert!((optimum.feed_mm_min - scenario.program.feed_mm_min).abs() < 0.01, "{optimum:?}");
+    assert!((optimum.speed_rpm - scenario.program.spindle_rpm).abs() < 0.1, "{optimum:?}");
+    // 3, 4: the target Ra sets the reference force, which is also the plan's limit.
+    let run = Run::complete(&scenario, &Edits::none());
+    let rows = run.recording().rows();
+    let models = GpModels::new(ModelSet::Strategy2013, Calibration::Identified);
+    assert_eq!(rows[0].force_ref_n, models.force_from_ra(scenario.target.ra_um).value);
+    assert!((rows[0].force_n / rows[0].force_ref_n - 1.0).abs() < 0.002, "planned at the limit");
+    // 5 to 8: commands by overrides in whole percents, the force measured and held to the end.
+    assert!(rows.iter().all(|row| row.feed_override_percent.fract() == 0.0));
+    assert!(run.metrics().ra_deviation_percent.abs() < 1.0, "{:?}", run.metrics());
+    assert_eq!(run.end(), Some(&End::PathDone));
 }
 
 #[test]
