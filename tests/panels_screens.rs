@@ -6,7 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use steadycut::app::Console;
 use steadycut::app::panels::equation_cards::CARDS;
-use steadycut::base::model::gp_2007::Calibration;
+use steadycut::base::model::gp::Calibration;
 use steadycut::base::settings::Value;
 use steadycut::blocks::control::ControllerKind;
 use steadycut::run::Start;

@@ -10,14 +10,16 @@ use egui::{Frame, Margin, RichText, ScrollArea};
 use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
-use crate::base::model::gp_2007::Calibration;
-use crate::study::papers::{Paper2007, Verdict, band, paper_2007};
+use crate::base::model::gp::Calibration;
+use crate::blocks::cutting::process::ForceModel;
+use crate::study::papers::{self, PaperTable, Verdict};
+use crate::study::published::PaperId;
 
 /// The screen.
 pub struct PapersPanel {
     calibration: Calibration,
     /// What has been reproduced so far: the ten runs are done once for each calibration.
-    done: BTreeMap<Calibration, Paper2007>,
+    done: BTreeMap<Calibration, PaperTable>,
 }
 
 impl Default for PapersPanel {
@@ -49,7 +51,10 @@ impl PapersPanel {
         ui.heading("SDNRP 2007, Table 3: ten simulations");
         self.choose_calibration(ui);
         let calibration = self.calibration;
-        let paper = self.done.entry(calibration).or_insert_with(|| paper_2007(calibration));
+        let paper = self
+            .done
+            .entry(calibration)
+            .or_insert_with(|| papers::table(PaperId::Sdnrp2007, calibration, ForceModel::Formula));
         summary(ui, paper);
         if narrow {
             table::cards(ui, paper, commands);
@@ -72,7 +77,7 @@ impl PapersPanel {
 }
 
 /// How many cells are met, and what that means.
-fn summary(ui: &mut egui::Ui, paper: &Paper2007) {
+fn summary(ui: &mut egui::Ui, paper: &PaperTable) {
     let palette = Palette::at(ui);
     let compared = || paper.rows.iter().flat_map(|row| row.compared());
     let met = compared().filter(|cell| cell.verdict == Verdict::Met).count();
@@ -82,17 +87,17 @@ fn summary(ui: &mut egui::Ui, paper: &Paper2007) {
     let bands = format!(
         "Each row is run in time from its printed start values, noise off, SDNRP; the final values \
          are means over the last of 15 s. Met: force within {} %, feed {} %, speed {} %, Ra {}.",
-        band::FORCE_PERCENT,
-        band::FEED_PERCENT,
-        band::SPEED_PERCENT,
-        theme::quantity(band::RA_UM, "um"),
+        paper.bands.force_percent,
+        paper.bands.feed_percent,
+        paper.bands.speed_percent,
+        theme::quantity(paper.bands.ra_um, "um"),
     );
     ui.label(RichText::new(bands).color(palette.weak));
     ui.add_space(4.0);
 }
 
 /// What the paper's own table says about its findings.
-fn own_deviations(ui: &mut egui::Ui, paper: &Paper2007) {
+fn own_deviations(ui: &mut egui::Ui, paper: &PaperTable) {
     ui.add_space(10.0);
     ui.heading("The paper's own deviations");
     ui.label(
@@ -103,7 +108,7 @@ fn own_deviations(ui: &mut egui::Ui, paper: &Paper2007) {
     table::deviations(ui, paper);
 }
 
-fn errata(ui: &mut egui::Ui, paper: &Paper2007) {
+fn errata(ui: &mut egui::Ui, paper: &PaperTable) {
     let palette = Palette::at(ui);
     ui.add_space(10.0);
     ui.heading("Errata");

@@ -19,7 +19,7 @@ const FIRST: [&str; 5] =
 const TARGET: &str = "target.ra_um";
 
 /// Groups below the fold, with their titles.
-const GROUPS: [(&str, &str); 14] = [
+const GROUPS: [(&str, &str); 15] = [
     ("target", "Target"),
     ("controller.constant_feed", "Constant feed"),
     ("controller.sdnrp", "SDNRP"),
@@ -33,6 +33,7 @@ const GROUPS: [(&str, &str); 14] = [
     ("program", "NC program"),
     ("workpiece", "Workpiece"),
     ("run", "Run"),
+    ("plan", "Plan"),
     ("", "Name"),
 ];
 

@@ -4,6 +4,7 @@ use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, Color32, FontId};
 
 use crate::base::model::curve::Curve;
+use crate::base::model::quartic::Quartic;
 
 /// A number with four digits that count and no useless zeros after the point.
 #[must_use]
@@ -33,6 +34,17 @@ fn coefficient(x: f64) -> String {
         _ => 5,
     };
     format!("{x:.decimals$}")
+}
+
+/// A coefficient with all its digits; a small one as a power of ten.
+#[must_use]
+pub fn exact(x: f64) -> String {
+    if x == 0.0 || x.abs() >= 1e-4 {
+        return format!("{x}");
+    }
+    let text = format!("{x:e}");
+    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+    if digits == "1" { format!("10^{{{power}}}") } else { format!("{digits}·10^{{{power}}}") }
 }
 
 /// Terms joined with their signs; a factor 1 before a symbol is left out.
@@ -69,6 +81,43 @@ fn quadratic(coefficients: [f64; 3], x: &str, times: &str) -> String {
         coefficient(c1.abs()),
         sign(c2),
         coefficient(c2.abs()),
+    )
+}
+
+/// A polynomial, its highest power first, as the paper writes it.
+#[must_use]
+pub fn polynomial(coefficients: &[f64], x: &str, times: &str) -> String {
+    let mut text = String::new();
+    for (power, factor) in coefficients.iter().enumerate().rev() {
+        let sign = match (text.is_empty(), *factor < 0.0) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        };
+        let size = exact(factor.abs());
+        text.push_str(&match power {
+            0 => format!("{sign}{size}"),
+            1 => format!("{sign}{size}{times}{x}"),
+            _ => format!("{sign}{size}{times}{x}^{power}"),
+        });
+    }
+    text
+}
+
+/// The quartic with a value put in; beyond its range its straight continuation.
+#[must_use]
+pub fn quartic_with(quartic: &Quartic, x: f64, [low, high]: [f64; 2]) -> String {
+    let inside = x.max(low).min(high);
+    if x == inside {
+        return polynomial(&quartic.coefficients, &number(x), " · ");
+    }
+    format!(
+        "{} + {} ({} - {})",
+        number(quartic.at(inside)),
+        number(quartic.slope(inside)),
+        number(x),
+        number(inside)
     )
 }
 

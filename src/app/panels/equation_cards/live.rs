@@ -4,7 +4,7 @@
 use super::Block;
 use super::formula::{number, sum};
 use super::models::{controller, cutting, k1, k5};
-use crate::base::model::gp_2007::{Calibration, GpModels};
+use crate::base::model::gp::{Calibration, GpModels};
 use crate::base::units::percent_from_ratio;
 use crate::run::scenario::Scenario;
 use crate::run::signals::{Row, flag};
@@ -61,7 +61,7 @@ impl Block {
 #[must_use]
 pub fn live(block: Block, moment: &Moment<'_>) -> Vec<Live> {
     let Moment { row, scenario, delayed } = *moment;
-    let belief = GpModels::new(scenario.belief.calibration);
+    let belief = GpModels::new(scenario.belief.model_set, scenario.belief.calibration);
     match block {
         Block::Reference => vec![k1(&belief, row)],
         Block::Controller => controller(&belief, row, scenario),

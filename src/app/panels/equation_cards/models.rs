@@ -1,12 +1,17 @@
 //! The cards of the models K1 to K6 and of the controllers that use them.
 
-use super::formula::{curve_formula, curve_inverse, curve_inverse_formula, curve_with, number};
+use super::formula::{
+    curve_formula, curve_inverse, curve_inverse_formula, curve_with, number, polynomial,
+    quartic_with,
+};
 use super::live::Live;
 use crate::app::theme;
-use crate::base::model::gp_2007::{
-    FEED_MIN_MM_MIN, FORCE_REF_MIN_N, FeedLaw, ForceRoughness, GpModels, K2_PRINTED_MIN_N,
-    K3_PRINTED_MAX_N, K4_FEED, K4_INCH, K4_SPEED, SPEED_MIN_RPM, SpeedLaw,
+use crate::base::model::force_formula::{FEED_MIN_MM_MIN, INCH, SPEED_MIN_RPM};
+use crate::base::model::gp::{
+    FORCE_REF_MIN_N, FeedLaw, ForceRoughness, GpModels, M2_RESTORED_RANGE_N, SpeedLaw,
 };
+use crate::base::model::gp_2007::{K2_MIN_N, K3_MAX_N};
+use crate::base::model::gp_2013;
 use crate::base::units::ratio_from_percent;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::process::Process;
@@ -24,7 +29,7 @@ pub fn k1(belief: &GpModels, row: &Row) -> Live {
         if at_floor { format!("max({}, {text})", number(FORCE_REF_MIN_N)) } else { text }
     };
     let (formula, values, range) = match belief.roughness {
-        ForceRoughness::Printed => (
+        ForceRoughness::K1K5 => (
             "F_d = 293 - 593 / √(39.37 Ra)".to_owned(),
             format!(
                 "F_d = {} = {result}",
@@ -32,7 +37,23 @@ pub fn k1(belief: &GpModels, row: &Row) -> Live {
             ),
             format!("F_d at least {} N", number(FORCE_REF_MIN_N)),
         ),
-        ForceRoughness::Identified(curve) => (
+        ForceRoughness::M1M5 { .. } => (
+            "F_d = 69.306 Ra^3 - 270.18 Ra^2 + 398.82 Ra + 14.875".to_owned(),
+            format!(
+                "F_d = {} = {result}",
+                floored(format!(
+                    "69.306 · {ra}^3 - 270.18 · {ra}^2 + 398.82 · {ra} + 14.875",
+                    ra = number(ra)
+                ))
+            ),
+            format!(
+                "Ra {} to {} {}",
+                gp_2013::RA_RANGE_UM[0],
+                gp_2013::RA_RANGE_UM[1],
+                theme::unit("um")
+            ),
+        ),
+        ForceRoughness::Curve(curve) => (
             format!("F_d = {}", curve_formula(&curve, "Ra")),
             format!("F_d = {} = {result}", floored(curve_with(&curve, ra))),
             format!(
@@ -51,12 +72,25 @@ fn k2(belief: &GpModels, force_n: f64) -> Live {
     let result = format!("{} mm/min", number(feed.value));
     let force = number(force_n);
     let (formula, values, range) = match belief.feed {
-        FeedLaw::Printed => (
+        FeedLaw::K2 => (
             "f_c = 25.4 (189 - 5926160 / F_s^2)".to_owned(),
             format!("f_c = 25.4 (189 - 5926160 / {force}^2) = {result}"),
-            format!("F_s from {} N on; below it the feed is negative", number(K2_PRINTED_MIN_N)),
+            format!("F_s from {} N on; below it the feed is negative", number(K2_MIN_N)),
         ),
-        FeedLaw::Identified(curve) => (
+        FeedLaw::M2 => (
+            format!("f_c = {}", polynomial(&gp_2013::M2.coefficients, "F_s", " ")),
+            format!("f_c = {} = {result}", polynomial(&gp_2013::M2.coefficients, &force, " · ")),
+            "where f_c is positive and rises with F_s".to_owned(),
+        ),
+        FeedLaw::M2Restored(quartic) => (
+            format!("f_c = {}", polynomial(&quartic.coefficients, "F_s", " ")),
+            format!("f_c = {} = {result}", quartic_with(&quartic, force_n, M2_RESTORED_RANGE_N)),
+            format!(
+                "F_s {} to {} N; straight on beyond",
+                M2_RESTORED_RANGE_N[0], M2_RESTORED_RANGE_N[1]
+            ),
+        ),
+        FeedLaw::Curve(curve) => (
             format!("f_c = {}", curve_formula(&curve, "F_s")),
             format!("f_c = {} = {result}", curve_with(&curve, force_n)),
             format!("F_s {} to {} N; straight on beyond", number(curve.low), number(curve.high)),
@@ -70,16 +104,25 @@ fn k3(belief: &GpModels, force_n: f64) -> Live {
     let result = format!("{} 1/min", number(speed.value));
     let force = number(force_n);
     let (formula, values, range) = match belief.speed {
-        SpeedLaw::Printed => (
+        SpeedLaw::K3 => (
             "n_c = √(30064193 - 2.28 F_s^3)".to_owned(),
             if speed.valid {
                 format!("n_c = √(30064193 - 2.28 · {force}^3) = {result}")
             } else {
                 format!("n_c = √(max(0, 30064193 - 2.28 · {force}^3)) = {result}")
             },
-            format!("F_s up to {} N; above it there is no root", number(K3_PRINTED_MAX_N)),
+            format!("F_s up to {} N; above it there is no root", number(K3_MAX_N)),
         ),
-        SpeedLaw::Identified(curve) => (
+        SpeedLaw::Exponential(law, [low, high]) => (
+            format!("n_c = {} e^{{{} F_s}}", number(law.scale_rpm), number(law.rate_per_n)),
+            format!(
+                "n_c = {} e^{{{} · {force}}} = {result}",
+                number(law.scale_rpm),
+                number(law.rate_per_n)
+            ),
+            format!("F_s {} to {} N", number(low), number(high)),
+        ),
+        SpeedLaw::Curve(curve) => (
             format!("n_c = {}", curve_formula(&curve, "F_s")),
             format!("n_c = {} = {result}", curve_with(&curve, force_n)),
             format!("F_s {} to {} N; straight on beyond", number(curve.low), number(curve.high)),
@@ -172,9 +215,9 @@ pub fn cutting(row: &Row, scenario: &Scenario) -> Vec<Live> {
     let (feed, speed, depth) = (row.feed_mm_min, row.spindle_rpm, row.axial_depth_mm);
     let k4 = models.force(feed, speed);
     let force = process.update(feed, speed, depth);
-    let intercept = number(models.k4_intercept_n);
+    let intercept = number(models.force.intercept_n);
     let [speed_coefficient, feed_coefficient, inch] =
-        [K4_SPEED * 1e10, K4_FEED, K4_INCH].map(number);
+        [models.force.speed * 1e10, models.force.feed, INCH].map(number);
     let f = number(feed.max(FEED_MIN_MM_MIN));
     let model = Live {
         formula: format!(
@@ -213,7 +256,7 @@ pub fn cutting(row: &Row, scenario: &Scenario) -> Vec<Live> {
 
 /// K5 or K6 at a force, with the symbols of its output and input.
 pub fn k5(scenario: &Scenario, force_n: f64, ra_symbol: &str, force_symbol: &str) -> Live {
-    let models = GpModels::new(scenario.plant.calibration);
+    let models = GpModels::new(scenario.plant.model_set, scenario.plant.calibration);
     let ra = models.ra_from_force(force_n);
     let force = number(force_n);
     if force_n <= 0.0 {
@@ -223,7 +266,7 @@ pub fn k5(scenario: &Scenario, force_n: f64, ra_symbol: &str, force_symbol: &str
     }
     let result = format!("{} {}", number(ra.value), theme::unit("um"));
     let (formula, values, range) = match models.roughness {
-        ForceRoughness::Printed => (
+        ForceRoughness::K1K5 => (
             format!("{ra_symbol} = 0.0254 (593 / (293 - {force_symbol}))^2"),
             if ra.valid {
                 format!("{ra_symbol} = 0.0254 (593 / (293 - {force}))^2 = {result}")
@@ -232,7 +275,22 @@ pub fn k5(scenario: &Scenario, force_n: f64, ra_symbol: &str, force_symbol: &str
             },
             format!("{force_symbol} below the pole at 293 N; continued with its slope before it"),
         ),
-        ForceRoughness::Identified(curve) => (
+        ForceRoughness::M1M5 { leading } => {
+            let coefficients = [3.018, -0.0341, leading];
+            let with = polynomial(&coefficients, &force, " · ");
+            let floored = if ra.value > 0.0 { with } else { format!("max(0, {with})") };
+            (
+                format!("{ra_symbol} = {}", polynomial(&coefficients, force_symbol, " ")),
+                format!("{ra_symbol} = {floored} = {result}"),
+                format!(
+                    "{force_symbol} {} to {} N, above {} N where it turns round",
+                    gp_2013::FORCE_RANGE_N[0],
+                    gp_2013::FORCE_RANGE_N[1],
+                    number(0.0341 / (2.0 * leading))
+                ),
+            )
+        }
+        ForceRoughness::Curve(curve) => (
             format!("{ra_symbol} = {}", curve_inverse_formula(&curve, force_symbol)),
             if ra.value > 0.0 {
                 format!("{ra_symbol} = {} = {result}", curve_inverse(&curve, force_n))

@@ -4,11 +4,13 @@ use egui::{Grid, RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
 
 use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
-use crate::base::model::gp_2007::Calibration;
+use crate::base::model::gp::Calibration;
+use crate::blocks::cutting::process::ForceModel;
 use crate::run::edits::Edits;
 use crate::run::scenario_file;
 use crate::run::signals::FLAGS;
-use crate::study::papers::{self, Cell, Paper2007, PaperRow, Verdict};
+use crate::study::papers::{self, Cell, PaperRow, PaperTable, Verdict};
+use crate::study::published::PaperId;
 
 /// Size of type of units and verdicts.
 const NOTE: f32 = 11.5;
@@ -37,7 +39,7 @@ const COLUMNS: [Column; 8] = [
         unit: "N",
         decimals: 1,
         absolute: false,
-        cell: |row| &row.f_desired_n,
+        cell: |row| &row.force_start_n,
     },
     Column {
         title: "Start feed",
@@ -91,7 +93,8 @@ fn load(ui: &mut Ui, row: &PaperRow, calibration: &str, commands: &mut Vec<Comma
     let hint = format!("Opens the scenario {name} in the console");
     if button.on_hover_text(hint).clicked() {
         let calibration = Calibration::from_id(calibration).unwrap_or(Calibration::Identified);
-        let mut scenario = papers::scenario_2007(row.sim, calibration);
+        let mut scenario =
+            papers::scenario(PaperId::Sdnrp2007, row.sim, calibration, ForceModel::Formula);
         if calibration != Calibration::Identified {
             scenario.info.name = format!("{name} ({})", calibration.label());
         }
@@ -110,6 +113,7 @@ fn verdict(cell: &Cell, column: &Column) -> String {
     };
     match cell.verdict {
         Verdict::Given => "given".to_owned(),
+        Verdict::Reported => residual,
         Verdict::Met => format!("{residual} met"),
         Verdict::Missed => format!("{residual} missed"),
     }
@@ -118,7 +122,7 @@ fn verdict(cell: &Cell, column: &Column) -> String {
 fn verdict_text(cell: &Cell, column: &Column, palette: &Palette) -> RichText {
     let text = RichText::new(verdict(cell, column)).size(NOTE);
     match cell.verdict {
-        Verdict::Given => text.color(palette.weak),
+        Verdict::Given | Verdict::Reported => text.color(palette.weak),
         Verdict::Met => text.color(palette.good),
         Verdict::Missed => text.color(palette.bad).strong(),
     }
@@ -159,7 +163,7 @@ fn remarks(ui: &mut Ui, row: &PaperRow) {
 }
 
 /// The table as a grid.
-pub fn table(ui: &mut Ui, paper: &Paper2007, commands: &mut Vec<Command>) {
+pub fn table(ui: &mut Ui, paper: &PaperTable, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
     ui.label(RichText::new("In each cell: printed, then run; below: residual and verdict.").weak());
     ScrollArea::horizontal().id_salt("table").show(ui, |ui| {
@@ -218,7 +222,7 @@ fn figures(ui: &mut Ui, row: &PaperRow) {
 }
 
 /// The table as a card for every row.
-pub fn cards(ui: &mut Ui, paper: &Paper2007, commands: &mut Vec<Command>) {
+pub fn cards(ui: &mut Ui, paper: &PaperTable, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
     for row in &paper.rows {
         theme::card(palette).show(ui, |ui| {
@@ -235,7 +239,7 @@ pub fn cards(ui: &mut Ui, paper: &Paper2007, commands: &mut Vec<Command>) {
 }
 
 /// Deviation of the final from the desired values in percent: printed, and in the runs.
-pub fn deviations(ui: &mut Ui, paper: &Paper2007) {
+pub fn deviations(ui: &mut Ui, paper: &PaperTable) {
     let percent = |is: f64, wanted: f64| format!("{:+.1} %", 100.0 * (is / wanted - 1.0));
     let grid = Grid::new("deviations").striped(true).min_col_width(24.0).spacing([12.0, 3.0]);
     let figures = |ui: &mut Ui| {
@@ -248,10 +252,10 @@ pub fn deviations(ui: &mut Ui, paper: &Paper2007) {
             ui.label(row.sim.to_string());
             ui.label(percent(ra.printed, row.ra_desired_um.printed));
             ui.label(percent(ra.reproduced, row.ra_desired_um.reproduced));
-            let printed = percent(force.printed, row.f_desired_n.printed);
-            let read = percent(force.reference, row.f_desired_n.printed);
+            let printed = percent(force.printed, row.force_start_n.printed);
+            let read = percent(force.reference, row.force_start_n.printed);
             ui.label(if printed == read { printed } else { format!("{printed}\n(read {read})") });
-            ui.label(percent(force.reproduced, row.f_desired_n.reproduced));
+            ui.label(percent(force.reproduced, row.force_start_n.reproduced));
             ui.end_row();
         }
     };
