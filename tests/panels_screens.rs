@@ -87,11 +87,12 @@ fn every_card_opens_for_every_controller_and_calibration() {
             ("belief.calibration", text(calibration.id())),
         ];
         let mut harness = open("table3-5-noise", [1280.0, 1400.0], "Block diagram", &change);
+        let scenario = console(&harness).session().current().clone();
         for card in CARDS {
-            harness.get_by_role_and_label(Role::Button, card.title).click();
+            harness.get_by_role_and_label(Role::Button, &card.title(&scenario)).click();
             harness.run_steps(2);
             let shown = texts(&harness);
-            for printed in card.printed {
+            for printed in card.block.printed(&scenario) {
                 assert!(shown.contains(printed.formula), "{} in {shown}", printed.formula);
             }
         }

@@ -248,6 +248,12 @@ pub fn quantity(value: f64, unit_text: &str) -> String {
     format!("{} {unit}", number(value, unit_text)).trim_end().to_owned()
 }
 
+/// Whole percents.
+#[must_use]
+pub fn percent(value: f64) -> String {
+    format!("{value:.0} %")
+}
+
 /// A time on the scale of the run: `12.34 s`, `1:02.3 min`.
 #[must_use]
 pub fn time(time_s: f64) -> String {

@@ -282,7 +282,8 @@ fn bit(on: bool, bit: u32) -> u32 {
 /// Limits of the commands. An adaptive controller also stays where the force model holds: below
 /// [`FEED_MIN_MM_MIN`] the force no longer falls with the feed, and below [`SPEED_MIN_RPM`] it
 /// would stop the spindle to raise the force.
-fn limits(scenario: &Scenario) -> Limits {
+#[must_use]
+pub fn limits(scenario: &Scenario) -> Limits {
     let mut feed_mm_min = scenario.cnc.range(scenario.program.feed_mm_min);
     let mut speed_rpm = scenario.cnc.range(scenario.program.spindle_rpm);
     if scenario.controller.kind != ControllerKind::ConstantFeed {

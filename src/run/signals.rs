@@ -138,6 +138,8 @@ pub mod flag {
     pub const FEED_RATE_LIMITED: u32 = 512;
     /// The spindle override moves no faster than its rate allows.
     pub const SPEED_RATE_LIMITED: u32 = 1024;
+    /// An override moves no faster than its rate allows.
+    pub const RATE_LIMITED: u32 = FEED_RATE_LIMITED | SPEED_RATE_LIMITED;
     /// A command stands at a limit.
     pub const SATURATED: u32 = FEED_SATURATED | SPEED_SATURATED;
     /// Some model is used outside its range.

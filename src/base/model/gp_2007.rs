@@ -22,7 +22,7 @@ pub const K4: ForceFormula = ForceFormula { intercept_n: 286.44, speed: 5.82e-10
 /// K4 restored: the intercept meets all ten rows of Table 3 within 0.75 N.
 pub const K4_RESTORED: ForceFormula = ForceFormula { intercept_n: 253.66, ..K4 };
 /// Above this force the printed K5 runs into its pole at 293 N; it is continued with its slope.
-const K5_MAX_N: f64 = 263.0;
+pub const K5_MAX_N: f64 = 263.0;
 /// Below this force the printed K2 asks for a negative feed: sqrt(5926160 / 189) N.
 pub const K2_MIN_N: f64 = 177.074_402_217;
 /// Above this force the radicand of the printed K3 is negative: (30064193 / 2.28)^(1/3) N.

@@ -24,12 +24,11 @@ const ARROW: f32 = 7.0;
 /// A line or two about a block's settings.
 fn detail(block: Block, now: &Now<'_>) -> String {
     let scenario = now.moment.scenario;
-    let calibrated = |model: &str| match block.calibration(scenario) {
-        Some((_, calibration)) => format!("{model} {}", calibration.label()),
-        None => model.to_owned(),
-    };
     match block {
-        Block::Reference => calibrated("K1"),
+        Block::Reference | Block::Surface | Block::SurfaceDynamic => {
+            let calibration = block.using(scenario).map_or("", |using| using.calibration.label());
+            format!("{} {calibration}", block.card().models(scenario))
+        }
         Block::Controller => match scenario.controller.kind {
             ControllerKind::Sdnrp => format!("SDNRP, Kp {}", number(scenario.sdnrp.kp)),
             ControllerKind::Tracking => {
@@ -39,11 +38,14 @@ fn detail(block: Block, now: &Now<'_>) -> String {
         },
         Block::Override => {
             let cnc = &scenario.cnc;
-            format!(
-                "{} to {} %",
-                number(cnc.override_min_percent),
-                number(cnc.override_max_percent)
-            )
+            let [low, high] = [cnc.override_min_percent, cnc.override_max_percent].map(number);
+            let whole = if cnc.override_quantised { ", whole" } else { "" };
+            let rate = if cnc.override_rate_limited {
+                format!("\nat most {} %/s", number(cnc.override_rate_percent_s))
+            } else {
+                String::new()
+            };
+            format!("{low} to {high} %{whole}{rate}")
         }
         Block::DeadTime => format!("{} s", number(scenario.cnc.dead_time_s)),
         Block::FeedDrive => scenario.feed_drive.kind.label().to_owned(),
@@ -65,8 +67,6 @@ fn detail(block: Block, now: &Now<'_>) -> String {
         Block::Dynamometer => {
             format!("noise {} N", number(scenario.noise.level * scenario.noise.sensor_n))
         }
-        Block::Surface => calibrated("K5"),
-        Block::SurfaceDynamic => calibrated("K6"),
     }
 }
 
@@ -173,7 +173,7 @@ impl Brush {
     pub fn block(&self, block: Block, rect: Rect, now: &Now<'_>, chosen: bool, hovered: bool) {
         let palette = self.palette;
         let card = block.card();
-        let lit = card.lamps.iter().any(|lamp| now.moment.row.has(lamp.bit));
+        let lit = card.lamps.iter().any(|lamp| now.moment.row.has(lamp.bits));
         let color = match (chosen, lit) {
             (true, _) => palette.accent,
             (false, true) => palette.bad,
@@ -190,7 +190,7 @@ impl Brush {
         let flat = rect.width() > 2.5 * rect.height();
         let lamps = self.lamps(inner, card.lamps, now, flat);
         let room = if flat { inner.width() - lamps } else { inner.width() };
-        let title = self.plain(card.title, TITLE, palette.text);
+        let title = self.plain(&card.title(now.moment.scenario), TITLE, palette.text);
         let lines = if flat { 1 } else { 2 };
         let title = self.text(inner.min, Align2::LEFT_TOP, title, room, lines);
         let mut at = pos2(inner.left(), title.bottom());
@@ -204,22 +204,29 @@ impl Brush {
         }
     }
 
-    /// Draws the lamps and gives back the width they take in a row.
+    /// Draws the lamps, the last one at the right, in rows from the foot up where they do not fit
+    /// beside each other; gives back the width of the last row.
     fn lamps(&self, inner: Rect, lamps: &[Lamp], now: &Now<'_>, flat: bool) -> f32 {
         let mut width = 0.0;
-        for lamp in lamps.iter().rev() {
-            let lit = now.moment.row.has(lamp.bit);
+        let mut y = if flat { inner.top() + self.s(8.0) } else { inner.bottom() - self.s(7.0) };
+        let radius = self.s(LAMP_RADIUS);
+        let scenario = now.moment.scenario;
+        for lamp in lamps.iter().rev().filter(|lamp| lamp.serves(scenario)) {
+            let lit = now.moment.row.has(lamp.bits);
+            let name = lamp.name(scenario);
             let (color, label) = if lit {
-                (self.palette.bad, format!("{} !", lamp.label))
+                (self.palette.bad, format!("{name} !"))
             } else {
-                (self.palette.good, lamp.label.to_owned())
+                (self.palette.good, name)
             };
             let text = self.plain(&label, NAME, if lit { color } else { self.palette.weak });
-            let foot = inner.bottom() - self.s(7.0);
-            let at =
-                pos2(inner.right() - width, if flat { inner.top() + self.s(8.0) } else { foot });
+            let needed =
+                self.painter.layout_job(text.clone()).size().x + 2.0 * radius + self.s(3.0);
+            if !flat && width > 0.0 && width + needed > inner.width() {
+                (width, y) = (0.0, y - self.s(16.0));
+            }
+            let at = pos2(inner.right() - width, y);
             let drawn = self.text(at, Align2::RIGHT_CENTER, text, f32::INFINITY, 1);
-            let radius = self.s(LAMP_RADIUS);
             let center = pos2(drawn.left() - radius - self.s(3.0), at.y);
             // Dark and hollow, or lit and full: the shape tells as well as the colour.
             if lit {

@@ -5,7 +5,7 @@ use egui::{Color32, Label, Response, RichText, Role, Sense, Stroke, Ui, Vec2, Wi
 use super::moment::Now;
 use super::wires::{WIRES, Wire};
 use crate::app::panels::equation_cards::formula::typeset;
-use crate::app::panels::equation_cards::{Block, Live, live};
+use crate::app::panels::equation_cards::{Block, Live, Using, live};
 use crate::app::theme::{self, Palette};
 use crate::run::signals::signal;
 
@@ -20,7 +20,7 @@ pub fn show(ui: &mut Ui, block: Block, now: &Now<'_>, explain: &mut bool) -> Opt
         .show(ui, |ui| {
             ui.set_width(ui.available_width());
             ui.horizontal(|ui| {
-                ui.heading(card.title);
+                ui.heading(card.title(now.moment.scenario));
                 let help = ui.selectable_label(*explain, "?").on_hover_text("What is this?");
                 help.widget_info(|| {
                     WidgetInfo::selected(Role::Button, true, *explain, "What is this?")
@@ -34,13 +34,14 @@ pub fn show(ui: &mut Ui, block: Block, now: &Now<'_>, explain: &mut bool) -> Opt
             }
             let asked = signals(ui, card.signals);
             section(ui, "As printed");
-            for printed in card.printed {
+            for printed in block.printed(now.moment.scenario) {
                 formula(ui, printed.formula, palette.text);
                 ui.label(RichText::new(printed.source).size(NOTE).color(palette.weak));
             }
-            match block.calibration(now.moment.scenario) {
-                Some((whose, calibration)) => {
-                    section(ui, &format!("Now, {}: {}", whose, calibration.label()));
+            match block.using(now.moment.scenario) {
+                Some(Using { whose, set, calibration }) => {
+                    let title = format!("Now, {whose}: {}, {}", set.label(), calibration.label());
+                    section(ui, &title);
                 }
                 None => section(ui, "Now"),
             }

@@ -6,8 +6,7 @@ use super::brush::Brush;
 use super::layout::Layout;
 use super::moment::Now;
 use super::wires::Wire;
-use crate::app::panels::equation_cards::{Block, Lamp};
-use crate::app::theme;
+use crate::app::panels::equation_cards::{Block, Lamp, Moment, flag_name};
 use crate::run::signals::FLAGS;
 
 /// What was clicked.
@@ -51,11 +50,7 @@ pub fn diagram(
         let chosen = course.wire == wire;
         let lively = response.hovered() || near == Some(course.wire);
         brush.course(course, offset, chosen, lively);
-        brush.label(
-            rect,
-            course,
-            &theme::quantity(now.value(course.wire), course.wire.info().unit),
-        );
+        brush.label(rect, course, &now.text(course.wire));
         if response.has_focus() {
             brush.focus(rect);
         }
@@ -81,7 +76,7 @@ fn wire_label(ui: &Ui, id: Id, rect: Rect, wire: Wire, now: &Now<'_>) -> Respons
     let response = ui.interact(rect, id, Sense::click());
     response
         .widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Plot {}", wire.name())));
-    let value = theme::quantity(now.value(wire), wire.info().unit);
+    let value = now.text(wire);
     ui.ctx().accesskit_node_builder(id, |node| node.set_value(value));
     reveal(&response);
     response.on_hover_text(format!("{}\n{}", wire.name(), wire.info().doc.trim()))
@@ -89,13 +84,14 @@ fn wire_label(ui: &Ui, id: Id, rect: Rect, wire: Wire, now: &Now<'_>) -> Respons
 
 fn block_button(ui: &Ui, block: Block, rect: Rect, now: &Now<'_>) -> Response {
     let card = block.card();
-    let id = ui.scope_id().with(card.title);
+    let title = card.title(now.moment.scenario);
+    let id = ui.scope_id().with(("block", block as usize));
     let response = ui.interact(rect, id, Sense::click());
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, card.title));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, title.clone()));
     let state = state_in_words(card.lamps, now);
     ui.ctx().accesskit_node_builder(id, |node| node.set_value(state.clone()));
     reveal(&response);
-    response.on_hover_text(format!("{}: {state}", card.title))
+    response.on_hover_text(format!("{title}: {state}"))
 }
 
 /// A part that gets the keyboard's focus must be seen.
@@ -106,7 +102,9 @@ fn reveal(response: &Response) {
 }
 
 fn state_in_words(lamps: &[Lamp], now: &Now<'_>) -> String {
-    let lit = |bit: u32| lamps.iter().any(|lamp| lamp.bit == bit) && now.moment.row.has(bit);
-    let words: Vec<&str> = FLAGS.iter().filter(|f| lit(f.bit)).map(|f| f.label).collect();
+    let Moment { row, scenario, .. } = now.moment;
+    let lit = |bit: u32| lamps.iter().any(|lamp| lamp.bits & bit != 0) && row.has(bit);
+    let lit = FLAGS.iter().filter(|flag| lit(flag.bit));
+    let words: Vec<String> = lit.map(|flag| flag_name(flag, scenario)).collect();
     if words.is_empty() { "as it should be".to_owned() } else { words.join(", ") }
 }

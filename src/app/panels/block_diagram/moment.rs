@@ -3,6 +3,7 @@
 use super::wires::Wire;
 use crate::app::panels::equation_cards::Moment;
 use crate::app::session::Session;
+use crate::app::theme;
 use crate::run::signals::Row;
 
 /// Most dots in the queue: more would run into each other.
@@ -58,6 +59,16 @@ impl<'a> Now<'a> {
     pub fn value(&self, wire: Wire) -> f64 {
         let row = if wire.delayed { self.leaving } else { self.moment.row };
         (wire.info().get)(row)
+    }
+
+    /// The value with its unit.
+    #[must_use]
+    pub fn text(&self, wire: Wire) -> String {
+        let unit = wire.info().unit;
+        if unit == "%" && self.moment.scenario.cnc.override_quantised {
+            return theme::percent(self.value(wire));
+        }
+        theme::quantity(self.value(wire), unit)
     }
 }
 

@@ -105,7 +105,7 @@ pub fn show(ui: &mut egui::Ui, session: &Session, now: &Now<'_>, wire: Wire, hei
             ui.add(Label::new(RichText::new(text).strong().color(color)).extend());
         };
         name(wire.name(), palette.text);
-        name(theme::quantity(now.value(wire), info.unit), palette.produced);
+        name(now.text(wire), palette.produced);
         for trace in traces.iter().filter(|trace| trace.look != Look::Produced) {
             let (stroke, _) = trace.look.line(palette);
             name(format!("- - {}", trace.name), stroke.color);

@@ -3,9 +3,6 @@
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, Color32, FontId};
 
-use crate::base::model::curve::Curve;
-use crate::base::model::quartic::Quartic;
-
 /// A number with four digits that count and no useless zeros after the point.
 #[must_use]
 pub fn number(x: f64) -> String {
@@ -24,27 +21,6 @@ pub fn number(x: f64) -> String {
     } else {
         text
     }
-}
-
-/// A coefficient: six digits that count.
-fn coefficient(x: f64) -> String {
-    let decimals = match x.abs() {
-        m if m >= 1000.0 => 1,
-        m if m >= 1.0 => 3,
-        _ => 5,
-    };
-    format!("{x:.decimals$}")
-}
-
-/// A coefficient with all its digits; a small one as a power of ten.
-#[must_use]
-pub fn exact(x: f64) -> String {
-    if x == 0.0 || x.abs() >= 1e-4 {
-        return format!("{x}");
-    }
-    let text = format!("{x:e}");
-    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
-    if digits == "1" { format!("10^{{{power}}}") } else { format!("{digits}·10^{{{power}}}") }
 }
 
 /// Terms joined with their signs; a factor 1 before a symbol is left out.
@@ -69,105 +45,6 @@ pub fn sum(terms: &[(f64, &str)]) -> String {
         }
     }
     text
-}
-
-fn quadratic(coefficients: [f64; 3], x: &str, times: &str) -> String {
-    let [c0, c1, c2] = coefficients;
-    let sign = |c: f64| if c < 0.0 { '-' } else { '+' };
-    format!(
-        "{} {} {}{times}{x} {} {}{times}{x}^2",
-        coefficient(c0),
-        sign(c1),
-        coefficient(c1.abs()),
-        sign(c2),
-        coefficient(c2.abs()),
-    )
-}
-
-/// A polynomial, its highest power first, as the paper writes it.
-#[must_use]
-pub fn polynomial(coefficients: &[f64], x: &str, times: &str) -> String {
-    let mut text = String::new();
-    for (power, factor) in coefficients.iter().enumerate().rev() {
-        let sign = match (text.is_empty(), *factor < 0.0) {
-            (true, false) => "",
-            (true, true) => "-",
-            (false, false) => " + ",
-            (false, true) => " - ",
-        };
-        let size = exact(factor.abs());
-        text.push_str(&match power {
-            0 => format!("{sign}{size}"),
-            1 => format!("{sign}{size}{times}{x}"),
-            _ => format!("{sign}{size}{times}{x}^{power}"),
-        });
-    }
-    text
-}
-
-/// The quartic with a value put in; beyond its range its straight continuation.
-#[must_use]
-pub fn quartic_with(quartic: &Quartic, x: f64, [low, high]: [f64; 2]) -> String {
-    let inside = x.max(low).min(high);
-    if x == inside {
-        return polynomial(&quartic.coefficients, &number(x), " · ");
-    }
-    format!(
-        "{} + {} ({} - {})",
-        number(quartic.at(inside)),
-        number(quartic.slope(inside)),
-        number(x),
-        number(inside)
-    )
-}
-
-/// The curve over the symbol `x`.
-#[must_use]
-pub fn curve_formula(curve: &Curve, x: &str) -> String {
-    quadratic(curve.coefficients, x, " ")
-}
-
-/// The curve with a value put in; beyond its range its straight continuation.
-#[must_use]
-pub fn curve_with(curve: &Curve, x: f64) -> String {
-    let inside = x.max(curve.low).min(curve.high);
-    if x == inside {
-        return quadratic(curve.coefficients, &number(x), " · ");
-    }
-    format!(
-        "{} + {} ({} - {})",
-        number(curve.at(inside).value),
-        number(curve.slope(inside)),
-        number(x),
-        number(inside)
-    )
-}
-
-fn inverse_text(curve: &Curve, y: &str) -> String {
-    let [c0, c1, c2] = curve.coefficients;
-    let sign = if c2 < 0.0 { '-' } else { '+' };
-    let [c0, c1, c2] = [c0, c1, c2.abs()].map(coefficient);
-    format!("2 ({y} - {c0}) / ({c1} + √({c1}^2 {sign} 4 · {c2} ({y} - {c0})))")
-}
-
-/// The curve's inverse over the symbol `y`.
-#[must_use]
-pub fn curve_inverse_formula(curve: &Curve, y: &str) -> String {
-    inverse_text(curve, y)
-}
-
-/// The curve's inverse with a value put in; beyond its range its straight continuation.
-#[must_use]
-pub fn curve_inverse(curve: &Curve, y: f64) -> String {
-    let end = if y < curve.at(curve.low).value {
-        curve.low
-    } else if y > curve.at(curve.high).value {
-        curve.high
-    } else {
-        return inverse_text(curve, &number(y));
-    };
-    let at_end = number(curve.at(end).value);
-    format!("{} + ({} - {at_end}) / {}", number(end), number(y), number(curve.slope(end)))
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -231,11 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn continuations_are_written_as_the_model_computes_them() {
-        let curve = Curve { coefficients: [142.734, 53.572, -11.889], low: 0.38, high: 1.52 };
-        assert_eq!(curve_with(&curve, 0.5), "142.734 + 53.572 · 0.5 - 11.889 · 0.5^2");
-        assert!(curve_with(&curve, 2.0).ends_with("(2 - 1.52)"));
-        assert!(curve_inverse(&curve, 400.0).starts_with("1.52 + (400 - "));
+    fn terms_are_joined_by_their_signs() {
         assert_eq!(sum(&[(1.0, "s^2"), (-2.0, "s"), (5.0, "")]), "s^2 - 2 s + 5");
     }
 

@@ -1,308 +1,173 @@
-//! The cards of the models K1 to K6 and of the controllers that use them.
+//! The cards of models 1, 2, 3, 5 and 6 (K1.. or M1..), each law with its live values and range.
 
-use super::formula::{
-    curve_formula, curve_inverse, curve_inverse_formula, curve_with, number, polynomial,
-    quartic_with,
+use super::formula::number;
+use super::laws::{
+    curve_formula, curve_inverse, curve_inverse_formula, curve_with, exponential, exponential_with,
+    polynomial, polynomial_with, quartic_with, straight_on,
 };
 use super::live::Live;
 use crate::app::theme;
-use crate::base::model::force_formula::{FEED_MIN_MM_MIN, INCH, SPEED_MIN_RPM};
+use crate::base::math;
+use crate::base::model::Valued;
 use crate::base::model::gp::{
     FORCE_REF_MIN_N, FeedLaw, ForceRoughness, GpModels, M2_RESTORED_RANGE_N, SpeedLaw,
 };
-use crate::base::model::gp_2007::{K2_MIN_N, K3_MAX_N};
+use crate::base::model::gp_2007::{K2_MIN_N, K3_MAX_N, K5_MAX_N};
 use crate::base::model::gp_2013;
-use crate::base::units::ratio_from_percent;
-use crate::blocks::control::ControllerKind;
-use crate::blocks::cutting::process::Process;
-use crate::blocks::cutting::workpiece::{AXIAL_DEPTH_2007_MM, RADIAL_DEPTH_2007_MM};
-use crate::run::scenario::Scenario;
-use crate::run::signals::{Row, flag};
+use crate::run::signals::Row;
 
-/// K1 at the target.
-pub fn k1(belief: &GpModels, row: &Row) -> Live {
+/// Coefficients of M1 (2013 eq. 2), from the constant on.
+const M1: [f64; 4] = [14.875, 398.82, -270.18, 69.306];
+/// The coefficients of M5 (2013 eq. 6) below its leading one, from the constant on.
+const M5: [f64; 2] = [3.018, -0.0341];
+
+/// Formula, the same with values but without its result, and range.
+type Law = (String, String, String);
+
+fn from_to(symbol: &str, [low, high]: [f64; 2], unit: &str) -> String {
+    format!("{symbol} {} to {} {}", number(low), number(high), theme::unit(unit))
+}
+
+fn live(symbol: &str, (formula, values, range): Law, answer: Valued, unit: &str) -> Live {
+    Live {
+        formula: format!("{symbol} = {formula}"),
+        values: format!("{symbol} = {values} = {} {}", number(answer.value), theme::unit(unit)),
+        range,
+        valid: answer.valid,
+    }
+}
+
+/// Model 1 at the target.
+pub fn desired_force(belief: &GpModels, row: &Row) -> Live {
     let ra = row.ra_target_um;
     let force = belief.force_from_ra(ra);
-    let result = format!("{} N", number(force.value));
-    let floored = |text: String| {
-        let at_floor = force.value == FORCE_REF_MIN_N;
-        if at_floor { format!("max({}, {text})", number(FORCE_REF_MIN_N)) } else { text }
-    };
-    let (formula, values, range) = match belief.roughness {
+    let mut law = match belief.roughness {
         ForceRoughness::K1K5 => (
-            "F_d = 293 - 593 / √(39.37 Ra)".to_owned(),
-            format!(
-                "F_d = {} = {result}",
-                floored(format!("293 - 593 / √(39.37 · {})", number(ra)))
-            ),
+            "293 - 593 / √(39.37 Ra)".to_owned(),
+            format!("293 - 593 / √(39.37 · {})", number(ra)),
             format!("F_d at least {} N", number(FORCE_REF_MIN_N)),
         ),
         ForceRoughness::M1M5 { .. } => (
-            "F_d = 69.306 Ra^3 - 270.18 Ra^2 + 398.82 Ra + 14.875".to_owned(),
-            format!(
-                "F_d = {} = {result}",
-                floored(format!(
-                    "69.306 · {ra}^3 - 270.18 · {ra}^2 + 398.82 · {ra} + 14.875",
-                    ra = number(ra)
-                ))
-            ),
-            format!(
-                "Ra {} to {} {}",
-                gp_2013::RA_RANGE_UM[0],
-                gp_2013::RA_RANGE_UM[1],
-                theme::unit("um")
-            ),
+            polynomial(&M1, "Ra"),
+            polynomial_with(&M1, ra),
+            from_to("Ra", gp_2013::RA_RANGE_UM, "um"),
         ),
         ForceRoughness::Curve(curve) => (
-            format!("F_d = {}", curve_formula(&curve, "Ra")),
-            format!("F_d = {} = {result}", floored(curve_with(&curve, ra))),
-            format!(
-                "Ra {} to {} {}; straight on beyond",
-                number(curve.low),
-                number(curve.high),
-                theme::unit("um")
-            ),
+            curve_formula(&curve, "Ra"),
+            curve_with(&curve, ra),
+            format!("{}; straight on beyond", from_to("Ra", [curve.low, curve.high], "um")),
         ),
     };
-    Live { formula, values, range, valid: force.valid }
+    if force.value == FORCE_REF_MIN_N {
+        law.1 = format!("max({}, {})", number(FORCE_REF_MIN_N), law.1);
+    }
+    live("F_d", law, force, "N")
 }
 
-fn k2(belief: &GpModels, force_n: f64) -> Live {
-    let feed = belief.feed_from_force(force_n);
-    let result = format!("{} mm/min", number(feed.value));
-    let force = number(force_n);
-    let (formula, values, range) = match belief.feed {
+/// Model 2 at a force.
+pub fn feed(belief: &GpModels, force_n: f64) -> Live {
+    let law = match belief.feed {
         FeedLaw::K2 => (
-            "f_c = 25.4 (189 - 5926160 / F_s^2)".to_owned(),
-            format!("f_c = 25.4 (189 - 5926160 / {force}^2) = {result}"),
+            "25.4 (189 - 5926160 / F_s^2)".to_owned(),
+            format!("25.4 (189 - 5926160 / {}^2)", number(force_n.max(1.0))),
             format!("F_s from {} N on; below it the feed is negative", number(K2_MIN_N)),
         ),
         FeedLaw::M2 => (
-            format!("f_c = {}", polynomial(&gp_2013::M2.coefficients, "F_s", " ")),
-            format!("f_c = {} = {result}", polynomial(&gp_2013::M2.coefficients, &force, " · ")),
-            "where f_c is positive and rises with F_s".to_owned(),
+            polynomial(&gp_2013::M2.coefficients, "F_s"),
+            polynomial_with(&gp_2013::M2.coefficients, force_n),
+            "F_s where the feed is positive and rises with it".to_owned(),
         ),
         FeedLaw::M2Restored(quartic) => (
-            format!("f_c = {}", polynomial(&quartic.coefficients, "F_s", " ")),
-            format!("f_c = {} = {result}", quartic_with(&quartic, force_n, M2_RESTORED_RANGE_N)),
-            format!(
-                "F_s {} to {} N; straight on beyond",
-                M2_RESTORED_RANGE_N[0], M2_RESTORED_RANGE_N[1]
-            ),
+            polynomial(&quartic.coefficients, "F_s"),
+            quartic_with(&quartic, force_n, M2_RESTORED_RANGE_N),
+            format!("{}; straight on beyond", from_to("F_s", M2_RESTORED_RANGE_N, "N")),
         ),
         FeedLaw::Curve(curve) => (
-            format!("f_c = {}", curve_formula(&curve, "F_s")),
-            format!("f_c = {} = {result}", curve_with(&curve, force_n)),
-            format!("F_s {} to {} N; straight on beyond", number(curve.low), number(curve.high)),
+            curve_formula(&curve, "F_s"),
+            curve_with(&curve, force_n),
+            format!("{}; straight on beyond", from_to("F_s", [curve.low, curve.high], "N")),
         ),
     };
-    Live { formula, values, range, valid: feed.valid }
+    live("f_c", law, belief.feed_from_force(force_n), "mm/min")
 }
 
-fn k3(belief: &GpModels, force_n: f64) -> Live {
-    let speed = belief.speed_from_force(force_n);
-    let result = format!("{} 1/min", number(speed.value));
-    let force = number(force_n);
-    let (formula, values, range) = match belief.speed {
-        SpeedLaw::K3 => (
-            "n_c = √(30064193 - 2.28 F_s^3)".to_owned(),
-            if speed.valid {
-                format!("n_c = √(30064193 - 2.28 · {force}^3) = {result}")
-            } else {
-                format!("n_c = √(max(0, 30064193 - 2.28 · {force}^3)) = {result}")
-            },
-            format!("F_s up to {} N; above it there is no root", number(K3_MAX_N)),
-        ),
-        SpeedLaw::Exponential(law, [low, high]) => (
-            format!("n_c = {} e^{{{} F_s}}", number(law.scale_rpm), number(law.rate_per_n)),
-            format!(
-                "n_c = {} e^{{{} · {force}}} = {result}",
-                number(law.scale_rpm),
-                number(law.rate_per_n)
-            ),
-            format!("F_s {} to {} N", number(low), number(high)),
-        ),
-        SpeedLaw::Curve(curve) => (
-            format!("n_c = {}", curve_formula(&curve, "F_s")),
-            format!("n_c = {} = {result}", curve_with(&curve, force_n)),
-            format!("F_s {} to {} N; straight on beyond", number(curve.low), number(curve.high)),
-        ),
-    };
-    Live { formula, values, range, valid: speed.valid }
-}
-
-/// The controller's law with K2 and K3.
-pub fn controller(belief: &GpModels, row: &Row, scenario: &Scenario) -> Vec<Live> {
-    let (desired, measured) = (row.force_ref_n, row.force_measured_n);
-    match scenario.controller.kind {
-        ControllerKind::ConstantFeed => {
-            let program = &scenario.program;
-            let settings = &scenario.constant_feed;
-            let line = |symbol: &str, percent: f64, programmed: f64, unit: &str| {
-                let result = programmed * ratio_from_percent(percent);
-                Live::everywhere(
-                    format!("{symbol}_c = override · {symbol}_p"),
-                    format!(
-                        "{symbol}_c = {} % · {} = {} {unit}",
-                        number(percent),
-                        number(programmed),
-                        number(result)
-                    ),
-                )
-            };
-            vec![
-                line("f", settings.feed_percent, program.feed_mm_min, "mm/min"),
-                line("n", settings.speed_percent, program.spindle_rpm, "1/min"),
-            ]
-        }
-        ControllerKind::Sdnrp => {
-            let kp = scenario.sdnrp.kp;
-            let setpoint = desired + kp * (desired - measured);
-            let law = Live::everywhere(
-                format!("F_s = F_d + {} (F_d - F_m)", number(kp)),
-                format!(
-                    "F_s = {d} + {} ({d} - {}) = {} N",
-                    number(kp),
-                    number(measured),
-                    number(setpoint),
-                    d = number(desired),
-                ),
-            );
-            vec![law, k2(belief, setpoint), k3(belief, setpoint)]
-        }
-        ControllerKind::Tracking => {
-            let gain = row.gain_estimate;
-            let settings = &scenario.tracking;
-            let lambda_s =
-                settings.response_s + settings.dead_time_share * scenario.belief.dead_time_s;
-            vec![
-                Live::everywhere(
-                    format!(
-                        "g follows F_m / K4(predicted f, n) with a time constant of {} s",
-                        number(lambda_s)
-                    ),
-                    format!("g = {}  (F_m = {} N)", number(gain), number(measured)),
-                ),
-                Live::everywhere(
-                    "u = F_d / g",
-                    format!(
-                        "u = {} / {} = {} N",
-                        number(desired),
-                        number(gain),
-                        number(desired / gain)
-                    ),
-                ),
-                Live {
-                    formula: "f_c, n_c from K4(f_c, n_c) = u on the line of K2 and K3".to_owned(),
-                    values: format!(
-                        "f_c = {} mm/min, n_c = {} 1/min",
-                        number(row.feed_command_mm_min),
-                        number(row.spindle_command_rpm)
-                    ),
-                    range: "K3 and the inverse of K4 within their ranges".to_owned(),
-                    valid: !row.has(flag::K2_OUTSIDE | flag::K3_OUTSIDE),
-                },
-            ]
-        }
-    }
-}
-
-/// K4, and what it does not know.
-pub fn cutting(row: &Row, scenario: &Scenario) -> Vec<Live> {
-    let plant = &scenario.plant;
-    let process = Process::new(plant, scenario.workpiece.radial_depth_mm);
-    let models = process.models();
-    let (feed, speed, depth) = (row.feed_mm_min, row.spindle_rpm, row.axial_depth_mm);
-    let k4 = models.force(feed, speed);
-    let force = process.update(feed, speed, depth);
-    let intercept = number(models.force.intercept_n);
-    let [speed_coefficient, feed_coefficient, inch] =
-        [models.force.speed * 1e10, models.force.feed, INCH].map(number);
-    let f = number(feed.max(FEED_MIN_MM_MIN));
-    let model = Live {
-        formula: format!(
-            "K4 = {intercept} - {speed_coefficient}·10^{{-10}} n^3 - {feed_coefficient} ln({inch} f) / f"
-        ),
-        values: format!(
-            "K4 = {intercept} - {speed_coefficient}·10^{{-10}} · {}^3 - {feed_coefficient} ln({inch} · {f}) / {f} = {} N",
-            number(speed),
-            number(k4.value)
-        ),
-        range: format!(
-            "f from {} mm/min on (its least force), n from {} 1/min on",
-            number(FEED_MIN_MM_MIN),
-            number(SPEED_MIN_RPM)
-        ),
-        valid: k4.valid,
-    };
-    let engagement = depth * scenario.workpiece.radial_depth_mm;
-    let reference = AXIAL_DEPTH_2007_MM * RADIAL_DEPTH_2007_MM;
-    let product = Live::everywhere(
-        format!("F = K4 · material · (A_D R_D / {} mm^2) · wear", number(reference)),
-        format!(
-            "F = {} · {} · {} / {} · {} = {} N  ({}, {} HB)",
-            number(k4.value),
-            number(plant.material.force_factor(plant.hardness_hb)),
-            number(engagement),
-            number(reference),
-            number(plant.wear_factor),
-            number(force.value),
-            plant.material.label(),
-            number(plant.hardness_hb),
-        ),
-    );
-    vec![model, product]
-}
-
-/// K5 or K6 at a force, with the symbols of its output and input.
-pub fn k5(scenario: &Scenario, force_n: f64, ra_symbol: &str, force_symbol: &str) -> Live {
-    let models = GpModels::new(scenario.plant.model_set, scenario.plant.calibration);
-    let ra = models.ra_from_force(force_n);
-    let force = number(force_n);
-    if force_n <= 0.0 {
-        let formula = format!("{ra_symbol}: the tool is in the air");
-        let values = "no force, so no surface is cut";
-        return Live::everywhere(formula, values);
-    }
-    let result = format!("{} {}", number(ra.value), theme::unit("um"));
-    let (formula, values, range) = match models.roughness {
-        ForceRoughness::K1K5 => (
-            format!("{ra_symbol} = 0.0254 (593 / (293 - {force_symbol}))^2"),
-            if ra.valid {
-                format!("{ra_symbol} = 0.0254 (593 / (293 - {force}))^2 = {result}")
-            } else {
-                format!("{ra_symbol} = {result} at {force} N, continued with its end slope")
-            },
-            format!("{force_symbol} below the pole at 293 N; continued with its slope before it"),
-        ),
-        ForceRoughness::M1M5 { leading } => {
-            let coefficients = [3.018, -0.0341, leading];
-            let with = polynomial(&coefficients, &force, " · ");
-            let floored = if ra.value > 0.0 { with } else { format!("max(0, {with})") };
+/// Model 3 at a force.
+pub fn speed(belief: &GpModels, force_n: f64) -> Live {
+    let answer = belief.speed_from_force(force_n);
+    let law = match belief.speed {
+        SpeedLaw::K3 => {
+            let radicand = format!("30064193 - 2.28 · {}^3", number(force_n));
             (
-                format!("{ra_symbol} = {}", polynomial(&coefficients, force_symbol, " ")),
-                format!("{ra_symbol} = {floored} = {result}"),
-                format!(
-                    "{force_symbol} {} to {} N, above {} N where it turns round",
-                    gp_2013::FORCE_RANGE_N[0],
-                    gp_2013::FORCE_RANGE_N[1],
-                    number(0.0341 / (2.0 * leading))
-                ),
+                "√(30064193 - 2.28 F_s^3)".to_owned(),
+                if answer.valid {
+                    format!("√({radicand})")
+                } else {
+                    format!("√(max(0, {radicand}))")
+                },
+                format!("F_s up to {} N; above it there is no root", number(K3_MAX_N)),
             )
         }
-        ForceRoughness::Curve(curve) => (
-            format!("{ra_symbol} = {}", curve_inverse_formula(&curve, force_symbol)),
-            if ra.value > 0.0 {
-                format!("{ra_symbol} = {} = {result}", curve_inverse(&curve, force_n))
-            } else {
-                format!("{ra_symbol} = max(0, {}) = {result}", curve_inverse(&curve, force_n))
-            },
-            format!(
-                "{force_symbol} {} to {} N; straight on beyond",
-                number(curve.at(curve.low).value),
-                number(curve.at(curve.high).value)
-            ),
+        SpeedLaw::Exponential(law, range) => (
+            exponential(&law, "F_s"),
+            exponential_with(&law, force_n),
+            format!("{}; goes on beyond", from_to("F_s", range, "N")),
+        ),
+        SpeedLaw::Curve(curve) => (
+            curve_formula(&curve, "F_s"),
+            curve_with(&curve, force_n),
+            format!("{}; straight on beyond", from_to("F_s", [curve.low, curve.high], "N")),
         ),
     };
-    Live { formula, values, range, valid: ra.valid }
+    live("n_c", law, answer, "1/min")
+}
+
+/// Model 5 or 6 at a force, with the symbols of its output and input.
+pub fn roughness(plant: &GpModels, force_n: f64, ra_symbol: &str, force_symbol: &str) -> Live {
+    if force_n <= 0.0 {
+        let formula = format!("{ra_symbol}: the tool is in the air");
+        return Live::everywhere(formula, "no force, so no surface is cut");
+    }
+    let ra = plant.ra_from_force(force_n);
+    let mut law = match plant.roughness {
+        ForceRoughness::K1K5 => k5(plant, force_n, force_symbol),
+        ForceRoughness::M1M5 { leading } => m5(leading, force_n, force_symbol),
+        ForceRoughness::Curve(curve) => {
+            let ends = [curve.low, curve.high].map(|ra| curve.at(ra).value);
+            (
+                curve_inverse_formula(&curve, force_symbol),
+                curve_inverse(&curve, force_n),
+                format!("{}; straight on beyond", from_to(force_symbol, ends, "N")),
+            )
+        }
+    };
+    if ra.value == 0.0 {
+        law.1 = format!("max(0, {})", law.1);
+    }
+    live(ra_symbol, law, ra, "um")
+}
+
+/// K5, beyond its end with the slope that the model goes on with.
+fn k5(plant: &GpModels, force_n: f64, symbol: &str) -> Law {
+    let values = if force_n <= K5_MAX_N {
+        format!("0.0254 (593 / (293 - {}))^2", number(force_n))
+    } else {
+        let end = plant.ra_from_force(K5_MAX_N).value;
+        straight_on(end, 2.0 * end / (293.0 - K5_MAX_N), force_n, K5_MAX_N)
+    };
+    let range = from_to(symbol, [0.0, K5_MAX_N], "N");
+    let range = format!("{range}; straight on beyond, before its pole at 293 N");
+    (format!("0.0254 (593 / (293 - {symbol}))^2"), values, range)
+}
+
+/// M5, which turns round where its slope is zero.
+fn m5(leading: f64, force_n: f64, symbol: &str) -> Law {
+    let coefficients = [M5[0], M5[1], leading];
+    let turns_n = -M5[1] / (2.0 * leading);
+    let [low, high] = gp_2013::FORCE_RANGE_N;
+    let low = math::limit(turns_n, low, high);
+    (
+        polynomial(&coefficients, symbol),
+        polynomial_with(&coefficients, force_n),
+        format!("{}; it turns round at {} N", from_to(symbol, [low, high], "N"), number(turns_n)),
+    )
 }

@@ -1,0 +1,88 @@
+//! The card of the controller: its law with the values of the moment.
+
+use super::formula::number;
+use super::live::Live;
+use super::models::{feed, speed};
+use crate::base::model::gp::GpModels;
+use crate::base::units::ratio_from_percent;
+use crate::blocks::control::ControllerKind;
+use crate::run::scenario::Scenario;
+use crate::run::signals::{Row, flag};
+
+/// The controller's law with its models 2 and 3.
+pub fn controller(belief: &GpModels, row: &Row, scenario: &Scenario) -> Vec<Live> {
+    let (desired, measured) = (row.force_ref_n, row.force_measured_n);
+    match scenario.controller.kind {
+        ControllerKind::ConstantFeed => {
+            let program = &scenario.program;
+            let settings = &scenario.constant_feed;
+            let line = |symbol: &str, percent: f64, programmed: f64, unit: &str| {
+                let result = programmed * ratio_from_percent(percent);
+                Live::everywhere(
+                    format!("{symbol}_c = override · {symbol}_p"),
+                    format!(
+                        "{symbol}_c = {} % · {} = {} {unit}",
+                        number(percent),
+                        number(programmed),
+                        number(result)
+                    ),
+                )
+            };
+            vec![
+                line("f", settings.feed_percent, program.feed_mm_min, "mm/min"),
+                line("n", settings.speed_percent, program.spindle_rpm, "1/min"),
+            ]
+        }
+        ControllerKind::Sdnrp => {
+            let kp = scenario.sdnrp.kp;
+            let setpoint = desired + kp * (desired - measured);
+            let law = Live::everywhere(
+                format!("F_s = F_d + {} (F_d - F_m)", number(kp)),
+                format!(
+                    "F_s = {d} + {} ({d} - {}) = {} N",
+                    number(kp),
+                    number(measured),
+                    number(setpoint),
+                    d = number(desired),
+                ),
+            );
+            vec![law, feed(belief, setpoint), speed(belief, setpoint)]
+        }
+        ControllerKind::Tracking => {
+            let (gain, k) = (row.gain_estimate, belief.set.letter());
+            let settings = &scenario.tracking;
+            let lambda_s =
+                settings.response_s + settings.dead_time_share * scenario.belief.dead_time_s;
+            vec![
+                Live::everywhere(
+                    format!(
+                        "g follows F_m / {k}4(predicted f, n) with a time constant of {} s",
+                        number(lambda_s)
+                    ),
+                    format!("g = {}  (F_m = {} N)", number(gain), number(measured)),
+                ),
+                Live::everywhere(
+                    "u = F_d / g",
+                    format!(
+                        "u = {} / {} = {} N",
+                        number(desired),
+                        number(gain),
+                        number(desired / gain)
+                    ),
+                ),
+                Live {
+                    formula: format!(
+                        "f_c, n_c from {k}4(f_c, n_c) = u on the line of {k}2 and {k}3"
+                    ),
+                    values: format!(
+                        "f_c = {} mm/min, n_c = {} 1/min",
+                        number(row.feed_command_mm_min),
+                        number(row.spindle_command_rpm)
+                    ),
+                    range: format!("{k}3 and the inverse of {k}4 within their ranges"),
+                    valid: !row.has(flag::K2_OUTSIDE | flag::K3_OUTSIDE),
+                },
+            ]
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! Cards against runs, and against a calculation of what they write.
+
+use super::super::CARDS;
+use super::repeat::repeated;
+use super::*;
+use crate::base::model::gp::{Calibration, ModelSet};
+use crate::base::settings::Value;
+use crate::blocks::control::ControllerKind;
+use crate::run::edits::Edits;
+use crate::run::one_run::Run;
+use crate::run::presets;
+use crate::run::signals::flag;
+
+/// The number before the unit at the end of an equation's values.
+fn result(live: &Live) -> f64 {
+    let after = live.values.rsplit(" = ").next().unwrap_or_default();
+    let text = after.split(' ').next().unwrap_or_default();
+    text.parse().unwrap_or_else(|_| panic!("no number ends {:?}", live.values))
+}
+
+fn near(live: &Live, value: f64) {
+    let shown = result(live);
+    assert!((shown - value).abs() <= 2e-3 * value.abs() + 5.1e-4, "{live:?}: {value}");
+}
+
+/// The result is what the written calculation gives, as far as its rounded numbers tell it.
+fn follows(live: &Live) {
+    let middle = live.values.split(" = ").nth(1).unwrap_or_default();
+    let (repeated, shown) = (repeated(middle), result(live));
+    // What the last digit of a force or speed does to a difference of large terms.
+    let rounding = match live.values.rsplit(' ').next() {
+        Some("mm/min" | "1/min") => 4.0,
+        Some("µm") => 0.003,
+        _ => 0.1,
+    };
+    let close = (repeated - shown).abs() <= 0.002 * shown.abs() + rounding;
+    assert!(close, "{repeated}: {live:?}");
+}
+
+fn at<'a>(row: &'a Row, scenario: &'a Scenario) -> Moment<'a> {
+    let delayed = [row.feed_command_mm_min, row.spindle_command_rpm];
+    Moment { row, scenario, delayed }
+}
+
+fn models() -> impl Iterator<Item = (ModelSet, Calibration)> {
+    let sets = ModelSet::ALL.iter();
+    sets.flat_map(|set| Calibration::ALL.iter().map(|calibration| (*set, *calibration)))
+}
+
+#[test]
+fn cards_show_what_the_run_recorded_in_every_set_and_calibration() {
+    for (set, calibration) in models() {
+        let name = if set == ModelSet::Sdnrp2007 { "table3-5" } else { "strategy-table1-5" };
+        let mut scenario = presets::load(name).expect("shipped");
+        scenario.set("plant.model_set", Value::Text(set.id().to_owned())).expect("a set");
+        scenario.belief.calibration = calibration;
+        scenario.plant.calibration = calibration;
+        scenario.plant.wear_factor = 1.1;
+        let run = Run::complete(&scenario, &Edits::none());
+        let rows = run.recording().rows();
+        // At the start, out of most ranges, and at rest.
+        for row in [rows[1], rows[200], *rows.last().expect("a row")] {
+            let moment = at(&row, &scenario);
+            let [reference, control, overrides, drive, cutting, surface, dynamic] = [
+                Block::Reference,
+                Block::Controller,
+                Block::Override,
+                Block::FeedDrive,
+                Block::Cutting,
+                Block::Surface,
+                Block::SurfaceDynamic,
+            ]
+            .map(|block| live(block, &moment));
+            near(&reference[0], row.force_ref_n);
+            near(&control[0], row.force_setpoint_n);
+            near(&overrides[0], row.feed_command_mm_min);
+            near(&overrides[1], row.spindle_command_rpm);
+            near(&drive[0], row.feed_mm_min);
+            near(&cutting[1], row.force_n);
+            near(&surface[0], row.ra_um);
+            near(&dynamic[0], row.ra_dyn_um);
+            for line in [reference, control, overrides, cutting, surface, dynamic].concat() {
+                follows(&line);
+            }
+            for (block, line) in [
+                (Block::Reference, 0),
+                (Block::Controller, 1),
+                (Block::Controller, 2),
+                (Block::Cutting, 0),
+                (Block::Surface, 0),
+                (Block::SurfaceDynamic, 0),
+            ] {
+                let lamp = block.card().lamps[usize::from(line == 2)];
+                let (valid, lit) = (live(block, &moment)[line].valid, row.has(lamp.bits));
+                assert_eq!(valid, !lit, "{block:?} {line} {set:?} {calibration:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn models_explain_themselves_over_every_force() {
+    for (set, calibration) in models() {
+        let mut scenario = Scenario::default();
+        (scenario.plant.model_set, scenario.belief.model_set) = (set, set);
+        (scenario.plant.calibration, scenario.belief.calibration) = (calibration, calibration);
+        scenario.sdnrp.kp = 0.0;
+        for force in [90.0, 141.8, 160.0, 177.5, 196.0, 203.0, 230.0, 240.0, 262.0, 280.0] {
+            let row = Row {
+                ra_target_um: force * force * force / 1e7,
+                force_ref_n: force,
+                force_n: force,
+                force_dyn_n: force,
+                ..Row::default()
+            };
+            let moment = at(&row, &scenario);
+            for block in [Block::Reference, Block::Controller, Block::Surface] {
+                live(block, &moment).iter().for_each(follows);
+            }
+        }
+    }
+}
+
+#[test]
+fn overrides_show_whole_percents_and_the_rate() {
+    let mut scenario = presets::load("strategy-table1-1").expect("shipped");
+    scenario.cnc.override_quantised = true;
+    scenario.cnc.override_rate_limited = true;
+    scenario.cnc.override_rate_percent_s = 20.0;
+    let run = Run::complete(&scenario, &Edits::none());
+    let rows = run.recording().rows();
+    let early = live(Block::Override, &at(&rows[60], &scenario));
+    assert!(rows[60].has(flag::FEED_RATE_LIMITED) && !early[2].valid, "{early:?}");
+    assert!(early[2].values.contains("0.02 s = 0.4 %: DNCFRO is on its way"), "{early:?}");
+    let last = rows.last().expect("a row");
+    let late = live(Block::Override, &at(last, &scenario));
+    assert!(late[2].valid && late[3].valid, "{late:?}");
+    assert!(late[0].formula.contains("round(ramp)"), "{late:?}");
+    for (line, percent) in
+        [(&late[0], last.feed_override_percent), (&late[1], last.spindle_override_percent)]
+    {
+        assert!(line.values.contains(&format!("= {percent:.0} % · ")), "{late:?}");
+    }
+    // An adaptive controller stays where the force falls with the feed.
+    assert!(late[0].range.starts_with("f 69.7 to "), "{late:?}");
+}
+
+#[test]
+fn every_controller_explains_itself() {
+    for kind in ControllerKind::ALL {
+        let mut scenario = presets::load("depth-step").expect("shipped");
+        scenario.controller.kind = *kind;
+        let row = Row { gain_estimate: 1.0, force_ref_n: 180.0, ..Row::default() };
+        for card in CARDS {
+            let lines = live(card.block, &at(&row, &scenario));
+            assert!(!lines.is_empty(), "{}", card.title(&scenario));
+            assert!(lines.iter().all(|line| !line.values.contains("NaN")), "{lines:?}");
+        }
+    }
+}

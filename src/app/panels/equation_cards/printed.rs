@@ -1,0 +1,122 @@
+//! The equations as their sources print them, for the model sets and the drive in use.
+
+use super::Block;
+use crate::base::model::feed_drive::FeedDriveKind;
+use crate::base::model::gp::ModelSet;
+use crate::run::scenario::Scenario;
+
+/// An equation as its source prints it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Printed {
+    /// The formula.
+    pub formula: &'static str,
+    /// Paper and equation number, or why there is none.
+    pub source: &'static str,
+}
+
+const fn eq(formula: &'static str, source: &'static str) -> Printed {
+    Printed { formula, source }
+}
+
+const K1: Printed = eq("F_d = 293 - 593 / √(39.37 Ra)", "SDNRP 2007, eq. 4");
+const K2: Printed = eq("f_c = 25.4 (189 - 5926160 / F_s^2)", "SDNRP 2007, eq. 5");
+const K3: Printed = eq("n_c = √(30064193 - 2.28 F_s^3)", "SDNRP 2007, eq. 6");
+const K4: Printed = eq(
+    "F = 286.44 - 5.82·10^{-10} n^3 - 8973 ln(0.039 f) / f",
+    "SDNRP 2007, eq. 7 (Ck45, A_D 2 mm, R_D 3 mm, sharp tool)",
+);
+const K5: Printed = eq("Ra = 0.0254 (593 / (293 - F))^2", "SDNRP 2007, eq. 8");
+const K_LAW: Printed = eq(
+    "F_s = F_d + Kp (F_d - F_m)",
+    "SDNRP 2007, figures lost: the reading that fits text and Table 3",
+);
+const M1: Printed =
+    eq("F = 69.306 Ra^3 - 270.18 Ra^2 + 398.82 Ra + 14.875", "Control strategy 2013, eq. 2");
+const M2: Printed = eq(
+    "f_c = 10^{05} F^4 - 0.01 F^3 + 2.7568 F^2 - 333.75 F + 15348",
+    "Control strategy 2013, eq. 3 (\"10^{05}\" can only be 10^{-5})",
+);
+const M3: Printed = eq("n_c = 7641.3 e^{-0.004 F}", "Control strategy 2013, eq. 4");
+const M4: Printed = eq(
+    "F = 265.11 (1 - 2.0·10^{-12} n^3 - (31.32 / f) ln(0.039 f))",
+    "Control strategy 2013, eq. 5; the paper then takes its neural network in place of it",
+);
+const M5: Printed = eq("Ra = 0.0001 F^2 - 0.0341 F + 3.018", "Control strategy 2013, eq. 6");
+const M_LAW: Printed = eq(
+    "F_s = F_d + Kp (F_d - F_m)",
+    "Control strategy 2013, steps 5 to 7, in words only: read as in SDNRP 2007",
+);
+
+/// The transfer function of a drive.
+fn drive(kind: FeedDriveKind) -> Printed {
+    match kind {
+        FeedDriveKind::Eq1Of2007 => eq(
+            "f_a / f_c = K_i K_{ip} K_t e^{-st} / (J_e L_a s^3 + J_e (R + K_H K_{ip}) s^2 \
+             + K_t (K_p K_{ip} + K_b) s + K_t K_i K_{ip})",
+            "SDNRP 2007, eq. 1, with the constants of its Table 1",
+        ),
+        FeedDriveKind::Eq2Of2007 => eq(
+            "f_a / f_c = 497000 e^{-0.08 s} / ((s + 14.0) + (s^2 + 155 s + 35500))",
+            "SDNRP 2007, eq. 2 (the sum is a misprint: a product has the gain 1)",
+        ),
+        FeedDriveKind::Eq3Of2007 => eq(
+            "f_a / f_c = 14.0 e^{-0.08 s} / (s + 14.0)",
+            "SDNRP 2007, eq. 3: the drive that the paper simulates with",
+        ),
+        FeedDriveKind::SecondOrder2013 => eq(
+            "f_a / f_c = 1 / (0.001024 s^2 + 0.064 s + 1)",
+            "Control strategy 2013, eq. 1 (\"natural frequency of 3 Hz\" does not fit it)",
+        ),
+        FeedDriveKind::Measured3Hz => eq(
+            "second order, natural frequency 3 Hz, settling time 0.4 s",
+            "Control strategy 2013, section 2.2: measured step responses, in words only",
+        ),
+    }
+}
+
+/// The dead time published with a drive.
+fn dead_time(kind: FeedDriveKind) -> Printed {
+    match kind {
+        FeedDriveKind::Eq1Of2007 | FeedDriveKind::Eq2Of2007 | FeedDriveKind::Eq3Of2007 => {
+            eq("e^{-0.08 s}", "SDNRP 2007, eq. 2 and 3 (the text's \"t = 8 s\" is a misprint)")
+        }
+        FeedDriveKind::SecondOrder2013 | FeedDriveKind::Measured3Hz => {
+            eq("t = 0.04 s", "Control strategy 2013, section 2.2, below eq. 1")
+        }
+    }
+}
+
+impl Block {
+    /// Its equations as printed, those of the model set or drive in use.
+    #[must_use]
+    pub fn printed(self, scenario: &Scenario) -> Vec<Printed> {
+        let set = self.using(scenario).map_or(ModelSet::Sdnrp2007, |using| using.set);
+        let of_2007 = set == ModelSet::Sdnrp2007;
+        let kind = scenario.feed_drive.kind;
+        match self {
+            Self::Reference => vec![if of_2007 { K1 } else { M1 }],
+            Self::Controller if of_2007 => vec![K_LAW, K2, K3],
+            Self::Controller => vec![M_LAW, M2, M3],
+            Self::Override => vec![eq(
+                "f_c = DNCFRO · f_p,  n_c = DNCSPO · n_p,  0..250 %",
+                "Control strategy 2013, section 2; whole percents and rate: CNC practice, chosen",
+            )],
+            Self::DeadTime => vec![dead_time(kind)],
+            Self::FeedDrive => vec![drive(kind)],
+            Self::SpindleDrive => vec![eq(
+                "n_a' = limit((n_c - n_a) / τ, ± rate)",
+                "chosen: no paper gives a spindle drive",
+            )],
+            Self::Cutting => vec![if of_2007 { K4 } else { M4 }],
+            Self::Dynamic => vec![eq(
+                "F_{dyn} = F (1 + level (b(t) + ripple sin θ + w(x)))",
+                "SDNRP 2007, Fig. 10 (lost): random, sized like measured oscillations; form chosen",
+            )],
+            Self::Dynamometer => vec![eq(
+                "F_m = F_{dyn} + sensor noise",
+                "SDNRP 2007, section 1: Kistler force transducer; noise chosen",
+            )],
+            Self::Surface | Self::SurfaceDynamic => vec![if of_2007 { K5 } else { M5 }],
+        }
+    }
+}
