@@ -248,10 +248,10 @@ pub fn quantity(value: f64, unit_text: &str) -> String {
     format!("{} {unit}", number(value, unit_text)).trim_end().to_owned()
 }
 
-/// Whole percents.
+/// An override in percent with its unit; a quantised one is a whole number.
 #[must_use]
-pub fn percent(value: f64) -> String {
-    format!("{value:.0} %")
+pub fn override_percent(value: f64, quantised: bool) -> String {
+    if quantised { format!("{value:.0} %") } else { quantity(value, "%") }
 }
 
 /// A time on the scale of the run: `12.34 s`, `1:02.3 min`.

@@ -15,7 +15,7 @@ mod overrides;
 mod printed;
 
 pub use live::{Live, Moment, live};
-pub use names::{Using, flag_name};
+pub use names::{Using, flag_in_set, flag_name};
 pub use printed::Printed;
 
 use crate::run::signals::flag;

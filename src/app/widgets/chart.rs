@@ -41,6 +41,8 @@ pub struct Chart<'a> {
     pub levels: Vec<(&'static str, f64)>,
     /// Values that are always in the picture.
     pub include: &'static [f64],
+    /// How its values are written: the value and its unit as the tables have it.
+    pub write: fn(f64, &str) -> String,
 }
 
 impl<'a> Chart<'a> {
@@ -116,9 +118,10 @@ pub fn show(
     let band = band(chart, session, range, width, palette);
     let drags = if by_touch(ui) { egui::Sense::click() } else { egui::Sense::click_and_drag() };
     let group = egui::Id::unique("time");
+    let write = chart.write;
     let label = move |hover: &HoverPosition<'_>| match hover {
         HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
-            let value = theme::quantity(position.y, unit);
+            let value = write(position.y, unit);
             Some(format!("{plot_name}: {value}\n{}", theme::time(position.x)))
         }
         _ => None,
@@ -210,7 +213,7 @@ fn legend_row(
         let unit = theme::unit(SIGNALS[index(chart.curves[0].signal)].unit);
         ui.add(egui::Label::new(egui::RichText::new(format!("{} [{unit}]", chart.title)).strong()));
         for curve in chart.foremost() {
-            reading(ui, curve, session.row());
+            reading(ui, curve, session.row(), chart.write);
         }
         let mut entry = |name: &'static str, look: Look| {
             let key = (chart.id, name);

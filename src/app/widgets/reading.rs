@@ -2,7 +2,7 @@
 
 use egui::{Role, Sense, Ui, WidgetInfo, vec2};
 
-use super::super::theme::{self, Palette};
+use super::super::theme::Palette;
 use super::chart::{Curve, index};
 use crate::run::signals::{Row, SIGNALS, flag};
 
@@ -11,12 +11,12 @@ const SIZE: f32 = 15.0;
 const WIDTH_STEP: f32 = 24.0;
 
 /// The value of a curve in a row, in the curve's colour.
-pub(super) fn reading(ui: &mut Ui, curve: &Curve, row: &Row) {
+pub(super) fn reading(ui: &mut Ui, curve: &Curve, row: &Row, write: fn(f64, &str) -> String) {
     let signal = &SIGNALS[index(curve.signal)];
     // In the air there is neither force nor roughness.
     let none = row.has(flag::AIR) && matches!(signal.unit, "um" | "N");
     let value = (signal.get)(row);
-    let text = if none { "-".to_owned() } else { theme::quantity(value, signal.unit) };
+    let text = if none { "-".to_owned() } else { write(value, signal.unit) };
     let (stroke, _) = curve.look.line(Palette::at(ui));
     let font = egui::FontId::proportional(SIZE);
     let galley = ui.painter().layout_no_wrap(text.clone(), font, stroke.color);

@@ -200,7 +200,22 @@ fn choice(
             .response
     };
     let share = if size == Size::Large { 0.68 } else { 0.52 };
-    let width = ui.available_width() * share;
+    let room = ui.available_width();
+    let wide = |ui: &Ui, text: &str| {
+        let font = egui::TextStyle::Body.resolve(ui.style());
+        ui.painter().layout_no_wrap(text.to_owned(), font, egui::Color32::PLACEHOLDER).size().x
+    };
+    let gap = ui.spacing().item_spacing.x;
+    // The arrow and the frame of the list take their room as well.
+    let around = ui.spacing().icon_width + 3.0 * gap;
+    let (name, needed) = (wide(ui, param.spec.label), wide(ui, chosen) + around);
+    if name + gap + needed > room {
+        // Below each other, rather than both cut off.
+        let label = ui.add(egui::Label::new(param.spec.label).sense(egui::Sense::click()));
+        let response = combo(ui, room).labelled_by(label.id);
+        return label.union(response);
+    }
+    let width = needed.max(room * share).min(room - name - gap);
     let (label, response) = labelled(ui, param, |ui| combo(ui, width));
     // Under the label's id: a menu under that of the list would be taken for the list.
     label.union(response)

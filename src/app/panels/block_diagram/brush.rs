@@ -194,7 +194,11 @@ impl Brush {
         let lines = if flat { 1 } else { 2 };
         let title = self.text(inner.min, Align2::LEFT_TOP, title, room, lines);
         let mut at = pos2(inner.left(), title.bottom());
-        for line in detail(block, now).lines() {
+        let mut detail = detail(block, now);
+        if flat {
+            detail = detail.replace('\n', ", ");
+        }
+        for line in detail.lines() {
             let text = self.plain(line, TEXT, palette.weak);
             at.y = self.text(at, Align2::LEFT_TOP, text, inner.width(), 1).bottom();
         }

@@ -65,8 +65,9 @@ impl<'a> Now<'a> {
     #[must_use]
     pub fn text(&self, wire: Wire) -> String {
         let unit = wire.info().unit;
-        if unit == "%" && self.moment.scenario.cnc.override_quantised {
-            return theme::percent(self.value(wire));
+        if unit == "%" {
+            let quantised = self.moment.scenario.cnc.override_quantised;
+            return theme::override_percent(self.value(wire), quantised);
         }
         theme::quantity(self.value(wire), unit)
     }

@@ -1,14 +1,16 @@
 //! The bands below the plots: over time, which controller was at work, where commands stood at
-//! their limits, where models were used outside their range, and where the tool was in the air.
+//! their limits, where models were used outside their range, where the tool was in the air, and
+//! where overrides moved at their rate.
 
 use egui::{Align2, Color32, Rangef, Rect, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use crate::app::panels::View;
+use crate::app::panels::equation_cards::flag_name;
 use crate::app::theme::Palette;
 use crate::app::trace::FLAG_ROWS;
 use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
-use crate::run::signals::{FLAGS, Row, flag};
+use crate::run::signals::{FLAGS, flag};
 
 const HEIGHT: f32 = 13.0;
 
@@ -16,11 +18,28 @@ const HEIGHT: f32 = 13.0;
 const TEXT: f32 = 13.0;
 const GAP: f32 = 3.0;
 
+/// The bands about states, the last one only where overrides are rate-limited.
+const STATES: [(&str, u32); 4] = [
+    ("At a limit", flag::SATURATED),
+    ("Outside model", flag::OUTSIDE),
+    ("In the air", flag::AIR),
+    ("Override on its way", flag::RATE_LIMITED),
+];
+
+/// The states that there are bands for.
+fn states(view: &View<'_>) -> &'static [(&'static str, u32)] {
+    const SWITCH: &str = "cnc.override_rate_limited";
+    let session = view.session;
+    let limited = session.scenario().cnc.override_rate_limited
+        || session.edits().list().iter().any(|edit| edit.path == SWITCH);
+    if limited { &STATES } else { &STATES[..3] }
+}
+
 /// Room that the bands need, points.
 #[must_use]
-pub fn total_height(beside: bool) -> f32 {
+pub fn total_height(view: &View<'_>, beside: bool) -> f32 {
     let text = if beside { 0.0 } else { TEXT };
-    4.0 * (HEIGHT + text + GAP) + 4.0
+    (1 + states(view).len()) as f32 * (HEIGHT + text + GAP) + 4.0
 }
 
 /// Where the bands stand.
@@ -46,13 +65,15 @@ pub fn show(ui: &mut Ui, view: &View<'_>, place: Place) {
     let palette = Palette::at(ui);
     let kind = view.session.current().controller.kind.label();
     let mut bands = vec![("Controller", controllers(view), palette.accent, kind.to_owned())];
-    for (title, bits, color) in [
-        ("At a limit", flag::SATURATED, palette.warn),
-        ("Outside model", flag::OUTSIDE, palette.bad),
-        ("In the air", flag::AIR, palette.twin),
-    ] {
-        let (stretches, seen) = flagged(view, place.range, bits);
-        bands.push((title, stretches, color, state(view.session.row(), bits, seen)));
+    for (title, bits) in states(view) {
+        let color = match *bits {
+            flag::OUTSIDE => palette.bad,
+            flag::AIR => palette.twin,
+            flag::RATE_LIMITED => palette.command,
+            _ => palette.warn,
+        };
+        let (stretches, seen) = flagged(view, place.range, *bits);
+        bands.push((title, stretches, color, state(view, *bits, seen)));
     }
     ui.spacing_mut().item_spacing.y = GAP;
     for (title, stretches, color, text) in bands {
@@ -61,14 +82,17 @@ pub fn show(ui: &mut Ui, view: &View<'_>, place: Place) {
 }
 
 /// What is so at the playhead, or else in the picture, in words.
-fn state(row: &Row, bits: u32, seen: u32) -> String {
+fn state(view: &View<'_>, bits: u32, seen: u32) -> String {
     let names = |set: u32| {
         let set = FLAGS.iter().filter(|info| info.bit & bits & set != 0);
-        // "K2" of "K2 outside its range", "feed" of "feed at a limit".
-        let names = set.map(|info| info.label.split(' ').next().unwrap_or_default());
-        names.collect::<Vec<&str>>().join(", ")
+        let names = set.map(|info| {
+            // "K2" of "K2 outside its range", "feed" of "feed at a limit".
+            let name = flag_name(info, view.session.current());
+            name.split(' ').next().unwrap_or_default().to_owned()
+        });
+        names.collect::<Vec<String>>().join(", ")
     };
-    let now = row.state_flags as u32 & bits;
+    let now = view.session.row().state_flags as u32 & bits;
     match (bits, now, seen) {
         (_, 0, 0) => "no".to_owned(),
         (flag::AIR, 0, _) => "not now".to_owned(),

@@ -11,7 +11,10 @@ use crate::app::widgets::target::target_ra;
 use crate::blocks::control::ControllerKind;
 use crate::run::presets::PRESETS;
 use crate::run::scenario::table;
+use crate::study::published::PaperId;
 
+/// Largest height of the list of scenarios, points.
+const PRESETS_HEIGHT: f32 = 420.0;
 /// Settings that stand above the fold.
 const FIRST: [&str; 5] =
     ["plant.material", "plant.hardness_hb", "noise.level", "plant.wear_factor", "controller.kind"];
@@ -85,6 +88,24 @@ pub fn more(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     });
 }
 
+/// The shipped scenarios by group: first those of no paper's table, then the tables'.
+fn preset_groups() -> Vec<(&'static str, Vec<&'static str>)> {
+    let of_paper: Vec<(&str, Vec<String>)> = PaperId::ALL
+        .iter()
+        .map(|paper| {
+            (paper.label(), paper.rows().iter().map(|row| paper.preset(row.sim)).collect())
+        })
+        .collect();
+    let group = |wanted: &dyn Fn(&str) -> bool| {
+        PRESETS.iter().map(|preset| preset.name).filter(|name| wanted(name)).collect()
+    };
+    let has = |names: &[String], name: &str| names.iter().any(|other| other == name);
+    let mut groups =
+        vec![("Scenarios", group(&|name| !of_paper.iter().any(|(_, names)| has(names, name))))];
+    groups.extend(of_paper.iter().map(|(title, names)| (*title, group(&|name| has(names, name)))));
+    groups
+}
+
 /// The choice of a shipped scenario, and what the present one is about.
 pub fn presets(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     let info = &view.session.scenario().info;
@@ -93,10 +114,14 @@ pub fn presets(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         .width(width)
         .truncate()
         .selected_text(format!("Scenario: {}", info.name))
+        .height(PRESETS_HEIGHT)
         .show_ui(ui, |ui| {
-            for preset in PRESETS {
-                if ui.selectable_label(preset.name == info.name, preset.name).clicked() {
-                    commands.push(Command::LoadPreset(preset.name.to_owned()));
+            for (title, names) in preset_groups() {
+                ui.label(RichText::new(title).small().color(Palette::at(ui).weak));
+                for name in names {
+                    if ui.selectable_label(name == info.name, name).clicked() {
+                        commands.push(Command::LoadPreset(name.to_owned()));
+                    }
                 }
             }
         })
@@ -120,5 +145,17 @@ mod tests {
                 || GROUPS.iter().any(|(group, _)| *group == param.group);
             assert!(placed, "no group of controls shows `{}`", param.path);
         }
+    }
+
+    #[test]
+    fn every_preset_stands_in_one_group_and_no_group_is_empty() {
+        let groups = preset_groups();
+        assert_eq!(groups.len(), 1 + PaperId::ALL.len());
+        assert!(groups.iter().all(|(title, names)| !names.is_empty() && !title.is_empty()));
+        let mut names: Vec<&str> = groups.into_iter().flat_map(|(_, names)| names).collect();
+        let mut all: Vec<&str> = PRESETS.iter().map(|preset| preset.name).collect();
+        names.sort_unstable();
+        all.sort_unstable();
+        assert_eq!(names, all);
     }
 }

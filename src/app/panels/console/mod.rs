@@ -40,6 +40,7 @@ fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
         band: None,
         levels: Vec::new(),
         include: &[],
+        write: theme::quantity,
     };
     let cnc = &scenario.cnc;
     let limits = vec![
@@ -89,6 +90,11 @@ fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
         Chart {
             levels: limits,
             include: &[90.0, 110.0],
+            write: if cnc.override_quantised {
+                |value, _| theme::override_percent(value, true)
+            } else {
+                theme::quantity
+            },
             ..chart(
                 "override",
                 "Override",
@@ -196,7 +202,7 @@ impl ConsolePanel {
             let gap = egui::vec2(18.0, ui.spacing().item_spacing.y);
             let beside = columns > 1;
             let mut axis = None;
-            let room = ui.available_height() - bands::total_height(beside) - gap.y;
+            let room = ui.available_height() - bands::total_height(view, beside) - gap.y;
             let height = room / rows as f32 - gap.y;
             let least =
                 if columns == 1 { theme::PLOT_HEIGHT_SCROLLED } else { theme::PLOT_HEIGHT_MIN };

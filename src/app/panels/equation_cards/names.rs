@@ -90,6 +90,12 @@ pub fn flag_name(flag: &FlagInfo, scenario: &Scenario) -> String {
     renamed(flag.label, letter_of(flag.bit, scenario))
 }
 
+/// A flag in words where plant and controller have the models of one set.
+#[must_use]
+pub fn flag_in_set(flag: &FlagInfo, set: ModelSet) -> String {
+    renamed(flag.label, set.letter())
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::CARDS;

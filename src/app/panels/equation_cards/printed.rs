@@ -34,7 +34,7 @@ const M1: Printed =
     eq("F = 69.306 Ra^3 - 270.18 Ra^2 + 398.82 Ra + 14.875", "Control strategy 2013, eq. 2");
 const M2: Printed = eq(
     "f_c = 10^{05} F^4 - 0.01 F^3 + 2.7568 F^2 - 333.75 F + 15348",
-    "Control strategy 2013, eq. 3 (\"10^{05}\" can only be 10^{-5})",
+    "Control strategy 2013, eq. 3 (\"10^05\" can only be 10^-5)",
 );
 const M3: Printed = eq("n_c = 7641.3 e^{-0.004 F}", "Control strategy 2013, eq. 4");
 const M4: Printed = eq(

@@ -2,7 +2,9 @@
 
 use egui::{Grid, RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
 
+use super::Shown;
 use crate::app::command::Command;
+use crate::app::panels::equation_cards::flag_in_set;
 use crate::app::theme::{self, Palette};
 use crate::base::model::gp::Calibration;
 use crate::blocks::cutting::process::ForceModel;
@@ -15,88 +17,57 @@ use crate::study::published::PaperId;
 /// Size of type of units and verdicts.
 const NOTE: f32 = 11.5;
 
-/// A column of Table 3.
+/// A column of a table.
 struct Column {
     title: &'static str,
     unit: &'static str,
     /// Digits after the point in the paper, at least.
     decimals: usize,
-    /// Whether the residual is told in the unit; otherwise in percent.
-    absolute: bool,
     cell: fn(&PaperRow) -> &Cell,
 }
 
-const COLUMNS: [Column; 8] = [
-    Column {
-        title: "Desired Ra",
-        unit: "um",
-        decimals: 2,
-        absolute: true,
-        cell: |row| &row.ra_desired_um,
-    },
-    Column {
-        title: "Desired force",
-        unit: "N",
-        decimals: 1,
-        absolute: false,
-        cell: |row| &row.force_start_n,
-    },
-    Column {
-        title: "Start feed",
-        unit: "mm/min",
-        decimals: 2,
-        absolute: false,
-        cell: |row| &row.feed_initial_mm_min,
-    },
-    Column {
-        title: "Start speed",
-        unit: "1/min",
-        decimals: 0,
-        absolute: false,
-        cell: |row| &row.spindle_initial_rpm,
-    },
-    Column {
-        title: "Final force",
-        unit: "N",
-        decimals: 1,
-        absolute: false,
-        cell: |row| &row.force_final_n,
-    },
-    Column {
-        title: "Final feed",
-        unit: "mm/min",
-        decimals: 2,
-        absolute: false,
-        cell: |row| &row.feed_final_mm_min,
-    },
-    Column {
-        title: "Final speed",
-        unit: "1/min",
-        decimals: 0,
-        absolute: false,
-        cell: |row| &row.spindle_final_rpm,
-    },
-    Column {
-        title: "Produced Ra",
-        unit: "um",
-        decimals: 2,
-        absolute: true,
-        cell: |row| &row.ra_produced_um,
-    },
-];
+impl Column {
+    /// Whether the residual is told in the unit; otherwise in percent.
+    fn absolute(&self) -> bool {
+        self.unit == "um"
+    }
+}
 
-/// The button that loads a row's scenario into the console, in the calibration that is shown.
-fn load(ui: &mut Ui, row: &PaperRow, calibration: &str, commands: &mut Vec<Command>) {
-    let name = format!("table3-{}", row.sim);
+type Read = fn(&PaperRow) -> &Cell;
+
+/// The columns, as in the paper.
+fn columns(paper: PaperId) -> [Column; 8] {
+    let columns: [(&'static str, &'static str, usize, Read); 8] = [
+        ("Desired Ra", "um", 2, |row| &row.ra_desired_um),
+        (paper.start_force(), "N", 1, |row| &row.force_start_n),
+        ("Start feed", "mm/min", 2, |row| &row.feed_initial_mm_min),
+        ("Start speed", "1/min", 0, |row| &row.spindle_initial_rpm),
+        ("Final force", "N", 1, |row| &row.force_final_n),
+        ("Final feed", "mm/min", 2, |row| &row.feed_final_mm_min),
+        ("Final speed", "1/min", 0, |row| &row.spindle_final_rpm),
+        ("Produced Ra", "um", 2, |row| &row.ra_produced_um),
+    ];
+    columns.map(|(title, unit, decimals, cell)| Column { title, unit, decimals, cell })
+}
+/// The button that loads a row's scenario into the console, in the calibration and with the force
+/// model that are shown.
+fn load(ui: &mut Ui, shown: Shown, row: &PaperRow, commands: &mut Vec<Command>) {
+    let Shown { paper, calibration, force_model } = shown;
+    let name = paper.preset(row.sim);
     let button = ui.button("Load");
     button.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Load {name}")));
     let hint = format!("Opens the scenario {name} in the console");
     if button.on_hover_text(hint).clicked() {
-        let calibration = Calibration::from_id(calibration).unwrap_or(Calibration::Identified);
-        let mut scenario =
-            papers::scenario(PaperId::Sdnrp2007, row.sim, calibration, ForceModel::Formula);
+        let mut scenario = papers::scenario(paper, row.sim, calibration, force_model);
+        let mut changed = Vec::new();
         if calibration != Calibration::Identified {
-            scenario.info.name = format!("{name} ({})", calibration.label());
+            changed.push(calibration.label());
+        }
+        if force_model != ForceModel::Formula {
+            changed.push(force_model.label());
+        }
+        if !changed.is_empty() {
+            scenario.info.name = format!("{name} ({})", changed.join(", "));
         }
         let text = scenario_file::write(&scenario, &Edits::none());
         commands.push(Command::LoadText { name, text });
@@ -106,7 +77,7 @@ fn load(ui: &mut Ui, row: &PaperRow, calibration: &str, commands: &mut Vec<Comma
 
 /// Residual and verdict of a cell in words.
 fn verdict(cell: &Cell, column: &Column) -> String {
-    let residual = if column.absolute {
+    let residual = if column.absolute() {
         format!("{:+.3} {}", cell.residual, theme::unit(column.unit))
     } else {
         format!("{:+.2} %", cell.residual_percent)
@@ -142,36 +113,37 @@ fn printed(cell: &Cell, column: &Column) -> String {
 }
 
 /// States at the end of the run, in words.
-fn states(row: &PaperRow) -> Option<String> {
-    let words = row
-        .out_of_range
-        .iter()
-        .map(|id| FLAGS.iter().find(|flag| flag.id == *id).map_or(*id, |flag| flag.label));
-    let words: Vec<&str> = words.collect();
+fn states(paper: PaperId, row: &PaperRow) -> Option<String> {
+    let word = |id: &&str| match FLAGS.iter().find(|flag| flag.id == *id) {
+        Some(flag) => flag_in_set(flag, paper.model_set()),
+        None => id.replace('_', " "),
+    };
+    let words: Vec<String> = row.out_of_range.iter().map(word).collect();
     (!words.is_empty()).then(|| format!("simulation {}: {}", row.sim, words.join(", ")))
 }
 
-fn remarks(ui: &mut Ui, row: &PaperRow) {
+fn remarks(ui: &mut Ui, paper: PaperId, row: &PaperRow) {
     let palette = Palette::at(ui);
     if let Some(note) = row.note {
         let text = format!("Simulation {}: {note}.", row.sim);
         ui.label(RichText::new(text).color(palette.warn));
     }
-    if let Some(states) = states(row) {
+    if let Some(states) = states(paper, row) {
         ui.label(RichText::new(format!("At the end of {states}.")).color(palette.bad));
     }
 }
 
 /// The table as a grid.
-pub fn table(ui: &mut Ui, paper: &PaperTable, commands: &mut Vec<Command>) {
+pub fn table(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
+    let columns = columns(shown.paper);
     ui.label(RichText::new("In each cell: printed, then run; below: residual and verdict.").weak());
     ScrollArea::horizontal().id_salt("table").show(ui, |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-        Grid::new("table3").striped(true).spacing([20.0, 6.0]).show(ui, |ui| {
+        Grid::new("rows").striped(true).spacing([20.0, 6.0]).show(ui, |ui| {
             ui.strong("Sim");
             ui.label("");
-            for column in &COLUMNS {
+            for column in &columns {
                 ui.vertical(|ui| {
                     ui.strong(column.title);
                     let unit = theme::unit(column.unit);
@@ -179,10 +151,10 @@ pub fn table(ui: &mut Ui, paper: &PaperTable, commands: &mut Vec<Command>) {
                 });
             }
             ui.end_row();
-            for row in &paper.rows {
+            for row in &table.rows {
                 ui.strong(row.sim.to_string());
-                load(ui, row, paper.calibration, commands);
-                for column in &COLUMNS {
+                load(ui, shown, row, commands);
+                for column in &columns {
                     let cell = (column.cell)(row);
                     ui.vertical(|ui| {
                         ui.horizontal(|ui| {
@@ -198,18 +170,19 @@ pub fn table(ui: &mut Ui, paper: &PaperTable, commands: &mut Vec<Command>) {
             }
         });
     });
-    paper.rows.iter().for_each(|row| remarks(ui, row));
+    table.rows.iter().for_each(|row| remarks(ui, shown.paper, row));
 }
 
 /// The figures of one row, a line for each column of the table.
-fn figures(ui: &mut Ui, row: &PaperRow) {
+fn figures(ui: &mut Ui, paper: PaperId, row: &PaperRow) {
+    let columns = columns(paper);
     let palette = Palette::at(ui);
     Grid::new(("row", row.sim)).min_col_width(20.0).spacing([7.0, 2.0]).show(ui, |ui| {
         for title in ["", "printed", "run", "residual"] {
             ui.label(RichText::new(title).size(NOTE).weak());
         }
         ui.end_row();
-        for column in &COLUMNS {
+        for column in &columns {
             let cell = (column.cell)(row);
             let unit = theme::unit(column.unit);
             ui.label(RichText::new(format!("{}, {unit}", column.title)).size(NOTE));
@@ -222,42 +195,20 @@ fn figures(ui: &mut Ui, row: &PaperRow) {
 }
 
 /// The table as a card for every row.
-pub fn cards(ui: &mut Ui, paper: &PaperTable, commands: &mut Vec<Command>) {
+pub fn cards(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
-    for row in &paper.rows {
+    for row in &table.rows {
         theme::card(palette).show(ui, |ui| {
             ui.set_width(ui.available_width());
             ui.horizontal(|ui| {
                 ui.strong(format!("Simulation {}", row.sim));
-                load(ui, row, paper.calibration, commands);
+                load(ui, shown, row, commands);
             });
             // A card is never wider than the window; its figures may be.
-            ScrollArea::horizontal().id_salt(("row", row.sim)).show(ui, |ui| figures(ui, row));
-            remarks(ui, row);
+            ScrollArea::horizontal()
+                .id_salt(("row", row.sim))
+                .show(ui, |ui| figures(ui, shown.paper, row));
+            remarks(ui, shown.paper, row);
         });
     }
-}
-
-/// Deviation of the final from the desired values in percent: printed, and in the runs.
-pub fn deviations(ui: &mut Ui, paper: &PaperTable) {
-    let percent = |is: f64, wanted: f64| format!("{:+.1} %", 100.0 * (is / wanted - 1.0));
-    let grid = Grid::new("deviations").striped(true).min_col_width(24.0).spacing([12.0, 3.0]);
-    let figures = |ui: &mut Ui| {
-        for title in ["Sim", "Ra printed", "Ra run", "force printed", "force run"] {
-            ui.strong(title);
-        }
-        ui.end_row();
-        for row in &paper.rows {
-            let (ra, force) = (&row.ra_produced_um, &row.force_final_n);
-            ui.label(row.sim.to_string());
-            ui.label(percent(ra.printed, row.ra_desired_um.printed));
-            ui.label(percent(ra.reproduced, row.ra_desired_um.reproduced));
-            let printed = percent(force.printed, row.force_start_n.printed);
-            let read = percent(force.reference, row.force_start_n.printed);
-            ui.label(if printed == read { printed } else { format!("{printed}\n(read {read})") });
-            ui.label(percent(force.reproduced, row.force_start_n.reproduced));
-            ui.end_row();
-        }
-    };
-    ScrollArea::horizontal().id_salt("deviations").show(ui, |ui| grid.show(ui, figures));
 }

@@ -1,0 +1,117 @@
+//! What a paper's own table says about its findings: final against desired values.
+
+use egui::{Grid, ScrollArea, Ui};
+
+use crate::study::papers::{PaperRow, PaperTable};
+use crate::study::published::PaperId;
+
+fn percent(deviation: f64) -> String {
+    format!("{deviation:+.1} %")
+}
+
+fn off(is: f64, wanted: f64) -> f64 {
+    100.0 * (is / wanted - 1.0)
+}
+
+/// A column: its title, and the deviation in a row in words.
+type Column = (&'static str, fn(&PaperRow) -> String);
+
+const RA: [Column; 2] = [
+    ("Ra printed", |row| percent(row.ra_deviation_printed_percent)),
+    ("Ra run", |row| percent(row.ra_deviation_reproduced_percent)),
+];
+
+/// Final against desired force; only Table 3 of 2007 prints the desired one.
+const FORCE: [Column; 2] = [
+    ("force printed", |row| {
+        let (end, wanted) = (&row.force_final_n, row.force_start_n.printed);
+        let [printed, read] = [end.printed, end.reference].map(|is| percent(off(is, wanted)));
+        if printed == read { printed } else { format!("{printed}\n(read {read})") }
+    }),
+    ("force run", |row| percent(off(row.force_final_n.reproduced, row.force_start_n.reproduced))),
+];
+
+/// What the paper finds, and what the runs leave.
+fn words(paper: PaperId) -> [&'static str; 2] {
+    match paper {
+        PaperId::Sdnrp2007 => [
+            "The findings speak of at most 4.1 % in Ra and 5.2 % in force. Table 3 itself, final \
+             value against desired value, says more",
+            "With the identified models the runs leave the same one.",
+        ],
+        PaperId::Strategy2013 => [
+            "Section 4 makes the difference between desired and simulated Ra the criterion and \
+             finds the model \"efficient at gaining the desired surface roughness\", without a \
+             figure for it. Table 1 itself gives one",
+            "With the identified models the runs leave one of the same kind: too rough in the \
+             fine cuts, too fine in the rough ones.",
+        ],
+    }
+}
+
+/// The largest printed deviations of Ra either way, with their simulations.
+fn extremes(table: &PaperTable) -> String {
+    let deviation = |row: &&PaperRow| row.ra_deviation_printed_percent;
+    let by = |a: &&PaperRow, b: &&PaperRow| deviation(a).total_cmp(&deviation(b));
+    let (Some(low), Some(high)) = (table.rows.iter().min_by(by), table.rows.iter().max_by(by))
+    else {
+        return String::new();
+    };
+    let told = |row: &PaperRow| {
+        format!("{} in simulation {}", percent(row.ra_deviation_printed_percent), row.sim)
+    };
+    format!("Ra is off by {} to {}", told(high), told(low))
+}
+
+/// The section of the screen.
+pub fn show(ui: &mut Ui, paper: PaperId, table: &PaperTable) {
+    ui.add_space(10.0);
+    ui.heading("The paper's own deviations");
+    let [findings, runs] = words(paper);
+    ui.label(format!(
+        "{findings}: {}. Proportional feedback leaves a steady-state error. {runs}",
+        extremes(table)
+    ));
+    let force: &[Column] = if paper == PaperId::Sdnrp2007 { &FORCE } else { &[] };
+    let columns = || RA.iter().chain(force);
+    let grid = Grid::new("deviations").striped(true).min_col_width(24.0).spacing([12.0, 3.0]);
+    let figures = |ui: &mut Ui| {
+        ui.strong("Sim");
+        columns().for_each(|(title, _)| {
+            ui.strong(*title);
+        });
+        ui.end_row();
+        for row in &table.rows {
+            ui.label(row.sim.to_string());
+            columns().for_each(|(_, text)| {
+                ui.label(text(row));
+            });
+            ui.end_row();
+        }
+    };
+    ScrollArea::horizontal().id_salt("deviations").show(ui, |ui| grid.show(ui, figures));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::model::gp::Calibration;
+    use crate::blocks::cutting::process::ForceModel;
+    use crate::study::papers;
+
+    #[test]
+    fn the_runs_deviate_as_the_texts_say() {
+        for paper in PaperId::ALL {
+            let table = papers::table(*paper, Calibration::Identified, ForceModel::Formula);
+            let (fine, rough) = table.rows.split_at(table.rows.len() / 2);
+            let run = |row: &PaperRow| row.ra_deviation_reproduced_percent;
+            assert!(fine.iter().all(|row| run(row) > -2.0) && run(&fine[0]) > 2.0, "{paper:?}");
+            assert!(rough.iter().all(|row| run(row) < 0.0), "{paper:?}");
+            if *paper == PaperId::Sdnrp2007 {
+                let printed = |row: &PaperRow| row.ra_deviation_printed_percent;
+                assert!(table.rows.iter().all(|row| (run(row) - printed(row)).abs() < 3.0));
+                assert!(extremes(&table).contains("+31.6 % in simulation 1 to -22.4 %"));
+            }
+        }
+    }
+}
