@@ -11,11 +11,12 @@ mod laws;
 mod live;
 mod models;
 mod names;
+mod neural;
 mod overrides;
 mod printed;
 
 pub use live::{Live, Moment, live};
-pub use names::{Using, flag_in_set, flag_name};
+pub use names::{Names, Using};
 pub use printed::Printed;
 
 use crate::run::signals::flag;

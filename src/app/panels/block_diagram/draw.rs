@@ -6,7 +6,7 @@ use super::brush::Brush;
 use super::layout::Layout;
 use super::moment::Now;
 use super::wires::Wire;
-use crate::app::panels::equation_cards::{Block, Lamp, Moment, flag_name};
+use crate::app::panels::equation_cards::{Block, Lamp, Moment, Names};
 use crate::run::signals::FLAGS;
 
 /// What was clicked.
@@ -105,6 +105,6 @@ fn state_in_words(lamps: &[Lamp], now: &Now<'_>) -> String {
     let Moment { row, scenario, .. } = now.moment;
     let lit = |bit: u32| lamps.iter().any(|lamp| lamp.bits & bit != 0) && row.has(bit);
     let lit = FLAGS.iter().filter(|flag| lit(flag.bit));
-    let words: Vec<String> = lit.map(|flag| flag_name(flag, scenario)).collect();
+    let words: Vec<String> = lit.map(|flag| Names::of(scenario).flag(flag)).collect();
     if words.is_empty() { "as it should be".to_owned() } else { words.join(", ") }
 }

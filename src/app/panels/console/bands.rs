@@ -5,7 +5,7 @@
 use egui::{Align2, Color32, Rangef, Rect, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use crate::app::panels::View;
-use crate::app::panels::equation_cards::flag_name;
+use crate::app::panels::equation_cards::Names;
 use crate::app::theme::Palette;
 use crate::app::trace::FLAG_ROWS;
 use crate::base::settings::Value;
@@ -87,7 +87,7 @@ fn state(view: &View<'_>, bits: u32, seen: u32) -> String {
         let set = FLAGS.iter().filter(|info| info.bit & bits & set != 0);
         let names = set.map(|info| {
             // "K2" of "K2 outside its range", "feed" of "feed at a limit".
-            let name = flag_name(info, view.session.current());
+            let name = Names::of(view.session.current()).flag(info);
             name.split(' ').next().unwrap_or_default().to_owned()
         });
         names.collect::<Vec<String>>().join(", ")

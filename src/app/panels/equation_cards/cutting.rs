@@ -2,6 +2,7 @@
 
 use super::formula::number;
 use super::live::Live;
+use super::neural::neural;
 use crate::base::model::force_formula::{FEED_MIN_MM_MIN, INCH, SPEED_MIN_RPM};
 use crate::blocks::cutting::process::Process;
 use crate::blocks::cutting::workpiece::{AXIAL_DEPTH_2007_MM, RADIAL_DEPTH_2007_MM};
@@ -11,11 +12,14 @@ use crate::run::signals::Row;
 /// Model 4 of the plant, and what it does not know.
 pub fn cutting(row: &Row, scenario: &Scenario) -> Vec<Live> {
     let plant = &scenario.plant;
-    let process = Process::new(plant, scenario.workpiece.radial_depth_mm);
-    let models = process.models();
+    let mut process = Process::new(plant, scenario.workpiece.radial_depth_mm);
     let (feed, speed, depth) = (row.feed_mm_min, row.spindle_rpm, row.axial_depth_mm);
-    let k4 = models.force(feed, speed);
     let force = process.update(feed, speed, depth);
+    if let Some(kind) = plant.force_model.network() {
+        return neural(kind, row, scenario, force);
+    }
+    let models = process.models();
+    let k4 = models.force(feed, speed);
     let name = format!("{}4", models.set.letter());
     let [intercept, feed_coefficient, inch, speed_coefficient] =
         [models.force.intercept_n, models.force.feed, INCH, models.force.speed * 1e10].map(number);

@@ -2,6 +2,7 @@
 
 use super::{Block, Card, Lamp};
 use crate::base::model::gp::{Calibration, ModelSet};
+use crate::blocks::cutting::process::{ForceModel, Plant};
 use crate::run::scenario::Scenario;
 use crate::run::signals::{FlagInfo, flag};
 
@@ -36,14 +37,62 @@ impl Block {
     }
 }
 
+/// What models and flags are called.
+#[derive(Clone, Copy, Debug)]
+pub struct Names {
+    belief: ModelSet,
+    plant: ModelSet,
+    force: ForceModel,
+}
+
+impl Names {
+    /// The names in a scenario.
+    #[must_use]
+    pub fn of(scenario: &Scenario) -> Self {
+        let Plant { model_set, force_model, .. } = scenario.plant;
+        Self { belief: scenario.belief.model_set, plant: model_set, force: force_model }
+    }
+
+    /// The names where plant and controller have the models of one set.
+    #[must_use]
+    pub fn both(set: ModelSet, force: ForceModel) -> Self {
+        Self { belief: set, plant: set, force }
+    }
+
+    /// The name of the model with this number; a neural force model is called NN, as in the paper
+    /// of 2013.
+    fn model(self, number: u32) -> String {
+        match number {
+            4 if self.force.network().is_some() => "NN".to_owned(),
+            1..=3 => format!("{}{number}", self.belief.letter()),
+            _ => format!("{}{number}", self.plant.letter()),
+        }
+    }
+
+    /// A text that begins with the name that a model has in the set of 2007, with its present one.
+    fn renamed(self, text: &str) -> String {
+        let mut chars = text.chars();
+        let number = match (chars.next(), chars.next()) {
+            (Some('K'), Some(digit)) => digit.to_digit(10),
+            _ => None,
+        };
+        number.map_or(text.to_owned(), |number| format!("{}{}", self.model(number), &text[2..]))
+    }
+
+    /// A flag in words: the table of flags calls models by their names of 2007.
+    #[must_use]
+    pub fn flag(self, flag: &FlagInfo) -> String {
+        self.renamed(flag.label)
+    }
+}
+
 impl Card {
     /// The models of the box by name, joined by commas; empty for a box without.
     #[must_use]
     pub fn models(&self, scenario: &Scenario) -> String {
-        let Some(using) = self.block.using(scenario) else { return String::new() };
-        let letter = using.set.letter();
-        let names = self.models.iter().map(|number| format!("{letter}{number}"));
-        names.collect::<Vec<String>>().join(", ")
+        let names = Names::of(scenario);
+        let models = self.models.iter().map(|number| names.model(*number));
+        models.collect::<Vec<String>>().join(", ")
     }
 
     /// The box's name with its models.
@@ -57,7 +106,7 @@ impl Lamp {
     /// Its name.
     #[must_use]
     pub fn name(&self, scenario: &Scenario) -> String {
-        renamed(self.label, letter_of(self.bits, scenario))
+        Names::of(scenario).renamed(self.label)
     }
 
     /// Whether it can be lit at all: without a rate limit there is no lamp for it.
@@ -67,52 +116,27 @@ impl Lamp {
     }
 }
 
-/// The letter of the set that a flag about a model belongs to.
-fn letter_of(bits: u32, scenario: &Scenario) -> char {
-    const BELIEF: u32 = flag::K1_OUTSIDE | flag::K2_OUTSIDE | flag::K3_OUTSIDE;
-    let of_belief = bits & BELIEF != 0;
-    let set = if of_belief { scenario.belief.model_set } else { scenario.plant.model_set };
-    set.letter()
-}
-
-/// A text that begins with the name of a model of 2007, with the letter in its place.
-fn renamed(text: &str, letter: char) -> String {
-    let mut chars = text.chars();
-    match (chars.next(), chars.next()) {
-        (Some('K'), Some('1'..='6')) => format!("{letter}{}", &text[1..]),
-        _ => text.to_owned(),
-    }
-}
-
-/// A flag in words: the table of flags calls models by their names of 2007.
-#[must_use]
-pub fn flag_name(flag: &FlagInfo, scenario: &Scenario) -> String {
-    renamed(flag.label, letter_of(flag.bit, scenario))
-}
-
-/// A flag in words where plant and controller have the models of one set.
-#[must_use]
-pub fn flag_in_set(flag: &FlagInfo, set: ModelSet) -> String {
-    renamed(flag.label, set.letter())
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::CARDS;
     use super::*;
     use crate::run::signals::FLAGS;
 
+    fn titles(scenario: &Scenario) -> Vec<String> {
+        CARDS.iter().map(|card| card.title(scenario)).collect()
+    }
+
+    fn flags(scenario: &Scenario) -> Vec<String> {
+        FLAGS.iter().map(|flag| Names::of(scenario).flag(flag)).collect()
+    }
+
     #[test]
     fn belief_and_plant_are_named_after_their_own_sets() {
         let mut scenario = Scenario::default();
         scenario.belief.model_set = ModelSet::Strategy2013;
-        let titles = |scenario: &Scenario| CARDS.iter().map(|c| c.title(scenario)).collect();
-        let mixed: Vec<String> = titles(&scenario);
+        let mixed = titles(&scenario);
         assert_eq!(mixed[..3], ["Reference M1", "Controller M2, M3", "Override limits"]);
         assert_eq!(mixed[6], "Cutting process K4");
-        let flags = |scenario: &Scenario| -> Vec<String> {
-            FLAGS.iter().map(|flag| flag_name(flag, scenario)).collect()
-        };
         let words = flags(&scenario);
         assert!(words.contains(&"M3 outside its range".to_owned()), "{words:?}");
         assert!(words.contains(&"K4 outside its range".to_owned()), "{words:?}");
@@ -120,5 +144,14 @@ mod tests {
         assert!(!titles(&scenario).concat().contains('K'));
         assert!(flags(&scenario).contains(&"M6 outside its range".to_owned()));
         assert!(flags(&scenario).contains(&"in the air".to_owned()));
+    }
+
+    #[test]
+    fn a_network_takes_the_place_of_model_4_only() {
+        let mut scenario = Scenario::default();
+        scenario.plant.force_model = ForceModel::NeuralLiteral;
+        assert_eq!(titles(&scenario)[6], "Cutting process NN");
+        assert!(flags(&scenario).contains(&"NN outside its range".to_owned()));
+        assert!(flags(&scenario).contains(&"K5 outside its range".to_owned()));
     }
 }

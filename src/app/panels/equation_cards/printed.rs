@@ -47,6 +47,12 @@ const M_LAW: Printed = eq(
     "Control strategy 2013, steps 5 to 7, in words only: read as in SDNRP 2007",
 );
 
+const NETWORK: Printed = eq(
+    "F_x, F_y, F_z = NN(f, n, R_D, A_D, material, hardness, D, geometry)",
+    "Control strategy 2013, section 2.3: 8 inputs, 15 hidden neurons, 3 outputs; its weights were \
+     never published",
+);
+
 /// The transfer function of a drive.
 fn drive(kind: FeedDriveKind) -> Printed {
     match kind {
@@ -107,6 +113,7 @@ impl Block {
                 "n_a' = limit((n_c - n_a) / τ, ± rate)",
                 "chosen: no paper gives a spindle drive",
             )],
+            Self::Cutting if scenario.plant.force_model.network().is_some() => vec![NETWORK],
             Self::Cutting => vec![if of_2007 { K4 } else { M4 }],
             Self::Dynamic => vec![eq(
                 "F_{dyn} = F (1 + level (b(t) + ripple sin θ + w(x)))",

@@ -4,7 +4,7 @@ use egui::{Grid, RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
 
 use super::Shown;
 use crate::app::command::Command;
-use crate::app::panels::equation_cards::flag_in_set;
+use crate::app::panels::equation_cards::Names;
 use crate::app::theme::{self, Palette};
 use crate::base::model::gp::Calibration;
 use crate::blocks::cutting::process::ForceModel;
@@ -113,22 +113,23 @@ fn printed(cell: &Cell, column: &Column) -> String {
 }
 
 /// States at the end of the run, in words.
-fn states(paper: PaperId, row: &PaperRow) -> Option<String> {
+fn states(shown: Shown, row: &PaperRow) -> Option<String> {
+    let names = Names::both(shown.paper.model_set(), shown.force_model);
     let word = |id: &&str| match FLAGS.iter().find(|flag| flag.id == *id) {
-        Some(flag) => flag_in_set(flag, paper.model_set()),
+        Some(flag) => names.flag(flag),
         None => id.replace('_', " "),
     };
     let words: Vec<String> = row.out_of_range.iter().map(word).collect();
     (!words.is_empty()).then(|| format!("simulation {}: {}", row.sim, words.join(", ")))
 }
 
-fn remarks(ui: &mut Ui, paper: PaperId, row: &PaperRow) {
+fn remarks(ui: &mut Ui, shown: Shown, row: &PaperRow) {
     let palette = Palette::at(ui);
     if let Some(note) = row.note {
         let text = format!("Simulation {}: {note}.", row.sim);
         ui.label(RichText::new(text).color(palette.warn));
     }
-    if let Some(states) = states(paper, row) {
+    if let Some(states) = states(shown, row) {
         ui.label(RichText::new(format!("At the end of {states}.")).color(palette.bad));
     }
 }
@@ -170,7 +171,7 @@ pub fn table(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<C
             }
         });
     });
-    table.rows.iter().for_each(|row| remarks(ui, shown.paper, row));
+    table.rows.iter().for_each(|row| remarks(ui, shown, row));
 }
 
 /// The figures of one row, a line for each column of the table.
@@ -208,7 +209,7 @@ pub fn cards(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<C
             ScrollArea::horizontal()
                 .id_salt(("row", row.sim))
                 .show(ui, |ui| figures(ui, shown.paper, row));
-            remarks(ui, shown.paper, row);
+            remarks(ui, shown, row);
         });
     }
 }

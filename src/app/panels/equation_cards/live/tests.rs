@@ -6,6 +6,7 @@ use super::*;
 use crate::base::model::gp::{Calibration, ModelSet};
 use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
+use crate::blocks::cutting::process::ForceModel;
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
 use crate::run::presets;
@@ -119,6 +120,42 @@ fn models_explain_themselves_over_every_force() {
             }
         }
     }
+}
+
+#[test]
+fn a_neural_plant_shows_its_inputs_components_and_what_it_was_not_trained_on() {
+    let text = |text: &str| Value::Text(text.to_owned());
+    for (force_model, material, offset_n, left) in [
+        (ForceModel::Neural, "ck45", 0.0, None),
+        (ForceModel::NeuralLiteral, "ck45", -30.0, None),
+        (ForceModel::Neural, "s235jr", 10.0, Some("S235JR")),
+    ] {
+        let mut scenario = presets::load("strategy-table1-5").expect("shipped");
+        scenario.set("plant.material", text(material)).expect("a material");
+        scenario.plant.force_model = force_model;
+        scenario.plant.wear_factor = 1.1;
+        scenario.plant.force_offset_n = offset_n;
+        let run = Run::complete(&scenario, &Edits::none());
+        let row = run.recording().rows().last().expect("a row");
+        let lines = live(Block::Cutting, &at(row, &scenario));
+        let [inputs, components, peak, force, origin] = &lines[..] else { panic!("{lines:?}") };
+        assert!(inputs.formula.contains("8-15-3, arc tangent"), "{lines:?}");
+        assert!(inputs.values.contains("R_D 3 mm, A_D 2 mm"), "{lines:?}");
+        assert!(components.values.starts_with("F_x = "), "{lines:?}");
+        follows(peak);
+        follows(force);
+        near(force, row.force_n);
+        assert!(origin.formula.contains("3500 measurements were never published"), "{lines:?}");
+        assert_eq!(components.valid, !row.has(flag::K4_OUTSIDE), "{lines:?}");
+        let told = components.range.contains("trained on");
+        assert_eq!(told, !components.valid, "{lines:?}");
+        assert!(left.is_none_or(|left| components.range.contains(left)), "{lines:?}");
+    }
+    let mut scenario = presets::load("strategy-table1-5").expect("shipped");
+    scenario.plant.force_model = ForceModel::Neural;
+    let air = Row { feed_mm_min: 300.0, spindle_rpm: 2000.0, ..Row::default() };
+    let lines = live(Block::Cutting, &at(&air, &scenario));
+    assert!(lines[3].values.ends_with("= 0 N"), "{lines:?}");
 }
 
 #[test]

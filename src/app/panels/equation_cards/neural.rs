@@ -1,0 +1,134 @@
+//! The card of the cutting process where a neural network gives its force: inputs, ranges of
+//! training, components, peak force.
+
+use super::formula::number;
+use super::live::Live;
+use crate::app::theme;
+use crate::base::model::Valued;
+use crate::base::model::neural_force::{
+    AXIAL_DEPTH_MM, AXIAL_PER_DIAMETER, CutPoint, FEED_PER_TOOTH_MM, HARDNESS_HB, NeuralForce,
+    NeuralKind, RADIAL_PER_DIAMETER, SPEED_M_MIN, speed_m_min,
+};
+use crate::blocks::cutting::material::Material;
+use crate::blocks::cutting::neural::NeuralCut;
+use crate::run::scenario::Scenario;
+use crate::run::signals::Row;
+
+/// From the network's inputs to the force that the process gives.
+pub fn neural(kind: NeuralKind, row: &Row, scenario: &Scenario, force: Valued) -> Vec<Live> {
+    let plant = &scenario.plant;
+    let radial_mm = scenario.workpiece.radial_depth_mm;
+    let cut = NeuralCut::new(plant.material, plant.hardness_hb, row.axial_depth_mm, radial_mm);
+    let point = CutPoint { feed_mm_min: row.feed_mm_min, speed_rpm: row.spindle_rpm, ..cut.point };
+    let network = NeuralForce::shipped(kind);
+    let [fx, fy, fz] = network.components(&point).map(|component| component * cut.factor);
+    let (peak, wear) = ((fx * fx + fy * fy).sqrt(), plant.wear_factor);
+    let mut lines = vec![
+        inputs(network, &point),
+        Live {
+            formula: format!("F_x, F_y, F_z = {}NN(inputs)", factor(&cut)),
+            values: format!(
+                "F_x = {} N, F_y = {} N, F_z = {} N",
+                number(fx),
+                number(fy),
+                number(fz)
+            ),
+            range: ranges(&point, &cut, plant.material, plant.hardness_hb),
+            valid: force.valid,
+        },
+        Live::everywhere(
+            "F_{xy} = √(F_x^2 + F_y^2), at the instant of its largest value",
+            format!("F_{{xy}} = √({}^2 + {}^2) = {} N", size(fx), size(fy), number(peak)),
+        ),
+    ];
+    // In the air the offset cuts nothing either.
+    let offset = if peak == 0.0 { 0.0 } else { plant.force_offset_n };
+    let sign = if offset < 0.0 { '-' } else { '+' };
+    let sum = format!("({} {sign} {}) · {}", number(peak), size(offset), number(wear));
+    let sum = if peak + offset < 0.0 { format!("max(0, {sum})") } else { sum };
+    lines.push(Live::everywhere(
+        "F = (F_{xy} + offset) · wear",
+        format!("F = {sum} = {} N", number(force.value)),
+    ));
+    lines.push(origin(network));
+    lines
+}
+
+/// Without its sign, which a square does not need.
+fn size(value: f64) -> String {
+    number(value.abs())
+}
+
+/// What the force is scaled by for a material that the network does not know.
+fn factor(cut: &NeuralCut) -> String {
+    if cut.factor == 1.0 { String::new() } else { format!("{} · ", number(cut.factor)) }
+}
+
+fn inputs(network: &NeuralForce, point: &CutPoint) -> Live {
+    let network = &network.network().network;
+    let sizes: Vec<String> = network.sizes().iter().map(usize::to_string).collect();
+    Live::everywhere(
+        format!(
+            "NN(f, n, R_D, A_D, material, HB, D, geometry): {}, {}",
+            sizes.join("-"),
+            network.activation().label()
+        ),
+        format!(
+            "f {} mm/min, n {} 1/min, R_D {} mm, A_D {} mm, material {}, {} HB, D {} mm, \
+             geometry {}",
+            number(point.feed_mm_min),
+            number(point.speed_rpm),
+            number(point.radial_depth_mm),
+            number(point.axial_depth_mm),
+            number(point.material_code),
+            number(point.hardness_hb),
+            number(point.diameter_mm),
+            number(point.geometry_code),
+        ),
+    )
+}
+
+/// The ranges of the training data; only those that are left, where any are.
+fn ranges(point: &CutPoint, cut: &NeuralCut, material: Material, hardness_hb: f64) -> String {
+    let diameter = point.diameter_mm;
+    let axial_max = (diameter * AXIAL_PER_DIAMETER).min(AXIAL_DEPTH_MM[1]);
+    let speed = speed_m_min(diameter, point.speed_rpm);
+    let values = [
+        ("feed per tooth", point.feed_per_tooth_mm(), FEED_PER_TOOTH_MM, "mm"),
+        ("cutting speed", speed, SPEED_M_MIN, "m/min"),
+        ("A_D", point.axial_depth_mm, [AXIAL_DEPTH_MM[0], axial_max], "mm"),
+        ("R_D", point.radial_depth_mm, RADIAL_PER_DIAMETER.map(|part| part * diameter), "mm"),
+    ];
+    let range = |[low, high]: [f64; 2]| format!("{} to {}", number(low), number(high));
+    let mut left: Vec<String> = values
+        .iter()
+        .filter(|(_, value, [low, high], _)| value < low || value > high)
+        .map(|(name, value, trained, unit)| {
+            format!("{name} {} {unit}, trained on {}", number(*value), range(*trained))
+        })
+        .collect();
+    let [ck45, mn_cr_si5] = HARDNESS_HB.map(range);
+    let materials = format!(
+        "{} {ck45} HB, {} {mn_cr_si5} HB",
+        Material::Ck45.label(),
+        Material::MnCrSi5.label()
+    );
+    if !cut.known {
+        let hardness = theme::quantity(hardness_hb, "HB");
+        left.push(format!("{} at {hardness}, trained on {materials}", material.label()));
+    }
+    if !left.is_empty() {
+        return left.join("; ");
+    }
+    let all = values.map(|(name, _, trained, unit)| format!("{name} {} {unit}", range(trained)));
+    format!("{}; {materials}", all.join(", "))
+}
+
+/// What the network was trained on.
+fn origin(network: &NeuralForce) -> Live {
+    let from = network.provenance();
+    Live::everywhere(
+        from.note.clone(),
+        format!("{} rows, {} epochs, seed {}", from.rows, from.epochs, from.seed),
+    )
+}
