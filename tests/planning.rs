@@ -9,7 +9,7 @@ use steadycut::run::presets::load;
 use steadycut::run::scenario::{Scenario, parse_value, table};
 use steadycut::run::scenario_file;
 use steadycut::study::plan::PlanJob;
-use steadycut::study::plan::constraints::CONSTRAINTS;
+use steadycut::study::plan::constraints::{CONSTRAINTS, FORCE};
 use steadycut::study::plan::field::{Field, exhaustive};
 use steadycut::study::plan::machine::{HELLER_BEA_01, Machine};
 use steadycut::study::plan::optimum::Optimum;
@@ -154,7 +154,7 @@ fn the_force_limit_of_the_target_is_the_controllers_reference_force() {
     let scenario = load("table3-5").unwrap();
     let job = PlanJob::complete(&scenario).unwrap();
     let run = Run::complete(&scenario, &Edits::none());
-    let limit = job.optimum().constraints[2].high.unwrap();
+    let limit = job.optimum().constraints[FORCE].high.unwrap();
     assert_eq!(limit, run.recording().rows()[0].force_ref_n);
     assert!(job.optimum().force_n <= limit);
 }

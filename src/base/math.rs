@@ -104,7 +104,7 @@ mod tests {
             let x = pow(1.07, f64::from(i));
             let root = inverse_fifth_root(x);
             let one = x * root * root * root * root * root;
-            assert!((one - 1.0).abs() < 1e-14, "{x}: {root}");
+            assert!((one - 1.0).abs() < 1.5e-14, "{x}: {root}");
         }
     }
 }

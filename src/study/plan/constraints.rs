@@ -84,6 +84,9 @@ pub const CONSTRAINTS: [Constraint; 7] = [
     },
 ];
 
+/// Number of the force constraint in [`CONSTRAINTS`].
+pub const FORCE: usize = 2;
+
 /// The limits of one constraint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
@@ -200,7 +203,8 @@ mod tests {
         assert_eq!([both.excess(4096.0), both.violation(4096.0)], [0.0, 0.0]);
         assert_eq!([both.excess(3072.0), both.violation(3072.0)], [-0.25, 0.0]);
         assert_eq!([both.excess(160.0), both.violation(160.0)], [-0.25, 0.0]);
-        let [.., force, _, _, _, life] = bounds(&Machine::heller_bea_01(), 665.0);
+        let all = bounds(&Machine::heller_bea_01(), 665.0);
+        let (force, life) = (all[FORCE], all[6]);
         assert!((force.excess(332.5) + 0.5).abs() < 1e-15);
         assert!((life.excess(15.0) - 0.5).abs() < 1e-15 && life.excess(60.0) < 0.0);
     }

@@ -3,7 +3,7 @@
 
 use super::contour::{Samples, Segment, contour};
 use super::problem::{CUTTING_SPEED_M_MIN, FEED_PER_TOOTH_MM, Problem};
-use super::swarm::Score;
+use super::score::Score;
 
 /// Samples on a grid, row by row: index = row x columns + column, a column per cutting speed, a
 /// row per feed per tooth.

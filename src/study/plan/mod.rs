@@ -6,10 +6,12 @@
 
 pub mod constraints;
 pub mod contour;
+pub mod cut;
 pub mod field;
 pub mod machine;
 pub mod optimum;
 pub mod problem;
+pub mod score;
 pub mod surface;
 pub mod swarm;
 

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::constraints::Checked;
 use super::problem::Problem;
-use super::swarm::Score;
+use super::score::Score;
 use crate::base::settings::{SettingError, Value};
 use crate::base::units::s_from_min;
 use crate::run::scenario::Scenario;

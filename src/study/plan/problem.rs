@@ -11,13 +11,13 @@
 //! tie (chosen): for the force alone, all cutting speeds at which it reaches its limit are equal.
 
 use super::constraints::{Bounds, Checked, bounds, check};
+use super::cut::{Cut, Economy, REFERENCE, TABLE_2005, Yield};
 use super::machine::Machine;
+use super::score::Score;
 use super::surface::ForceSurface;
-use super::swarm::Score;
 use crate::base::math;
 use crate::base::model::gp::GpModels;
 use crate::base::settings::SettingError;
-use crate::base::units::cm3_from_mm3;
 use crate::blocks::cutting::tool::{R216_16B20_040, Tool};
 use crate::blocks::reference::desired_force;
 use crate::run::plan_settings::{ForceLimit, PlanSettings, PlannedSection};
@@ -27,93 +27,10 @@ use crate::run::scenario::Scenario;
 pub const CUTTING_SPEED_M_MIN: [f64; 2] = [40.0, 150.0];
 /// Range of the feed per tooth, mm: the network's training range.
 pub const FEED_PER_TOOTH_MM: [f64; 2] = [0.02, 0.2];
-/// Cutting speed in m/min and feed per tooth in mm of the reference cut (2005).
-pub const REFERENCE: [f64; 2] = [80.0, 0.08];
 /// Share of the weight of force that goes to the removal rate, to break ties (chosen).
 const TIE_BREAK: f64 = 0.1;
 /// Least depth of cut that can be planned, mm: below it there is no cut worth the name.
 const LEAST_DEPTH_MM: f64 = 0.01;
-
-/// Everything that follows from a cutting speed and a feed per tooth.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cut {
-    /// Spindle speed, 1/min.
-    pub speed_rpm: f64,
-    /// Feed, mm/min.
-    pub feed_mm_min: f64,
-    /// Force components F_x, F_y, F_z at the instant of the largest force, N.
-    pub components_n: [f64; 3],
-    /// The largest force across the tool, sqrt(F_x^2 + F_y^2), N.
-    pub force_n: f64,
-    /// Spindle power, kW.
-    pub power_kw: f64,
-    /// Roughness of the feed marks, um.
-    pub ra_um: f64,
-    /// Deflection of the cutter's tip, mm.
-    pub deflection_mm: f64,
-    /// Tool life, min.
-    pub tool_life_min: f64,
-}
-
-impl Cut {
-    /// The values of the seven constraints, in their order.
-    #[must_use]
-    #[inline]
-    pub fn values(&self) -> [f64; 7] {
-        [
-            self.speed_rpm,
-            self.feed_mm_min,
-            self.force_n,
-            self.power_kw,
-            self.ra_um,
-            self.deflection_mm,
-            self.tool_life_min,
-        ]
-    }
-}
-
-/// Taylor's tool life T = T_0 (v_0/v_c)^4 (f_0/f_z)^0.8 (a_0/A_D)^0.4 by its reference values.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ToolLife {
-    /// Tool life at the reference cut, min.
-    pub life_min: f64,
-    /// Cutting speed in m/min, feed per tooth in mm and axial depth in mm of the reference cut.
-    pub reference: [f64; 3],
-}
-
-/// The preset `table_2005`: 60 min at the 2005 paper's cut (chosen).
-pub const TABLE_2005: ToolLife =
-    ToolLife { life_min: 60.0, reference: [REFERENCE[0], REFERENCE[1], 2.0] };
-
-impl ToolLife {
-    /// T v_c^4 f_z^0.8 at an axial depth in mm.
-    fn factor(&self, axial_depth_mm: f64) -> f64 {
-        let [speed, feed, depth] = self.reference;
-        let depth = math::pow(depth / axial_depth_mm, 0.4);
-        self.life_min * speed * speed * speed * speed * math::pow(feed, 0.8) * depth
-    }
-}
-
-/// Cost and time constants of a plan.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Economy {
-    machine_cost_per_min: f64,
-    tool_cost: f64,
-    tool_change_min: f64,
-}
-
-/// What a cut yields.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Yield {
-    /// Metal removal rate, cm^3/min.
-    pub removal_rate_cm3_min: f64,
-    /// Time of the cut, min.
-    pub cut_min: f64,
-    /// Time of the cut with its share of tool changes, min.
-    pub production_min: f64,
-    /// Cost of the cut with its share of tools.
-    pub cost: f64,
-}
 
 /// The optimisation problem of a scenario.
 #[derive(Clone, Debug)]
@@ -122,7 +39,6 @@ pub struct Problem {
     surface: ForceSurface,
     axial_depth_mm: f64,
     radial_depth_mm: f64,
-    length_mm: f64,
     economy: Economy,
     force_max_n: f64,
     bounds: [Bounds; 7],
@@ -200,8 +116,9 @@ impl Problem {
             surface: ForceSurface::new(scenario, axial_depth_mm),
             axial_depth_mm,
             radial_depth_mm,
-            length_mm: scenario.workpiece.length_mm,
             economy: Economy {
+                length_mm: scenario.workpiece.length_mm,
+                section_mm2: axial_depth_mm * radial_depth_mm,
                 machine_cost_per_min: plan.machine_cost_per_min,
                 tool_cost: plan.tool_cost,
                 tool_change_min: plan.tool_change_min,
@@ -276,18 +193,7 @@ impl Problem {
     #[must_use]
     #[inline]
     pub fn yield_of(&self, cut: &Cut) -> Yield {
-        let economy = &self.economy;
-        let section_mm2 = self.axial_depth_mm * self.radial_depth_mm;
-        let cut_min = self.length_mm / cut.feed_mm_min;
-        let lives = cut_min / cut.tool_life_min;
-        Yield {
-            removal_rate_cm3_min: cm3_from_mm3(section_mm2 * cut.feed_mm_min),
-            cut_min,
-            production_min: cut_min + lives * economy.tool_change_min,
-            cost: cut_min * economy.machine_cost_per_min
-                + lives
-                    * (economy.machine_cost_per_min * economy.tool_change_min + economy.tool_cost),
-        }
+        self.economy.yield_of(cut)
     }
 
     /// The score of a point: objective and sum of relative violations.
