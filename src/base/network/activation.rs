@@ -40,13 +40,12 @@ impl Activation {
         }
     }
 
-    /// The range to which targets are mapped for an output layer with this activation: the paper's
-    /// 0..1 for the arc tangent; inside the bounds of the others, since a bound is reached by
-    /// infinite weights only (chosen).
+    /// A range for the targets of an output layer with this activation, inside its bounds, which
+    /// only infinite weights reach (chosen; the 2013 paper maps everything to 0..1).
     #[must_use]
     pub fn target_range(self) -> [f64; 2] {
         match self {
-            Self::Arctan => [0.0, 1.0],
+            Self::Arctan => [-1.0, 1.0],
             Self::Tanh | Self::Sine => [-0.8, 0.8],
             Self::Sigmoid => [0.1, 0.9],
         }

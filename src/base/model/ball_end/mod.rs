@@ -19,79 +19,23 @@
 //! forces: published tables give them, and a power law needs no edge constants. X and Y are the
 //! regenerative deflection of the 2005 paper's eq. (1), X = G [F(t) - F(t - T)] with T one tooth
 //! period; the forces of the sample before are used, which avoids an algebraic loop (loop gain 0.1).
-//! The slice height is part of the calibration: thinner slices give about 3 % less force
+//! The slice height is part of the calibration: a slice enters and leaves the cut whole, so the peak
+//! carries part of a slice too much; thin slices give about 3 % less than slices of 0.1 mm
 //! (`steadycut force` prints how it converges).
 
 use crate::base::math;
+
+mod kienzle;
+mod static_cut;
+
+pub use kienzle::{CK45, Kienzle, MNCRSI5, Steel};
+pub use static_cut::{StaticCut, StaticPeak, static_peak};
 
 /// Elasticity G of tool and holder in mm/N: 50 N/um. As printed, in m/N, 650 N would bend the tool
 /// by 13 mm.
 pub const ELASTICITY_MM_PER_N: f64 = 2e-5;
 /// Most teeth of a cutter.
 pub const MAX_TEETH: usize = 8;
-/// Steps of a static cut in a revolution (rounded down to whole steps a tooth).
-const STEPS_PER_REV: usize = 720;
-/// Most revolutions until the regeneration of a static cut has settled; three or four are usual.
-const MAX_REVS: usize = 20;
-
-/// Uncorrected Kienzle constants k_i1.1 in N/mm^2 with exponents m_i, at 1 mm chip thickness.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Steel {
-    /// k_c1.1 in N/mm^2 and m_c: tangential.
-    pub tangential: [f64; 2],
-    /// k_r1.1 in N/mm^2 and m_r: radial (chosen so that F_r/F_c is 0.5 at 0.05 mm, 0.33 at 0.2 mm).
-    pub radial: [f64; 2],
-    /// k_a1.1 in N/mm^2 and m_a: axial (chosen).
-    pub axial: [f64; 2],
-    /// Hardness in HB at which they hold.
-    pub hardness_hb: f64,
-}
-
-/// Ck45 (1.0503); tangential after Tschätsch/Dietrich.
-pub const CK45: Steel = Steel {
-    tangential: [2220.0, 0.14],
-    radial: [450.0, 0.45],
-    axial: [200.0, 0.20],
-    hardness_hb: 200.0,
-};
-/// 16MnCrSi5 as 16MnCr5 (1.7131); tangential fitted to a published k_c table (Röhm RN-1391).
-pub const MNCRSI5: Steel = Steel {
-    tangential: [2100.0, 0.26],
-    radial: [430.0, 0.50],
-    axial: [200.0, 0.25],
-    hardness_hb: 180.0,
-};
-
-/// Kienzle's laws with all corrections applied: k_i in N/mm^2 and 1 - m_i.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kienzle {
-    /// k_c, k_r, k_a in N/mm^2.
-    pub k_n_mm2: [f64; 3],
-    /// 1 - m_c, 1 - m_r, 1 - m_a.
-    pub exponents: [f64; 3],
-}
-
-impl Kienzle {
-    /// Corrections for rake, x [1 - 0.015 (rake - 6 deg)], for cutting speed, x 2.023 / v_c^0.153
-    /// (both Tschätsch/Dietrich; carbide), and for hardness, x (HB/HB_ref)^0.4 (chosen).
-    #[must_use]
-    pub fn new(steel: &Steel, speed_m_min: f64, rake_deg: f64, hardness_hb: f64) -> Self {
-        let factor = (1.0 - 0.015 * (rake_deg - 6.0)) * 2.023 / math::pow(speed_m_min, 0.153)
-            * math::pow(hardness_hb / steel.hardness_hb, 0.4);
-        let laws = [steel.tangential, steel.radial, steel.axial];
-        Self { k_n_mm2: laws.map(|[k, _]| k * factor), exponents: laws.map(|[_, m]| 1.0 - m) }
-    }
-
-    /// Forces per mm of edge width, N/mm: tangential, radial, axial.
-    #[inline]
-    fn per_width(&self, thickness_mm: f64) -> [f64; 3] {
-        let log = math::ln(thickness_mm);
-        let [c, r, a] = self.exponents;
-        let [kc, kr, ka] = self.k_n_mm2;
-        [kc * math::exp(c * log), kr * math::exp(r * log), ka * math::exp(a * log)]
-    }
-}
-
 /// A ball-end mill.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cutter {
@@ -227,101 +171,9 @@ impl Sliced {
     }
 }
 
-/// A cut that does not change: feed and depths.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StaticCut {
-    /// Feed per tooth, mm.
-    pub feed_per_tooth_mm: f64,
-    /// Axial depth A_D, mm.
-    pub axial_depth_mm: f64,
-    /// Nominal radial depth R_D, mm: the side wall lies at y_e = R(A_D) - R_D.
-    pub radial_depth_mm: f64,
-}
-
-/// Forces of a static cut, regeneration settled.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StaticPeak {
-    /// Fx, Fy, Fz in N at the instant of the largest F_xy.
-    pub components_n: [f64; 3],
-    /// That largest F_xy = sqrt(Fx^2 + Fy^2), N.
-    pub fxy_n: f64,
-    /// Mean of F_xy over the revolution, N.
-    pub mean_fxy_n: f64,
-}
-
-/// Turns the cutter through a static cut until the regeneration has settled.
-#[must_use]
-pub fn static_peak(cutter: &Cutter, law: &Kienzle, cut: &StaticCut) -> StaticPeak {
-    let sliced = Sliced::new(cutter, cut.axial_depth_mm);
-    let wall_mm = cutter.radius_mm(cut.axial_depth_mm) - cut.radial_depth_mm;
-    let depth_at = |_: f64, y_mm: f64| if y_mm >= wall_mm { cut.axial_depth_mm } else { 0.0 };
-    let per_tooth = STEPS_PER_REV / sliced.teeth.len();
-    let steps = per_tooth * sliced.teeth.len();
-    // Forces of the last revolution; the first turns with a rigid tool.
-    let mut forces = vec![[0.0; 3]; steps];
-    let mut peak = StaticPeak { components_n: [0.0; 3], fxy_n: 0.0, mean_fxy_n: 0.0 };
-    for rev in 0..MAX_REVS {
-        let before = peak.fxy_n;
-        peak = StaticPeak { components_n: [0.0; 3], fxy_n: 0.0, mean_fxy_n: 0.0 };
-        for step in 0..steps {
-            let last = forces[(step + steps - 1) % steps];
-            let tooth_before = forces[(step + 2 * steps - 1 - per_tooth) % steps];
-            let gain = if rev == 0 { 0.0 } else { ELASTICITY_MM_PER_N };
-            let deflection = [0, 1].map(|axis| gain * (last[axis] - tooth_before[axis]));
-            let angle = math::TAU * step as f64 / steps as f64;
-            let force = sliced.forces(law, angle, cut.feed_per_tooth_mm, deflection, depth_at);
-            forces[step] = force;
-            let fxy = (force[0] * force[0] + force[1] * force[1]).sqrt();
-            peak.mean_fxy_n += fxy / steps as f64;
-            if fxy > peak.fxy_n {
-                (peak.components_n, peak.fxy_n) = (force, fxy);
-            }
-        }
-        if rev > 0 && (peak.fxy_n - before).abs() <= 1e-7 * peak.fxy_n {
-            break;
-        }
-    }
-    peak
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn peak(feed: f64, axial: f64, radial: f64, runout_mm: f64) -> StaticPeak {
-        let law = Kienzle::new(&CK45, 80.0, 12.0, 200.0);
-        let cut =
-            StaticCut { feed_per_tooth_mm: feed, axial_depth_mm: axial, radial_depth_mm: radial };
-        static_peak(&Cutter::two_teeth(16.0, runout_mm, 0.1), &law, &cut)
-    }
-
-    #[test]
-    fn corrected_constants_are_those_published_with_the_model() {
-        for (steel, expected) in
-            [(CK45, [2090.34, 423.72, 188.32]), (MNCRSI5, [1977.35, 404.89, 188.32])]
-        {
-            let law = Kienzle::new(&steel, 80.0, 12.0, steel.hardness_hb);
-            for (k, expected) in law.k_n_mm2.iter().zip(expected) {
-                assert!((k - expected).abs() < 0.01, "{k} {expected}");
-            }
-        }
-    }
-
-    #[test]
-    fn the_force_grows_with_the_published_powers_of_the_feed() {
-        for (feed, expected) in [(0.02, 0.80), (0.08, 0.828), (0.16, 0.837)] {
-            let [low, high] = [0.99, 1.01].map(|part| peak(part * feed, 2.0, 4.0, 0.0).fxy_n);
-            let exponent = math::ln(high / low) / math::ln(1.01 / 0.99);
-            assert!((exponent - expected).abs() < 0.01, "{feed}: {exponent}");
-        }
-    }
-
-    #[test]
-    fn run_out_makes_the_teeth_cut_unequally_around_the_same_mean() {
-        let (even, odd) = (peak(0.08, 2.0, 4.0, 0.0), peak(0.08, 2.0, 4.0, 0.003));
-        assert!(odd.fxy_n > 1.05 * even.fxy_n && odd.fxy_n < 1.09 * even.fxy_n);
-        assert!((odd.mean_fxy_n / even.mean_fxy_n - 1.0).abs() < 2e-3);
-    }
 
     #[test]
     fn force_needs_material_at_the_contact_point() {
