@@ -7,3 +7,4 @@ pub mod identify;
 pub mod papers;
 pub mod plan;
 pub mod published;
+pub mod train;
