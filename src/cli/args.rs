@@ -5,8 +5,10 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::base::model::gp::Calibration;
+use crate::base::network::Activation;
 use crate::blocks::cutting::process::ForceModel;
 use crate::study::published::PaperId;
+use crate::study::train::recipe::RecipeKind;
 
 /// SteadyCut: milling that keeps its surface finish constant.
 #[derive(Debug, Parser)]
@@ -34,6 +36,10 @@ pub enum Command {
     Papers(PapersArgs),
     /// Identify the default models from the published tables.
     Identify(IdentifyArgs),
+    /// Train the neural force model; repeat the paper's comparison of 40 networks.
+    Train(TrainArgs),
+    /// Print static peak forces of the mechanistic force model beside published values.
+    Force(ForceArgs),
     /// List presets, controllers, models, drives, materials and all settings.
     List(ListArgs),
     /// Plan a cut: the best feed and speed within seven constraints, by particle swarm.
@@ -146,6 +152,104 @@ pub struct IdentifyArgs {
     /// Where to write the model file; without it, it is compared with the shipped one.
     #[arg(long, value_name = "FILE.toml")]
     pub out: Option<PathBuf>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `train`.
+#[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true, arg_required_else_help = true)]
+pub struct TrainArgs {
+    /// Train 40 networks and compare activations, rates, momenta and hidden sizes with the paper's
+    /// findings.
+    #[arg(long)]
+    pub study: bool,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+    /// What to train.
+    #[command(subcommand)]
+    pub what: Option<TrainWhat>,
+}
+
+/// What can be trained.
+#[derive(Debug, Subcommand)]
+pub enum TrainWhat {
+    /// The neural cutting-force model.
+    Force(TrainForceArgs),
+}
+
+/// Arguments of `train force`: a recipe, and what differs from it.
+#[derive(Debug, Args)]
+pub struct TrainForceArgs {
+    /// Recipe: `improved` and `literal` make the shipped networks, `2005` the four-layer one.
+    #[arg(long, default_value = "improved", value_parser = recipe_kind)]
+    pub recipe: RecipeKind,
+    /// Rows to generate; four fifths are trained on, the others held out.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(100..=20_000))]
+    pub rows: Option<u32>,
+    /// Seed of data, first weights and order.
+    #[arg(long)]
+    pub seed: Option<u32>,
+    /// Neurons of the hidden layers, for example `15` or `5,3,7`.
+    #[arg(long, value_delimiter = ',', value_name = "N,...")]
+    pub hidden: Option<Vec<usize>>,
+    /// Activation: arctan, tanh, sine or sigmoid.
+    #[arg(long, value_parser = activation)]
+    pub activation: Option<Activation>,
+    /// Take logarithms of feed, speed, depths, hardness and diameter.
+    #[arg(long, overrides_with = "no_ln")]
+    pub ln: bool,
+    /// Take all inputs as they are.
+    #[arg(long, overrides_with = "ln")]
+    pub no_ln: bool,
+    /// Learning rate of the first epoch, 0 to 1.
+    #[arg(long, value_parser = ratio)]
+    pub rate: Option<f64>,
+    /// Momentum, 0 to 1.
+    #[arg(long, value_parser = ratio)]
+    pub momentum: Option<f64>,
+    /// The rate of epoch e is rate / (1 + decay e); 0 to 1.
+    #[arg(long, value_parser = ratio)]
+    pub decay: Option<f64>,
+    /// Epochs.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub epochs: Option<u32>,
+    /// Where to write the network file.
+    #[arg(long, value_name = "FILE.json")]
+    pub out: Option<PathBuf>,
+    /// Train both shipped networks; exit with 1 unless each file is reproduced bit for bit.
+    #[arg(long, conflicts_with_all = ["recipe", "rows", "seed", "hidden", "activation", "ln", "no_ln",
+        "rate", "momentum", "decay", "epochs", "out"])]
+    pub check: bool,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+fn ratio(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|x| (0.0..=1.0).contains(x));
+    number.ok_or_else(|| "allowed is a number from 0 to 1".to_owned())
+}
+
+fn one_of<T: Copy>(all: &[T], id: impl Fn(T) -> &'static str, text: &str) -> Result<T, String> {
+    let ids: Vec<&str> = all.iter().map(|option| id(*option)).collect();
+    let found = all.iter().find(|option| id(**option) == text);
+    found.copied().ok_or_else(|| format!("allowed is one of {}", ids.join(", ")))
+}
+
+fn recipe_kind(text: &str) -> Result<RecipeKind, String> {
+    one_of(RecipeKind::ALL, RecipeKind::id, text)
+}
+
+fn activation(text: &str) -> Result<Activation, String> {
+    one_of(Activation::ALL, Activation::id, text)
+}
+
+/// Arguments of `force`.
+#[derive(Debug, Args)]
+pub struct ForceArgs {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,

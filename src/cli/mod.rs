@@ -2,11 +2,13 @@
 
 pub mod args;
 mod check;
+mod force;
 mod identify;
 mod list;
 mod papers;
 mod plan;
 mod run;
+mod train;
 
 use std::process::ExitCode;
 
@@ -22,6 +24,8 @@ pub fn execute(command: &Command) -> ExitCode {
         Command::Run(args) => run::execute(args),
         Command::Papers(args) => papers::execute(args),
         Command::Identify(args) => identify::execute(args),
+        Command::Train(args) => train::execute(args),
+        Command::Force(args) => force::execute(args),
         Command::List(args) => list::execute(args),
         Command::Plan(args) => plan::execute(args),
         Command::Check(args) => check::execute(args),
