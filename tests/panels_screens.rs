@@ -6,12 +6,16 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use steadycut::app::Console;
 use steadycut::app::panels::equation_cards::CARDS;
-use steadycut::base::model::gp::Calibration;
+use steadycut::base::model::feed_drive::FeedDriveKind;
+use steadycut::base::model::gp::{Calibration, ModelSet};
 use steadycut::base::settings::Value;
 use steadycut::blocks::control::ControllerKind;
+use steadycut::blocks::cutting::process::ForceModel;
 use steadycut::run::Start;
 use steadycut::run::edits::Edits;
 use steadycut::run::presets;
+use steadycut::study::errata;
+use steadycut::study::published::PaperId;
 
 type Screen<'a> = Harness<'a, Option<Console>>;
 
@@ -76,15 +80,26 @@ fn a_click_on_a_block_opens_its_equation_card() {
     }
 }
 
+fn text(text: &str) -> Value {
+    Value::Text(text.to_owned())
+}
+
 #[test]
-fn every_card_opens_for_every_controller_and_calibration() {
+fn every_card_opens_for_every_controller_calibration_set_and_force_model() {
     // A character that no font has would end the test.
-    let text = |text: &str| Value::Text(text.to_owned());
-    for (kind, calibration) in ControllerKind::ALL.iter().zip(Calibration::ALL) {
+    for i in 0..6 {
+        let set = ModelSet::ALL[i / 3];
+        let [controller, calibration] =
+            [ControllerKind::ALL[i % 3].id(), Calibration::ALL[i % 3].id()];
         let change = [
-            ("controller.kind", text(kind.id())),
-            ("plant.calibration", text(calibration.id())),
-            ("belief.calibration", text(calibration.id())),
+            ("controller.kind", text(controller)),
+            ("plant.model_set", text(set.id())),
+            ("plant.force_model", text(ForceModel::ALL[i % ForceModel::ALL.len()].id())),
+            ("plant.calibration", text(calibration)),
+            ("belief.calibration", text(calibration)),
+            ("cnc.override_quantised", Value::Bool(i > 2)),
+            ("cnc.override_rate_limited", Value::Bool(i > 2)),
+            ("feed_drive.kind", text(FeedDriveKind::ALL[i % FeedDriveKind::ALL.len()].id())),
         ];
         let mut harness = open("table3-5-noise", [1280.0, 1400.0], "Block diagram", &change);
         let scenario = console(&harness).session().current().clone();
@@ -139,6 +154,37 @@ fn the_diagram_can_be_used_from_the_keyboard() {
 }
 
 #[test]
+fn overrides_are_shown_as_the_cnc_takes_them() {
+    let change = [
+        ("cnc.override_quantised", Value::Bool(true)),
+        ("cnc.override_rate_limited", Value::Bool(true)),
+        ("cnc.override_rate_percent_s", Value::Float(20.0)),
+    ];
+    for size in SIZES {
+        let mut harness = open("strategy-table1-5", size, "Block diagram", &change);
+        harness.get_by_role_and_label(Role::Slider, "Playhead").set_value_accesskit(1.0);
+        harness.run_steps(3);
+        let row = *console(&harness).session().row();
+        let wire = harness.get_by_label("Plot Feed override");
+        let value = wire.accesskit_node().value().unwrap_or_default();
+        assert_eq!(value, format!("{} %", row.feed_override_percent));
+        let limits = harness.get_by_role_and_label(Role::Button, "Override limits");
+        let state = limits.accesskit_node().value().unwrap_or_default();
+        assert!(state.contains("feed override at its rate"), "{state}");
+        limits.click();
+        harness.run_steps(2);
+        let shown = texts(&harness);
+        assert!(shown.contains("DNCFRO") && shown.contains("round(ramp)"), "{shown}");
+        harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Num1);
+        harness.run_steps(3);
+        let said = format!("Feed override at the playhead: {} %", row.feed_override_percent);
+        let shown = texts(&harness);
+        assert!(shown.contains(&said), "{said} in {shown}");
+        assert!(shown.contains("Override on its way: feed, spindle now"), "{shown}");
+    }
+}
+
+#[test]
 fn the_papers_screen_follows_the_calibration() {
     let mut harness = open("first-cut", SIZES[0], "Papers", &[]);
     assert!(texts(&harness).contains("40 of 40 final values met"));
@@ -151,6 +197,33 @@ fn the_papers_screen_follows_the_calibration() {
     harness.get_by_label("identified").click();
     harness.run_steps(2);
     assert!(texts(&harness).contains("40 of 40 final values met"));
+}
+
+#[test]
+fn the_papers_screen_has_both_papers_and_every_force_model() {
+    for size in SIZES {
+        let mut harness = open("first-cut", size, "Papers", &[]);
+        harness.get_by_label(PaperId::Strategy2013.label()).click();
+        harness.run_steps(2);
+        let shown = texts(&harness);
+        assert!(shown.contains("32 of 32 final values met"), "{shown}");
+        assert!(shown.contains("Initial force") && !shown.contains("Desired force"), "{shown}");
+        assert!(shown.contains("Ra is off by +10.0 % in simulation 1"), "{shown}");
+        for erratum in errata::of(PaperId::Strategy2013) {
+            assert!(shown.contains(erratum.problem), "{}", erratum.problem);
+        }
+        harness.get_by_label("as printed").click();
+        harness.run_steps(2);
+        assert!(texts(&harness).contains("M2 outside its range"), "{}", texts(&harness));
+        harness.get_by_label("identified").click();
+        for force_model in &ForceModel::ALL[1..] {
+            harness.get_by_label(force_model.label()).click();
+            harness.run_steps(2);
+            let shown = texts(&harness);
+            assert!(shown.contains("Final values as they are"), "{shown}");
+            assert!(!shown.contains("missed"), "{shown}");
+        }
+    }
 }
 
 #[test]
@@ -167,4 +240,19 @@ fn load_brings_a_row_into_the_console() {
         assert_eq!(scenario.belief.calibration, Calibration::Restored);
         assert!(console(&harness).state_json().contains("\"screen\":\"console\""));
     }
+}
+
+#[test]
+fn load_keeps_paper_and_force_model() {
+    let mut harness = open("first-cut", SIZES[0], "Papers", &[]);
+    harness.get_by_label(PaperId::Strategy2013.label()).click();
+    harness.run_steps(2);
+    harness.get_by_label(ForceModel::Neural.label()).click();
+    harness.run_steps(2);
+    harness.get_by_label("Load strategy-table1-3").click();
+    harness.run_steps(3);
+    let scenario = console(&harness).session().scenario();
+    assert_eq!(scenario.info.name, "strategy-table1-3 (Neural network)");
+    assert_eq!(scenario.plant.model_set, ModelSet::Strategy2013);
+    assert_eq!(scenario.plant.force_model, ForceModel::Neural);
 }

@@ -16,7 +16,7 @@ mod overrides;
 mod printed;
 
 pub use live::{Live, Moment, live};
-pub use names::{Names, Using};
+pub use names::Names;
 pub use printed::Printed;
 
 use crate::run::signals::flag;

@@ -5,7 +5,7 @@ use egui::{Color32, Label, Response, RichText, Role, Sense, Stroke, Ui, Vec2, Wi
 use super::moment::Now;
 use super::wires::{WIRES, Wire};
 use crate::app::panels::equation_cards::formula::typeset;
-use crate::app::panels::equation_cards::{Block, Live, Using, live};
+use crate::app::panels::equation_cards::{Block, Live, live};
 use crate::app::theme::{self, Palette};
 use crate::run::signals::signal;
 
@@ -38,13 +38,7 @@ pub fn show(ui: &mut Ui, block: Block, now: &Now<'_>, explain: &mut bool) -> Opt
                 formula(ui, printed.formula, palette.text);
                 ui.label(RichText::new(printed.source).size(NOTE).color(palette.weak));
             }
-            match block.using(now.moment.scenario) {
-                Some(Using { whose, set, calibration }) => {
-                    let title = format!("Now, {whose}: {}, {}", set.label(), calibration.label());
-                    section(ui, &title);
-                }
-                None => section(ui, "Now"),
-            }
+            section(ui, &block.now(now.moment.scenario));
             for line in live(block, &now.moment) {
                 live_line(ui, &line, palette);
             }

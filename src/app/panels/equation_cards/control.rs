@@ -53,7 +53,7 @@ pub fn controller(belief: &GpModels, row: &Row, scenario: &Scenario) -> Vec<Live
             let settings = &scenario.tracking;
             let lambda_s =
                 settings.response_s + settings.dead_time_share * scenario.belief.dead_time_s;
-            vec![
+            let mut lines = vec![
                 Live::everywhere(
                     format!(
                         "g follows F_m / {k}4(predicted f, n) with a time constant of {} s",
@@ -82,7 +82,21 @@ pub fn controller(belief: &GpModels, row: &Row, scenario: &Scenario) -> Vec<Live
                     range: format!("{k}3 and the inverse of {k}4 within their ranges"),
                     valid: !row.has(flag::K2_OUTSIDE | flag::K3_OUTSIDE),
                 },
-            ]
+            ];
+            if scenario.cnc.override_quantised {
+                lines.push(rounding(scenario));
+            }
+            lines
         }
     }
+}
+
+/// Tracking with whole percents: what rounding takes is not lost.
+fn rounding(scenario: &Scenario) -> Live {
+    let [feed, speed] = [scenario.program.feed_mm_min, scenario.program.spindle_rpm]
+        .map(|programmed| number(programmed * ratio_from_percent(1.0)));
+    Live::everywhere(
+        "what rounding to whole % takes is added to the next request: the mean is as asked",
+        format!("1 % is {feed} mm/min and {speed} 1/min"),
+    )
 }

@@ -35,6 +35,21 @@ impl Block {
             _ => None,
         }
     }
+
+    /// The heading over its live values: whose models they come from.
+    #[must_use]
+    pub fn now(self, scenario: &Scenario) -> String {
+        let force = scenario.plant.force_model;
+        match self.using(scenario) {
+            Some(Using { whose, .. }) if self == Self::Cutting && force.network().is_some() => {
+                format!("Now, {whose}: {}", force.label())
+            }
+            Some(Using { whose, set, calibration }) => {
+                format!("Now, {whose}: {}, {}", set.label(), calibration.label())
+            }
+            None => "Now".to_owned(),
+        }
+    }
 }
 
 /// What models and flags are called.
@@ -151,6 +166,8 @@ mod tests {
         let mut scenario = Scenario::default();
         scenario.plant.force_model = ForceModel::NeuralLiteral;
         assert_eq!(titles(&scenario)[6], "Cutting process NN");
+        let now = Block::Cutting.now(&scenario);
+        assert_eq!(now, format!("Now, the plant: {}", ForceModel::NeuralLiteral.label()));
         assert!(flags(&scenario).contains(&"NN outside its range".to_owned()));
         assert!(flags(&scenario).contains(&"K5 outside its range".to_owned()));
     }

@@ -134,11 +134,21 @@ fn remarks(ui: &mut Ui, shown: Shown, row: &PaperRow) {
     }
 }
 
+/// Why the force at the start has no verdict, where it has none.
+fn about_start(ui: &mut Ui, paper: PaperId) {
+    if paper == PaperId::Strategy2013 {
+        let name = paper.start_force();
+        let text = format!("{name}: without a verdict, the paper does not say how it gets it.");
+        ui.label(RichText::new(text).weak());
+    }
+}
+
 /// The table as a grid.
 pub fn table(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
     let columns = columns(shown.paper);
     ui.label(RichText::new("In each cell: printed, then run; below: residual and verdict.").weak());
+    about_start(ui, shown.paper);
     ScrollArea::horizontal().id_salt("table").show(ui, |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
         Grid::new("rows").striped(true).spacing([20.0, 6.0]).show(ui, |ui| {
@@ -198,6 +208,7 @@ fn figures(ui: &mut Ui, paper: PaperId, row: &PaperRow) {
 /// The table as a card for every row.
 pub fn cards(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
+    about_start(ui, shown.paper);
     for row in &table.rows {
         theme::card(palette).show(ui, |ui| {
             ui.set_width(ui.available_width());
