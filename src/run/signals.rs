@@ -57,11 +57,11 @@ signals! {
     axial_depth_mm, "mm", "Axial depth";
     /// Target roughness.
     ra_target_um, "um", "Target Ra";
-    /// Produced roughness, Ra = K5(F).
+    /// Produced roughness, Ra = K5(F) or M5(F).
     ra_um, "um", "Ra";
-    /// Produced roughness with machine dynamics, Ra = K6(F_dyn).
+    /// Produced roughness with machine dynamics, Ra = K6(F_dyn) or M6(F_dyn).
     ra_dyn_um, "um", "Ra with dynamics";
-    /// Desired force F_d = K1(target Ra).
+    /// Desired force F_d = K1(target Ra) or M1(target Ra).
     force_ref_n, "N", "Desired force";
     /// The force that the controller asks its models for.
     force_setpoint_n, "N", "Force setpoint";
@@ -75,13 +75,13 @@ signals! {
     feed_command_mm_min, "mm/min", "Feed command";
     /// Actual feed.
     feed_mm_min, "mm/min", "Feed";
-    /// Feed override.
+    /// Feed override DNCFRO, of the programmed feed.
     feed_override_percent, "%", "Feed override";
     /// Spindle speed command as sent by the controller.
     spindle_command_rpm, "1/min", "Spindle command";
     /// Actual spindle speed.
     spindle_rpm, "1/min", "Spindle speed";
-    /// Spindle override.
+    /// Spindle override DNCSPO, of the programmed speed.
     spindle_override_percent, "%", "Spindle override";
     /// The controller's estimate of true over modelled force.
     gain_estimate, "-", "Gain estimate";
