@@ -103,6 +103,7 @@ fn where_nothing_is_feasible_the_least_violation_is_returned_and_marked() {
     let job = PlanJob::complete(&scenario).unwrap();
     let optimum = job.optimum();
     assert!(!optimum.feasible && optimum.score.violation > 0.0);
+    assert!(!optimum.inside_training_data, "the network was trained up to 5 x 8 mm");
     let active: Vec<&str> = optimum.active().map(|one| one.constraint.id).collect();
     assert!(active.contains(&"force"), "{active:?}");
     assert!(optimum.verdict().contains("nothing is feasible"), "{}", optimum.verdict());
@@ -119,6 +120,7 @@ fn the_plan_of_the_2005_cut_is_the_prototypes() {
     assert!((fixed.force_n / 665.0 - 1.0).abs() < 0.005);
     let free = planned(&[&DEEP[..], &RATE].concat(), &Machine::heller_bea_01());
     assert!((free.cutting_speed_m_min / 85.7 - 1.0).abs() < 0.05, "{free:?}");
+    assert!(free.inside_training_data);
     assert!((free.feed_per_tooth_mm / 0.1167 - 1.0).abs() < 0.05, "{free:?}");
     let active: Vec<&str> = free.active().map(|one| one.constraint.id).collect();
     assert_eq!(active, ["force", "tool_life"]);

@@ -117,15 +117,24 @@ fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {
         100.0 * last,
     )?;
     let grid = report.grid;
-    writeln!(
-        out,
-        "  grid:  {:.5} at {:.2} m/min and {:.4} mm, {} evaluations; swarm {:+.3} %",
-        grid.score.value,
-        grid.cutting_speed_m_min,
-        grid.feed_per_tooth_mm,
-        report.grid_evaluations,
-        100.0 * (o.score.value / grid.score.value - 1.0),
-    )?;
+    let place = format!(
+        "at {:.2} m/min and {:.4} mm, {} evaluations",
+        grid.cutting_speed_m_min, grid.feed_per_tooth_mm, report.grid_evaluations
+    );
+    if grid.feasible && o.feasible {
+        let gap = 100.0 * (o.score.value / grid.score.value - 1.0);
+        writeln!(out, "  grid:  {:.5} {place}; swarm {gap:+.3} %", grid.score.value)?;
+    } else {
+        let (found, least) = (o.score.violation, grid.score.violation);
+        writeln!(out, "  grid:  violation {least:.5} {place}; swarm {found:.5}")?;
+    }
+    if !o.inside_training_data {
+        writeln!(
+            out,
+            "\nThe network does not know this cut: material, hardness or depths lie outside its \
+             training data, and the force is continued."
+        )?;
+    }
     let placeholders = o.constraints.iter().filter(|one| one.source == Source::Placeholder).count();
     if placeholders > 0 {
         writeln!(

@@ -18,7 +18,7 @@ fn the_swarm_finds_the_grids_best(cut: Sets) {
         let sets = [cut, objective].concat();
         let mut scenario = scenario(&sets);
         let problem = Problem::new(&scenario, &Machine::heller_bea_01()).unwrap();
-        let grid = exhaustive(&problem, 400, 200);
+        let grid = exhaustive(&problem, 400, 100);
         assert!(grid.score.feasible(), "{sets:?}");
         let (mut found, mut worst, mut evaluations) = (0, 0.0_f64, 0);
         for seed in 1..=100 {

@@ -43,6 +43,8 @@ pub struct Optimum {
     /// Value of the objective and sum of violations.
     #[serde(flatten)]
     pub score: Score,
+    /// Whether the network knows material, hardness and depths; otherwise its force is continued.
+    pub inside_training_data: bool,
     /// Whether all seven constraints are kept. If not, nothing feasible was found, and this is the
     /// point that violates them least.
     pub feasible: bool,
@@ -74,6 +76,7 @@ impl Optimum {
             production_time_s: s_from_min(yielded.production_min),
             cost: yielded.cost,
             score,
+            inside_training_data: problem.surface().known(),
             feasible: score.feasible(),
             constraints: problem.check(point),
         }
