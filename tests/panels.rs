@@ -435,7 +435,7 @@ fn every_screen_looks_as_its_picture() {
             for _ in 0..26 {
                 press(&mut window, Modifiers::SHIFT, Key::ArrowRight);
             }
-            for (panel, key) in panels().iter().zip([Key::Num1, Key::Num2, Key::Num3]) {
+            for (panel, key) in panels().iter().zip([Key::Num1, Key::Num2, Key::Num3, Key::Num4]) {
                 press(&mut window, Modifiers::COMMAND, key);
                 // Until what fades in has come.
                 window.run_steps(20);

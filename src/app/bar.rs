@@ -24,6 +24,11 @@ pub fn show(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &
             ui.label(RichText::new("SteadyCut").size(17.0).strong().color(palette.accent));
             ui.add_space(8.0);
         }
+        if view.narrow {
+            // All tabs and the menu have room beside each other in the narrowest window.
+            ui.spacing_mut().item_spacing.x = 3.0;
+            ui.spacing_mut().button_padding.x = 5.0;
+        }
         for tab in tabs {
             let text = RichText::new(tab.title).strong();
             if ui.selectable_label(tab.id == shown, text).clicked() {

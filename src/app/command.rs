@@ -15,6 +15,9 @@ pub enum Command {
         /// The new value; a refused one becomes a notice.
         value: Value,
     },
+    /// Changes settings of the scenario itself, all or none, in one step of undo, wherever the
+    /// playhead stands: paths with their new values. A refused one becomes a notice.
+    SetUp(Vec<(String, Value)>),
     /// Loads a shipped scenario and plays it from the start.
     LoadPreset(String),
     /// Loads the text of a scenario file and plays it from the start.

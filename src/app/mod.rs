@@ -150,7 +150,7 @@ impl Console {
     }
 
     fn execute(&mut self, command: Command, ctx: &egui::Context) {
-        if matches!(command, Command::Set { .. }) {
+        if matches!(command, Command::Set { .. } | Command::SetUp(_)) {
             self.since_change_s = 0.0;
         }
         match self.session.execute(command) {

@@ -4,6 +4,8 @@
 use egui::{Color32, CornerRadius, Stroke, Theme};
 use egui_plot::LineStyle;
 
+use crate::base::math::{ln, pow};
+
 /// Below this width of the window, in points, everything stands in one column.
 pub const NARROW: f32 = 900.0;
 /// Below this height of a narrow screen, in points, less is pinned above its plots.
@@ -66,6 +68,12 @@ pub struct Palette {
     pub text: Color32,
     /// Tabs and selections.
     pub accent: Color32,
+    /// Boundaries of the plan's seven constraints, in their order.
+    pub constraints: [Color32; 7],
+    /// Small and large force on the map of the plan.
+    pub force: [Color32; 2],
+    /// The same where a constraint is violated.
+    pub barred: [Color32; 2],
 }
 
 const fn rgb(hex: u32) -> Color32 {
@@ -91,6 +99,17 @@ const LIGHT: Palette = Palette {
     weak: rgb(0x5a6672),
     text: rgb(0x18212b),
     accent: rgb(0x0072b2),
+    constraints: [
+        rgb(0x7a5200),
+        rgb(0x6a3d9a),
+        rgb(0xd14a00),
+        rgb(0x18212b),
+        rgb(0xb8528f),
+        rgb(0x00795a),
+        rgb(0xc78500),
+    ],
+    force: [rgb(0xe3f2fb), rgb(0x5fb0e0)],
+    barred: [rgb(0xe7e5e2), rgb(0xb1aeaa)],
 };
 
 const DARK: Palette = Palette {
@@ -112,6 +131,17 @@ const DARK: Palette = Palette {
     weak: rgb(0xa3afbb),
     text: rgb(0xe6ebf0),
     accent: rgb(0x56b4e9),
+    constraints: [
+        rgb(0xc9a46b),
+        rgb(0xb79af0),
+        rgb(0xff8a4a),
+        rgb(0xf2f5f8),
+        rgb(0xf09ac6),
+        rgb(0x2fc79c),
+        rgb(0xffd24a),
+    ],
+    force: [rgb(0x123247), rgb(0x2a7fb5)],
+    barred: [rgb(0x1d1e20), rgb(0x4a4b4d)],
 };
 
 impl Palette {
@@ -150,6 +180,10 @@ pub enum Look {
     Twin,
     /// The run before the last change.
     Ghost,
+    /// The boundary of a constraint of the plan, by its number in the list of seven.
+    Constraint(usize),
+    /// The searched cutting speed where it is fixed.
+    Searched,
 }
 
 impl Look {
@@ -165,6 +199,19 @@ impl Look {
             Self::Limit => (1.2, palette.limit, LineStyle::Dashed { length: 6.0 }),
             Self::Twin => (1.2, palette.twin, LineStyle::Dashed { length: 6.0 }),
             Self::Ghost => (1.3, palette.ghost, LineStyle::Dotted { spacing: 5.0 }),
+            Self::Searched => (1.2, palette.weak, LineStyle::Dashed { length: 6.0 }),
+            Self::Constraint(number) => {
+                let (width, style) = match number {
+                    0 => (2.0, LineStyle::Dashed { length: 16.0 }),
+                    1 => (1.6, LineStyle::Dashed { length: 8.0 }),
+                    2 => (2.6, LineStyle::Solid),
+                    3 => (2.2, LineStyle::Dotted { spacing: 5.0 }),
+                    4 => (2.2, LineStyle::Dashed { length: 4.0 }),
+                    5 => (2.2, LineStyle::Dotted { spacing: 9.0 }),
+                    _ => (1.6, LineStyle::Solid),
+                };
+                (width, palette.constraints[number], style)
+            }
         };
         (Stroke::new(width, color), style)
     }
@@ -220,7 +267,7 @@ pub fn card(palette: &Palette) -> egui::Frame {
 /// A unit for people: the tables write it in plain letters.
 #[must_use]
 pub fn unit(unit: &str) -> String {
-    unit.replace("um", "µm").replace("cm^3", "cm³")
+    unit.replace("um", "µm").replace("cm^3", "cm³").replace("cm3", "cm³")
 }
 
 /// A value with as many digits as its unit deserves, without the unit.
@@ -229,7 +276,8 @@ pub fn number(value: f64, unit: &str) -> String {
     let decimals = match unit {
         "um" => 3,
         "s" | "mm" | "cm^3" | "-" => 2,
-        "N" | "%" => 1,
+        "kW" => 2,
+        "N" | "%" | "min" | "m/min" | "cm3/min" => 1,
         _ => 0,
     };
     // No negative zero.
@@ -252,6 +300,36 @@ pub fn quantity(value: f64, unit_text: &str) -> String {
 #[must_use]
 pub fn override_percent(value: f64, quantised: bool) -> String {
     if quantised { format!("{value:.0} %") } else { quantity(value, "%") }
+}
+
+/// A value of any size with about four significant digits and its unit: where a quantity's usual
+/// digits would hide a small one.
+#[must_use]
+pub fn fine(value: f64, unit_text: &str) -> String {
+    let decimals = match value.abs() {
+        size if size >= 1000.0 || size == 0.0 => 0,
+        size if size >= 100.0 => 1,
+        size if size >= 10.0 => 2,
+        size if size >= 0.1 => 3,
+        _ => 4,
+    };
+    format!("{value:.decimals$} {}", unit(unit_text)).trim_end().to_owned()
+}
+
+pub(super) fn log10(x: f64) -> f64 {
+    ln(x) / std::f64::consts::LN_10
+}
+
+/// The next round step (1, 2 or 5 times a power of ten) at or above `raw`; none where that is not
+/// a positive number.
+#[must_use]
+pub fn round_step(raw: f64) -> Option<f64> {
+    if !(raw.is_finite() && raw > 0.0) {
+        return None;
+    }
+    let decade = pow(10.0, log10(raw).floor());
+    let factors = [1.0, 2.0, 5.0, 10.0];
+    Some(factors.map(|f| f * decade).into_iter().find(|s| *s >= raw).unwrap_or(raw))
 }
 
 /// A time on the scale of the run: `12.34 s`, `1:02.3 min`.
@@ -285,6 +363,9 @@ mod tests {
         assert_eq!(quantity(0.8123, "um"), "0.812 µm");
         assert_eq!(quantity(-0.004, "%"), "0.0 %");
         assert_eq!(quantity(1.0, "-"), "1.00");
+        assert_eq!(fine(0.11658, "mm"), "0.117 mm");
+        assert_eq!(fine(0.005_63, "mm"), "0.0056 mm");
+        assert_eq!(fine(2434.3, "1/min"), "2434 1/min");
         assert_eq!(time(61.25), "61.25 s");
         assert_eq!(time(3599.5), "59:59.5 min");
     }

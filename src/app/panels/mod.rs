@@ -6,6 +6,7 @@ pub mod block_diagram;
 pub mod console;
 pub mod equation_cards;
 pub mod papers;
+pub mod plan;
 
 use super::command::Command;
 use super::session::Session;
@@ -35,6 +36,7 @@ pub fn panels() -> Vec<Box<dyn Panel>> {
         // register: panel
         Box::new(console::ConsolePanel::default()),
         Box::new(block_diagram::BlockDiagramPanel::default()),
+        Box::new(plan::PlanPanel::default()),
         Box::new(papers::PapersPanel::default()),
     ]
 }

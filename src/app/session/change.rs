@@ -22,6 +22,11 @@ impl Session {
                     self.notify(error.to_string());
                 }
             }
+            Command::SetUp(changes) => {
+                if let Err(error) = self.set_up(&changes) {
+                    self.notify(error.to_string());
+                }
+            }
             Command::LoadPreset(name) => {
                 self.load(presets::load(&name).map(|s| (s, Edits::none())))
             }
@@ -124,13 +129,25 @@ impl Session {
         let plan = if found.spec.live && self.playback.playhead_s > 0.0 && !self.playback.at_end {
             self.edited(path, value)?
         } else {
-            self.rewritten(path, value)?
+            self.rewritten(&[(path.to_owned(), value)])?
         };
+        self.take(plan, path);
+        Ok(())
+    }
+
+    fn set_up(&mut self, changes: &[(String, Value)]) -> Result<(), SettingError> {
+        let plan = self.rewritten(changes)?;
+        let paths: Vec<&str> = changes.iter().map(|(path, _)| path.as_str()).collect();
+        self.take(plan, &paths.join(" "));
+        Ok(())
+    }
+
+    /// Goes over to another plan, as a part of the gesture of this name.
+    fn take(&mut self, plan: Plan, gesture: &str) {
         if plan != self.plan {
-            self.remember(Some(path));
+            self.remember(Some(gesture));
             self.change(plan);
         }
-        Ok(())
     }
 
     /// The plan with a change at the playhead; later edits are dropped.
@@ -154,11 +171,12 @@ impl Session {
     }
 
     /// The plan with the scenario itself changed; edits that no longer mean anything are dropped.
-    fn rewritten(&self, path: &str, value: Value) -> Result<Plan, SettingError> {
+    fn rewritten(&self, changes: &[(String, Value)]) -> Result<Plan, SettingError> {
         let (mut scenario, old) = self.plan.clone();
-        scenario.set(path, value)?;
+        scenario.set_all(changes)?;
+        let kept = |edit: &&Edit| changes.iter().all(|(path, _)| edit.path != *path);
         let mut edits = Edits::none();
-        for edit in old.list().iter().filter(|edit| edit.path != path) {
+        for edit in old.list().iter().filter(kept) {
             // Refused is only what lies after a shorter run, or does not fit the new settings.
             let _ = edits.push(&scenario, edit.clone());
         }

@@ -7,12 +7,11 @@ use egui::Ui;
 use egui_plot::{GridInput, GridMark, HLine, HoverPosition, Plot, VLine};
 
 use super::super::session::Session;
-use super::super::theme::{self, Look, Palette};
+use super::super::theme::{self, Look, Palette, log10};
 use super::curves::{band, fit_values, lines};
 use super::legend;
 use super::reading::reading;
 use super::zoom::{by_touch, zoom};
-use crate::base::math::{ln, pow};
 use crate::run::signals::SIGNALS;
 
 /// One signal in a chart.
@@ -174,26 +173,19 @@ pub fn show(
     response.transform.frame().x_range()
 }
 
-fn log10(x: f64) -> f64 {
-    ln(x) / std::f64::consts::LN_10
-}
-
 /// Grid lines at round values, about as many as asked for.
-fn grid(input: GridInput, count: f32) -> Vec<GridMark> {
+pub fn grid(input: GridInput, count: f32) -> Vec<GridMark> {
     let (low, high) = input.bounds;
-    let raw = (high - low) / f64::from(count.max(1.0));
-    if !(raw.is_finite() && raw > 0.0) {
+    let Some(step) = theme::round_step((high - low) / f64::from(count.max(1.0))) else {
         return Vec::new();
-    }
-    let decade = pow(10.0, log10(raw).floor());
-    let factors = [1.0, 2.0, 5.0, 10.0];
-    let step = factors.map(|f| f * decade).into_iter().find(|s| *s >= raw).unwrap_or(raw);
+    };
     let (first, last) = ((low / step).ceil() as i64, (high / step).floor() as i64);
     (first..=last).map(|k| GridMark { value: k as f64 * step, step_size: step }).collect()
 }
 
 /// The label of a grid line, with the digits that its step needs.
-fn tick(mark: GridMark) -> String {
+#[must_use]
+pub fn tick(mark: GridMark) -> String {
     let decimals = (-(log10(mark.step_size) + 1e-9).floor()).clamp(0.0, 6.0) as usize;
     format!("{:.decimals$}", mark.value + 0.0)
 }

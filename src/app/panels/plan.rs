@@ -1,0 +1,188 @@
+//! The off-line optimisation: the force surface over cutting speed and feed per tooth with the
+//! boundaries of seven constraints, the particle swarm that flies over it, the optimum, and its
+//! way into the programmed values.
+
+mod answer;
+mod controls;
+mod convergence;
+mod layers;
+mod map;
+mod picture;
+mod polyline;
+mod search;
+mod steps;
+mod table;
+mod transport;
+
+use egui::scroll_area::{DragScroll, ScrollSource};
+use egui::{CentralPanel, CollapsingHeader, Frame, Margin, Panel as SidePanel, RichText};
+use egui::{ScrollArea, Ui};
+
+use super::{Panel, View};
+use crate::app::command::Command;
+use crate::app::theme::{self, Palette};
+use crate::app::widgets::zoom::by_touch;
+use map::{Map, Moving};
+use search::Search;
+
+/// Most real time that one frame stands for, s.
+const LONGEST_FRAME_S: f64 = 0.25;
+/// Width of the column with the answer, points.
+const ANSWER_WIDTH: f32 = 392.0;
+/// Height of the map where it is scrolled, as a share of the width, and of the convergence plots.
+const MAP_SHARE: f32 = 0.86;
+const CONVERGENCE_HEIGHT: f32 = 132.0;
+/// Least height of the map, points.
+const MAP_HEIGHT_MIN: f32 = 220.0;
+
+/// The screen.
+#[derive(Default)]
+pub struct PlanPanel {
+    search: Search,
+    map: Map,
+    /// The constraint that is explained.
+    open: Option<usize>,
+}
+
+impl Panel for PlanPanel {
+    fn id(&self) -> &'static str {
+        "plan"
+    }
+
+    fn title(&self) -> &'static str {
+        "Plan"
+    }
+
+    fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        self.search.follow(view.session.scenario());
+        let dt_s = ui.input(|input| f64::from(input.stable_dt)).min(LONGEST_FRAME_S);
+        self.search.advance(dt_s);
+        if self.search.playing {
+            ui.ctx().request_repaint();
+        }
+        if view.narrow {
+            self.narrow(ui, view, commands);
+        } else {
+            self.wide(ui, view, commands);
+        }
+    }
+}
+
+impl PlanPanel {
+    fn wide(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let margin = Frame::new().inner_margin(Margin::symmetric(12, 8));
+        SidePanel::left("plan controls")
+            .exact_size(theme::CONTROLS_WIDTH)
+            .resizable(false)
+            .frame(margin)
+            .show(ui, |ui| {
+                ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+                    controls::show(ui, view.session.scenario(), commands);
+                });
+            });
+        SidePanel::right("plan answer")
+            .exact_size(ANSWER_WIDTH)
+            .resizable(false)
+            .frame(margin)
+            .show(ui, |ui| {
+                ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+                    self.answer(ui, commands);
+                    ui.add_space(4.0);
+                    self.steps(ui, view);
+                });
+            });
+        CentralPanel::no_frame().frame(margin).show(ui, |ui| {
+            self.transport(ui, view, commands);
+            let gap = ui.spacing().item_spacing.y;
+            self.map(ui, view, ui.available_height() - CONVERGENCE_HEIGHT - 2.0 * gap);
+            self.convergence(ui);
+        });
+    }
+
+    fn narrow(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let margin = Frame::new().inner_margin(Margin::symmetric(8, 4));
+        // Fingers scroll from the first touch on; a mouse that drags zooms the map.
+        let drag = if by_touch(ui) { DragScroll::Always } else { DragScroll::Never };
+        let source = ScrollSource { drag, ..ScrollSource::default() };
+        let area = ScrollArea::vertical().id_salt("plan").scroll_source(source);
+        area.auto_shrink([false, false]).show(ui, |ui| {
+            margin.show(ui, |ui| {
+                self.transport(ui, view, commands);
+                let height = (MAP_SHARE * ui.available_width()).clamp(MAP_HEIGHT_MIN, 460.0);
+                self.map(ui, view, height + 110.0);
+                CollapsingHeader::new("Settings of the plan").show_unindented(ui, |ui| {
+                    controls::show(ui, view.session.scenario(), commands);
+                });
+                self.answer(ui, commands);
+                self.convergence(ui);
+                self.steps(ui, view);
+            });
+        });
+    }
+
+    fn transport(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let progress = match self.search.found() {
+            Some(Ok(found)) => Some(found.job.progress()),
+            _ => None,
+        };
+        transport::show(ui, &mut self.search, progress, view.session.scenario(), commands);
+    }
+
+    /// The map with its legend, `height` points high together; or why there is none.
+    fn map(&mut self, ui: &mut Ui, view: &View<'_>, height: f32) {
+        let positions = self.search.positions();
+        let found = match self.search.found() {
+            Some(Ok(found)) => found,
+            Some(Err(error)) => return no_plan(ui, &error.to_string(), height),
+            None => return,
+        };
+        let top = ui.cursor().top();
+        let programmed = map::programmed(found.job.problem(), view.session.scenario());
+        let name = match map::on_the_map(programmed) {
+            true => "programmed now",
+            false => "programmed now: outside the map",
+        };
+        let checked = found.job.optimum().constraints;
+        let picture = &found.picture;
+        layers::legend(ui, &mut self.map.layers, |i| picture.boundary(i), &checked, name);
+        map::head(ui, &mut self.map, found);
+        let left = height - (ui.cursor().top() - top);
+        let moving = Moving { positions: &positions, programmed };
+        self.map.show(ui, found, &moving, left.max(MAP_HEIGHT_MIN));
+        map::pinned(ui, &mut self.map, found.job.problem());
+    }
+
+    fn answer(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+        let Some(Ok(found)) = self.search.found() else { return };
+        let job = &found.job;
+        answer::show(ui, job, commands);
+        ui.add_space(4.0);
+        table::show(ui, &job.optimum().constraints, &mut self.open);
+    }
+
+    fn convergence(&mut self, ui: &mut Ui) {
+        if let Some(Ok(found)) = self.search.found() {
+            convergence::show(ui, found.job.history(), CONVERGENCE_HEIGHT);
+        }
+    }
+
+    fn steps(&mut self, ui: &mut Ui, view: &View<'_>) {
+        let job = match self.search.found() {
+            Some(Ok(found)) => Some(&found.job),
+            _ => None,
+        };
+        steps::show(ui, view, job);
+    }
+}
+
+/// In place of the map: why there is none.
+fn no_plan(ui: &mut Ui, error: &str, height: f32) {
+    let palette = Palette::at(ui);
+    theme::card(palette).show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        ui.set_min_height(0.3 * height);
+        ui.label(RichText::new("No plan can be made").strong().color(palette.bad));
+        ui.label(error);
+        ui.label(RichText::new("The settings are beside or below.").color(palette.weak));
+    });
+}

@@ -1,0 +1,97 @@
+//! The answer of the plan, and its way into the scenario.
+
+use egui::{Button, Grid, RichText, Ui};
+
+use crate::app::command::Command;
+use crate::app::theme::{self, Palette};
+use crate::base::settings::Value;
+use crate::study::plan::PlanJob;
+use crate::study::plan::optimum::Optimum;
+
+/// Size of type of the values.
+const VALUE: f32 = 12.5;
+
+/// Why the answer can't be programmed; none if it can.
+fn obstacle(job: &PlanJob, optimum: &Optimum) -> Option<String> {
+    match (job.progress().done, optimum.feasible) {
+        (false, _) => Some("The swarm is still searching; “To the end” shortens it.".to_owned()),
+        (true, false) => Some(format!("Not programmed: {}.", optimum.verdict())),
+        (true, true) => None,
+    }
+}
+
+/// What programs the answer and cuts with it from the start.
+fn use_it(optimum: &Optimum, commands: &mut Vec<Command>) {
+    let changes =
+        [("program.feed_mm_min", optimum.feed_mm_min), ("program.spindle_rpm", optimum.speed_rpm)];
+    let changes = changes.map(|(path, value)| (path.to_owned(), Value::Float(value)));
+    commands.push(Command::SetUp(changes.to_vec()));
+    commands.push(Command::ShowScreen("console"));
+    commands.push(Command::Restart);
+}
+
+/// The card with the best cut, the verdict and the button.
+pub fn show(ui: &mut Ui, job: &PlanJob, commands: &mut Vec<Command>) {
+    let palette = Palette::at(ui);
+    let optimum = job.optimum();
+    let done = job.progress().done;
+    theme::card(palette).show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        let title = if done { "Optimum" } else { "Best so far" };
+        ui.label(RichText::new(title).strong());
+        let color = if optimum.feasible { palette.good } else { palette.bad };
+        let verdict = optimum.verdict();
+        let mut letters = verdict.chars();
+        let first = letters.next().map(|letter| letter.to_uppercase().to_string());
+        let sentence = first.unwrap_or_default() + letters.as_str() + ".";
+        ui.label(RichText::new(sentence).color(color));
+        values(ui, &optimum);
+        let obstacle = obstacle(job, &optimum);
+        let button = Button::new("Use as programmed values");
+        let response = ui.add_enabled(obstacle.is_none(), button).on_hover_text(
+            "Programs this feed and speed, keeps all else, and cuts from the start on the \
+             console. One step of undo.",
+        );
+        if response.clicked() {
+            use_it(&optimum, commands);
+        }
+        if let Some(obstacle) = obstacle {
+            ui.label(RichText::new(obstacle).small().color(palette.weak));
+        }
+    });
+}
+
+fn values(ui: &mut Ui, optimum: &Optimum) {
+    let palette = Palette::at(ui);
+    let pairs = [
+        [
+            ("Feed", theme::quantity(optimum.feed_mm_min, "mm/min")),
+            ("Speed", theme::quantity(optimum.speed_rpm, "1/min")),
+        ],
+        [
+            ("Feed per tooth", theme::fine(optimum.feed_per_tooth_mm, "mm")),
+            ("Cutting speed", theme::quantity(optimum.cutting_speed_m_min, "m/min")),
+        ],
+        [
+            ("Force", theme::quantity(optimum.force_n, "N")),
+            ("Removal", theme::fine(optimum.removal_rate_cm3_min, "cm3/min")),
+        ],
+        [
+            ("Time of cut", theme::quantity(optimum.time_s, "s")),
+            ("with tool changes", theme::quantity(optimum.production_time_s, "s")),
+        ],
+        [
+            ("Cost of cut", theme::fine(optimum.cost, "")),
+            ("Objective", theme::fine(optimum.score.value, "")),
+        ],
+    ];
+    Grid::new("answer").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
+        for row in pairs {
+            for (name, value) in row {
+                ui.label(RichText::new(name).small().color(palette.weak));
+                ui.label(RichText::new(value).strong().size(VALUE));
+            }
+            ui.end_row();
+        }
+    });
+}

@@ -1,0 +1,94 @@
+//! The settings of the plan, and those of target and workpiece that it is made for. A change is
+//! one of the scenario itself, from the start of the cut on: a plan is made before the cut.
+
+use egui::{CollapsingHeader, RichText, Ui};
+
+use crate::app::command::Command;
+use crate::app::theme::Palette;
+use crate::app::widgets::setting::{Size, setting};
+use crate::app::widgets::target::target_ra;
+use crate::run::plan_settings::{ForceLimit, PlanSettings};
+use crate::run::scenario::Scenario;
+
+const WEIGHTS: [&str; 4] =
+    ["plan.weight_force", "plan.weight_removal_rate", "plan.weight_time", "plan.weight_cost"];
+const SEARCH: [&str; 4] = ["plan.particles", "plan.iterations", "plan.stop_after", "plan.seed"];
+const COSTS: [&str; 3] = ["plan.machine_cost_per_min", "plan.tool_cost", "plan.tool_change_min"];
+/// What is cut, as far as the force depends on it.
+const CUT: [&str; 8] = [
+    "workpiece.axial_depth_mm",
+    "workpiece.radial_depth_mm",
+    "workpiece.length_mm",
+    "workpiece.depth_steps",
+    "plan.section",
+    "plant.material",
+    "plant.hardness_hb",
+    "plant.wear_factor",
+];
+/// Settings of the limit and of the speed that is searched, shown with or without their values.
+const LIMITS: [&str; 4] =
+    ["plan.force_limit", "plan.force_max_n", "plan.free_speed", "plan.cutting_speed_m_min"];
+
+/// Whether a setting has a say in this plan.
+fn matters(path: &str, plan: &PlanSettings) -> bool {
+    match path {
+        "plan.force_max_n" => plan.force_limit == ForceLimit::Fixed,
+        "plan.cutting_speed_m_min" => !plan.free_speed,
+        _ => true,
+    }
+}
+
+/// All of them.
+pub fn show(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
+    let mut changes = Vec::new();
+    let plan = &scenario.plan;
+    let out = &mut changes;
+    let by_target = plan.force_limit == ForceLimit::TargetRa;
+    if by_target {
+        target_ra(ui, scenario, out);
+    }
+    for path in LIMITS.into_iter().filter(|path| matters(path, plan)) {
+        setting(ui, path, scenario, Size::Large, out);
+    }
+    ui.add_space(4.0);
+    ui.strong("What is sought");
+    for path in WEIGHTS {
+        setting(ui, path, scenario, Size::Large, out);
+    }
+    let mut fold = |ui: &mut Ui, title: &str, paths: &[&str]| {
+        CollapsingHeader::new(title).id_salt(("plan", title)).show(ui, |ui| {
+            for path in paths {
+                setting(ui, path, scenario, Size::Small, out);
+            }
+        });
+    };
+    ui.add_space(4.0);
+    fold(ui, "The cut", &CUT);
+    fold(ui, "Swarm", &SEARCH);
+    fold(ui, "Costs and times", &COSTS);
+    ui.add_space(4.0);
+    let note = "A plan is made before the cut: changes here hold from its start on.";
+    ui.label(RichText::new(note).small().color(Palette::at(ui).weak));
+    commands.extend(changes.into_iter().map(|command| match command {
+        Command::Set { path, value } => Command::SetUp(vec![(path, value)]),
+        other => other,
+    }));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::run::scenario::table;
+
+    #[test]
+    fn every_setting_of_the_plan_has_its_place() {
+        let shown: Vec<&str> =
+            [&WEIGHTS[..], &SEARCH, &COSTS, &CUT, &LIMITS].into_iter().flatten().copied().collect();
+        for param in table().iter().filter(|param| param.group == "plan") {
+            assert!(shown.contains(&param.path.as_str()), "`{}` is not shown", param.path);
+        }
+        for path in shown {
+            assert!(table().iter().any(|param| param.path == path), "`{path}` is no setting");
+        }
+    }
+}

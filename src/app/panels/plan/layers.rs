@@ -1,0 +1,198 @@
+//! What can be shown and hidden on the map, and its legend.
+
+use std::collections::BTreeSet;
+
+use egui::{Color32, Painter, Pos2, Rect, RichText, Shape, Stroke, Ui, vec2};
+
+use super::picture::Boundary;
+use crate::app::theme::{self, Look, Palette};
+use crate::app::widgets::legend;
+use crate::study::plan::constraints::{Checked, ORIGIN};
+use crate::study::plan::machine::Source;
+
+/// One thing on the map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Layer {
+    /// The boundary of a constraint, by its number in the list of seven.
+    Boundary(usize),
+    /// The lines of equal force.
+    ForceLines,
+    /// The particles.
+    Particles,
+    /// The best place of every particle.
+    OwnBests,
+    /// The best place of all.
+    Best,
+    /// The programmed values of the scenario.
+    Programmed,
+}
+
+/// The layers switched off.
+#[derive(Clone, Debug, Default)]
+pub struct Layers {
+    hidden: BTreeSet<Layer>,
+}
+
+impl Layers {
+    /// Whether a layer is shown.
+    #[must_use]
+    pub fn show(&self, layer: Layer) -> bool {
+        !self.hidden.contains(&layer)
+    }
+
+    fn toggle(&mut self, layer: Layer) {
+        if !self.hidden.remove(&layer) {
+            self.hidden.insert(layer);
+        }
+    }
+}
+
+/// A particle: full where the cut is allowed.
+pub fn particle(painter: &Painter, at: Pos2, feasible: bool, palette: &Palette) {
+    const RADIUS: f32 = 3.4;
+    if feasible {
+        painter.circle(at, RADIUS, palette.text, Stroke::new(1.0, palette.card));
+    } else {
+        painter.circle(at, RADIUS, Color32::TRANSPARENT, Stroke::new(1.3, palette.text));
+    }
+}
+
+/// The best place of one particle.
+pub fn own_best(painter: &Painter, at: Pos2, palette: &Palette) {
+    painter.circle_filled(at, 1.8, palette.text.gamma_multiply(0.45));
+}
+
+/// The best place of all: a star, full once the search has ended.
+pub fn best(painter: &Painter, at: Pos2, ended: bool, palette: &Palette) {
+    // A star of five points: the corners of a pentagon and those between them.
+    const CORNERS: [[f32; 2]; 5] =
+        [[0.0, -1.0], [0.951, -0.309], [0.588, 0.809], [-0.588, 0.809], [-0.951, -0.309]];
+    const RADIUS: f32 = 9.0;
+    let corner = |i: usize| vec2(CORNERS[i % 5][0], CORNERS[i % 5][1]);
+    let mut points = Vec::with_capacity(10);
+    for i in 0..5 {
+        let inner = (corner(i) + corner(i + 1)) * 0.5;
+        points.push(at + corner(i) * RADIUS);
+        points.push(at + inner * (0.5 * RADIUS));
+    }
+    let fill = if ended { palette.warn } else { palette.card };
+    // Not convex: filled from its middle, piece by piece.
+    for i in 0..points.len() {
+        let piece = vec![at, points[i], points[(i + 1) % points.len()]];
+        painter.add(Shape::convex_polygon(piece, fill, Stroke::NONE));
+    }
+    painter.add(Shape::closed_line(points, Stroke::new(1.4, palette.text)));
+}
+
+/// The programmed values: a diamond.
+pub fn programmed(painter: &Painter, at: Pos2, palette: &Palette) {
+    let corners = [vec2(0.0, -7.0), vec2(7.0, 0.0), vec2(0.0, 7.0), vec2(-7.0, 0.0)];
+    let points = corners.map(|corner| at + corner).to_vec();
+    painter.add(Shape::convex_polygon(points, palette.card, Stroke::new(2.0, palette.accent)));
+}
+
+/// The legend; `boundaries` gives the boundary of every constraint.
+pub fn legend<'a>(
+    ui: &mut Ui,
+    layers: &mut Layers,
+    boundaries: impl Fn(usize) -> &'a Boundary,
+    checked: &[Checked; 7],
+    programmed_text: &str,
+) {
+    let palette = Palette::at(ui);
+    let spacing = ui.spacing().clone();
+    ui.spacing_mut().item_spacing = vec2(12.0, 1.0);
+    ui.spacing_mut().interact_size.y = 14.0;
+    ui.horizontal_wrapped(|ui| {
+        for (number, one) in checked.iter().enumerate() {
+            let layer = Layer::Boundary(number);
+            if boundaries(number).lines.is_empty() {
+                continue;
+            }
+            let (label, look) = (one.constraint.label, Look::Constraint(number));
+            let response = legend::entry(ui, label, look, !layers.show(layer));
+            if response.on_hover_ui(|ui| explain(ui, one)).clicked() {
+                layers.toggle(layer);
+            }
+        }
+        let mut mark = |layer: Layer, name: &str, paint: &dyn Fn(&Painter, Rect, Color32)| {
+            let off = !layers.show(layer);
+            if legend::entry_of(ui, name, off, palette.text, paint).clicked() {
+                layers.toggle(layer);
+            }
+        };
+        mark(Layer::ForceLines, "equal force", &|painter, rect, color| {
+            let color = color.gamma_multiply(0.5);
+            painter.hline(rect.x_range(), rect.center().y, Stroke::new(1.0, color));
+        });
+        mark(Layer::Particles, "particles (full: allowed)", &|painter, rect, _| {
+            particle(painter, rect.center() - vec2(4.0, 0.0), true, palette);
+            particle(painter, rect.center() + vec2(5.0, 0.0), false, palette);
+        });
+        mark(Layer::OwnBests, "their own bests", &|painter, rect, _| {
+            own_best(painter, rect.center(), palette);
+        });
+        mark(Layer::Best, "best of all", &|painter, rect, _| {
+            best(painter, rect.center(), true, palette);
+        });
+        mark(Layer::Programmed, programmed_text, &|painter, rect, _| {
+            programmed(painter, rect.center(), palette);
+        });
+    });
+    ui.horizontal_wrapped(|ui| {
+        let absent = checked.iter().enumerate();
+        let mut absent = absent.filter(|(i, _)| boundaries(*i).lines.is_empty()).peekable();
+        if absent.peek().is_some() {
+            ui.label(RichText::new("Outside the map:").small().color(palette.weak));
+        }
+        for (number, one) in absent {
+            let violated = if boundaries(number).kept_somewhere { "" } else { " (violated)" };
+            let name = format!("{}{violated}", one.constraint.label);
+            legend::sample(ui, &name, Look::Constraint(number)).on_hover_ui(|ui| explain(ui, one));
+        }
+    });
+    *ui.spacing_mut() = spacing;
+}
+
+/// A limit without digits that say nothing.
+fn plain(value: f64) -> String {
+    let text = theme::fine(value, "");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
+/// The limits of a constraint, without their unit.
+#[must_use]
+pub fn limits(checked: &Checked) -> String {
+    match (checked.low, checked.high) {
+        (Some(low), Some(high)) => format!("{} to {}", plain(low), plain(high)),
+        (Some(low), None) => format!("≥ {}", plain(low)),
+        (None, Some(high)) => format!("≤ {}", plain(high)),
+        (None, None) => "none".to_owned(),
+    }
+}
+
+/// Where the limits of a constraint come from, in words.
+#[must_use]
+pub fn source(source: Source) -> &'static str {
+    match source {
+        Source::Placeholder => "placeholder: no public data of this machine were found",
+        Source::Chosen => "a chosen limit of the process",
+        Source::Given => "given by the settings or a data sheet",
+    }
+}
+
+/// Formula, reason, limits and origin of a constraint.
+pub fn explain(ui: &mut Ui, checked: &Checked) {
+    let palette = Palette::at(ui);
+    let constraint = &checked.constraint;
+    ui.set_max_width(340.0);
+    ui.label(RichText::new(constraint.formula).monospace());
+    ui.label(constraint.why);
+    let unit = theme::unit(constraint.unit);
+    ui.label(format!("Limit: {} {unit} ({}).", limits(checked), source(checked.source)));
+    ui.label(RichText::new(format!("The constraint is {ORIGIN}.")).color(palette.weak));
+}
