@@ -288,3 +288,32 @@ fn a_fixed_speed_is_searched_along_a_line_and_kept() {
     screen.get_by_role_and_label(Role::Slider, "Cutting speed");
     assert!(texts(&screen).contains(&format!("{:.0} mm/min", optimum.feed_mm_min)));
 }
+
+#[test]
+fn the_surface_can_be_seen_and_turned_in_space() {
+    for size in [DESKTOP, LONG] {
+        let mut screen = open(size, &fixed_limit(665.0));
+        let figure = |screen: &Screen, name: &str| {
+            let mut nodes = screen.query_all_by_role(Role::Figure);
+            nodes.any(|node| node.accesskit_node().label().is_some_and(|x| x.starts_with(name)))
+        };
+        assert!(figure(&screen, "Force over cutting speed") && !figure(&screen, "Force surface"));
+        click(&mut screen, "3-D");
+        assert!(figure(&screen, "Force surface in space, turned by 32°"));
+        click(&mut screen, "Turn right");
+        assert!(figure(&screen, "Force surface in space, turned by 17°"));
+        let name = "Force surface in space, turned by 17°, seen 32° from above";
+        let rect = screen.get_by_label(name).rect();
+        screen.hover_at(rect.center());
+        screen.run_steps(2);
+        screen.drag_at(rect.center());
+        screen.run_steps(1);
+        screen.hover_at(rect.center() + vec2(-50.0, 40.0));
+        screen.run_steps(1);
+        screen.drop_at(rect.center() + vec2(-50.0, 40.0));
+        screen.run_steps(1);
+        assert!(figure(&screen, "Force surface in space, turned by 40°, seen 50° from above"));
+        click(&mut screen, "3-D");
+        assert!(figure(&screen, "Force over cutting speed"));
+    }
+}

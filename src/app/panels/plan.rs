@@ -7,9 +7,13 @@ mod controls;
 mod convergence;
 mod layers;
 mod map;
+mod marks;
 mod picture;
 mod polyline;
+mod readout;
+mod relief;
 mod search;
+mod space;
 mod steps;
 mod table;
 mod transport;
@@ -22,7 +26,9 @@ use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::zoom::by_touch;
-use map::{Map, Moving};
+use map::Map;
+use marks::Moving;
+use relief::Relief;
 use search::Search;
 
 /// Most real time that one frame stands for, s.
@@ -40,6 +46,9 @@ const MAP_HEIGHT_MIN: f32 = 220.0;
 pub struct PlanPanel {
     search: Search,
     map: Map,
+    relief: Relief,
+    /// Whether the surface is shown in space.
+    in_space: bool,
     /// The constraint that is explained.
     open: Option<usize>,
 }
@@ -145,11 +154,25 @@ impl PlanPanel {
         let checked = found.job.optimum().constraints;
         let picture = &found.picture;
         layers::legend(ui, &mut self.map.layers, |i| picture.boundary(i), &checked, name);
-        map::head(ui, &mut self.map, found);
-        let left = height - (ui.cursor().top() - top);
-        let moving = Moving { positions: &positions, programmed };
-        self.map.show(ui, found, &moving, left.max(MAP_HEIGHT_MIN));
-        map::pinned(ui, &mut self.map, found.job.problem());
+        ui.horizontal_wrapped(|ui| {
+            readout::scale(ui, &found.picture);
+            let help = "The force as a surface in space, cut by the plane of its limit";
+            let button = egui::Button::selectable(self.in_space, "3-D").small();
+            if ui.add(button).on_hover_text(help).clicked() {
+                self.in_space = !self.in_space;
+            }
+            match self.in_space {
+                true => self.relief.buttons(ui),
+                false => self.map.parts(ui, found),
+            }
+        });
+        let left = (height - (ui.cursor().top() - top)).max(MAP_HEIGHT_MIN);
+        let moving = Moving { positions: &positions, programmed, pinned: self.map.pinned };
+        match self.in_space {
+            true => self.relief.show(ui, found, &self.map.layers, &moving, left),
+            false => self.map.show(ui, found, &moving, left),
+        }
+        readout::pinned(ui, &mut self.map.pinned, found.job.problem());
     }
 
     fn answer(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {

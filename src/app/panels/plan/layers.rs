@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use egui::{Color32, Painter, Pos2, Rect, RichText, Shape, Stroke, Ui, vec2};
+use egui::{Color32, Painter, Rect, RichText, Stroke, Ui, vec2};
 
+use super::marks;
 use super::picture::Boundary;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::legend;
@@ -47,50 +48,6 @@ impl Layers {
     }
 }
 
-/// A particle: full where the cut is allowed.
-pub fn particle(painter: &Painter, at: Pos2, feasible: bool, palette: &Palette) {
-    const RADIUS: f32 = 3.4;
-    if feasible {
-        painter.circle(at, RADIUS, palette.text, Stroke::new(1.0, palette.card));
-    } else {
-        painter.circle(at, RADIUS, Color32::TRANSPARENT, Stroke::new(1.3, palette.text));
-    }
-}
-
-/// The best place of one particle.
-pub fn own_best(painter: &Painter, at: Pos2, palette: &Palette) {
-    painter.circle_filled(at, 1.8, palette.text.gamma_multiply(0.45));
-}
-
-/// The best place of all: a star, full once the search has ended.
-pub fn best(painter: &Painter, at: Pos2, ended: bool, palette: &Palette) {
-    // A star of five points: the corners of a pentagon and those between them.
-    const CORNERS: [[f32; 2]; 5] =
-        [[0.0, -1.0], [0.951, -0.309], [0.588, 0.809], [-0.588, 0.809], [-0.951, -0.309]];
-    const RADIUS: f32 = 9.0;
-    let corner = |i: usize| vec2(CORNERS[i % 5][0], CORNERS[i % 5][1]);
-    let mut points = Vec::with_capacity(10);
-    for i in 0..5 {
-        let inner = (corner(i) + corner(i + 1)) * 0.5;
-        points.push(at + corner(i) * RADIUS);
-        points.push(at + inner * (0.5 * RADIUS));
-    }
-    let fill = if ended { palette.warn } else { palette.card };
-    // Not convex: filled from its middle, piece by piece.
-    for i in 0..points.len() {
-        let piece = vec![at, points[i], points[(i + 1) % points.len()]];
-        painter.add(Shape::convex_polygon(piece, fill, Stroke::NONE));
-    }
-    painter.add(Shape::closed_line(points, Stroke::new(1.4, palette.text)));
-}
-
-/// The programmed values: a diamond.
-pub fn programmed(painter: &Painter, at: Pos2, palette: &Palette) {
-    let corners = [vec2(0.0, -7.0), vec2(7.0, 0.0), vec2(0.0, 7.0), vec2(-7.0, 0.0)];
-    let points = corners.map(|corner| at + corner).to_vec();
-    painter.add(Shape::convex_polygon(points, palette.card, Stroke::new(2.0, palette.accent)));
-}
-
 /// The legend; `boundaries` gives the boundary of every constraint.
 pub fn legend<'a>(
     ui: &mut Ui,
@@ -126,17 +83,17 @@ pub fn legend<'a>(
             painter.hline(rect.x_range(), rect.center().y, Stroke::new(1.0, color));
         });
         mark(Layer::Particles, "particles (full: allowed)", &|painter, rect, _| {
-            particle(painter, rect.center() - vec2(4.0, 0.0), true, palette);
-            particle(painter, rect.center() + vec2(5.0, 0.0), false, palette);
+            marks::particle(painter, rect.center() - vec2(4.0, 0.0), true, palette);
+            marks::particle(painter, rect.center() + vec2(5.0, 0.0), false, palette);
         });
         mark(Layer::OwnBests, "their own bests", &|painter, rect, _| {
-            own_best(painter, rect.center(), palette);
+            marks::own_best(painter, rect.center(), palette);
         });
         mark(Layer::Best, "best of all", &|painter, rect, _| {
-            best(painter, rect.center(), true, palette);
+            marks::best(painter, rect.center(), true, palette);
         });
         mark(Layer::Programmed, programmed_text, &|painter, rect, _| {
-            programmed(painter, rect.center(), palette);
+            marks::programmed(painter, rect.center(), palette);
         });
     });
     ui.horizontal_wrapped(|ui| {

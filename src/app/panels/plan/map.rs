@@ -1,14 +1,15 @@
 //! The map: cutting speed across, feed per tooth up, the force as colour, and the swarm over it.
 
-use egui::{Color32, PointerButton, Pos2, Rect, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use egui::{Color32, PointerButton, Pos2, Rect, Sense, Stroke, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, Plot, PlotImage, PlotPoint, PlotPoints, PlotTransform, VLine};
 
-use super::layers::{self, Layer, Layers};
+use super::layers::{Layer, Layers};
+use super::marks::{self, Moving};
 use super::picture::Polyline;
+use super::readout::readout;
 use super::search::Found;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::chart::{grid, tick};
-use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::zoom::by_touch;
 use crate::run::scenario::Scenario;
 use crate::study::plan::constraints::CONSTRAINTS;
@@ -32,14 +33,6 @@ enum Part {
     All,
     /// Ranges of cutting speed in m/min and feed per tooth in mm.
     Ranges([[f64; 2]; 2]),
-}
-
-/// Everything that moves on the map.
-pub struct Moving<'a> {
-    /// Where the particles are drawn.
-    pub positions: &'a [[f64; 2]],
-    /// The programmed values as cutting speed in m/min and feed per tooth in mm.
-    pub programmed: [f64; 2],
 }
 
 /// The programmed values of a scenario as cutting speed in m/min and feed per tooth in mm.
@@ -146,6 +139,21 @@ impl Map {
         }
     }
 
+    /// The buttons that choose what part of it is shown.
+    pub fn parts(&mut self, ui: &mut Ui, found: &Found) {
+        let allowed = found.picture.allowed();
+        let button = egui::Button::new("Zoom to allowed").small();
+        let response = ui.add_enabled(allowed.is_some(), button);
+        let response = response.on_hover_text("Shows the part of the map that holds allowed cuts");
+        if response.on_disabled_hover_text("There are none on the map").clicked() {
+            self.wanted = allowed.map(Part::Ranges);
+        }
+        let help = "Shows the whole map, as a double-click on it does; a drag on it zooms";
+        if ui.small_button("Whole map").on_hover_text(help).clicked() {
+            self.wanted = Some(Part::All);
+        }
+    }
+
     /// What stands above lines and colours: labels, particles, marks.
     fn overlay(&self, ui: &Ui, found: &Found, moving: &Moving<'_>, transform: &PlotTransform) {
         let palette = Palette::at(ui);
@@ -166,29 +174,7 @@ impl Map {
                 label(ui, &painter, lines, &at, &text, palette.weak, &mut taken);
             }
         }
-        let particles = found.job.particles();
-        if self.layers.show(Layer::OwnBests) {
-            for particle in particles {
-                layers::own_best(&painter, at(particle.best_position), palette);
-            }
-        }
-        if self.layers.show(Layer::Particles) {
-            for (place, particle) in moving.positions.iter().zip(particles) {
-                layers::particle(&painter, at(*place), particle.score.feasible(), palette);
-            }
-        }
-        if self.layers.show(Layer::Programmed) {
-            layers::programmed(&painter, at(moving.programmed), palette);
-        }
-        if self.layers.show(Layer::Best) {
-            let ended = found.job.progress().done;
-            let optimum = found.job.optimum();
-            let point = [optimum.cutting_speed_m_min, optimum.feed_per_tooth_mm];
-            layers::best(&painter, at(point), ended, palette);
-        }
-        if let Some(point) = self.pinned {
-            painter.circle_stroke(at(point), 6.0, Stroke::new(2.0, palette.bad));
-        }
+        marks::all(&painter, palette, found, &self.layers, moving, &at);
     }
 }
 
@@ -240,102 +226,4 @@ fn name(found: &Found) -> String {
         theme::quantity(optimum.cutting_speed_m_min, "m/min"),
         theme::fine(optimum.feed_per_tooth_mm, "mm"),
     )
-}
-
-/// The values at a place, and what forbids it.
-pub fn readout(ui: &mut Ui, problem: &Problem, point: [f64; 2]) {
-    let palette = Palette::at(ui);
-    let cut = problem.cut(point);
-    let lines = [
-        ("Cutting speed", theme::quantity(point[0], "m/min")),
-        ("Feed per tooth", theme::fine(point[1], "mm")),
-        ("Spindle speed", theme::quantity(cut.speed_rpm, "1/min")),
-        ("Feed", theme::quantity(cut.feed_mm_min, "mm/min")),
-        ("Force", theme::quantity(cut.force_n, "N")),
-        ("Ra of feed marks", theme::quantity(cut.ra_um, "um")),
-        ("Spindle power", theme::quantity(cut.power_kw, "kW")),
-        ("Deflection", theme::fine(cut.deflection_mm, "mm")),
-        ("Tool life", theme::quantity(cut.tool_life_min, "min")),
-    ];
-    ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
-    ui.spacing_mut().interact_size.y = 14.0;
-    egui::Grid::new("readout").num_columns(2).spacing([12.0, 1.0]).show(ui, |ui| {
-        for (name, value) in lines {
-            ui.label(egui::RichText::new(name).color(palette.weak));
-            ui.label(value);
-            ui.end_row();
-        }
-    });
-    let checked = problem.check(point);
-    let violated: Vec<&str> =
-        checked.iter().filter(|one| one.violation > 0.0).map(|one| one.constraint.label).collect();
-    if violated.is_empty() {
-        ui.label(egui::RichText::new("allowed").color(palette.good).strong());
-    } else {
-        let text = format!("violated: {}", violated.join(", "));
-        ui.label(egui::RichText::new(text).color(palette.bad).strong());
-    }
-}
-
-/// The row above the map: the scale of its colours, and what part of it is shown.
-pub fn head(ui: &mut Ui, map: &mut Map, found: &Found) {
-    ui.horizontal_wrapped(|ui| {
-        scale(ui, found);
-        let allowed = found.picture.allowed();
-        let button = egui::Button::new("Zoom to allowed").small();
-        let response = ui.add_enabled(allowed.is_some(), button);
-        let response = response.on_hover_text("Shows the part of the map that holds allowed cuts");
-        if response.on_disabled_hover_text("There are none on the map").clicked() {
-            map.wanted = allowed.map(Part::Ranges);
-        }
-        let help = "Shows the whole map, as a double-click on it does; a drag on it zooms";
-        if ui.small_button("Whole map").on_hover_text(help).clicked() {
-            map.wanted = Some(Part::All);
-        }
-    });
-}
-
-/// The scale of the colours: what is allowed, and below it what is not.
-fn scale(ui: &mut Ui, found: &Found) {
-    const SIZE: egui::Vec2 = vec2(110.0, 12.0);
-    const STEPS: usize = 40;
-    let palette = Palette::at(ui);
-    let [low, high] = found.picture.range_n();
-    ui.label(egui::RichText::new(theme::quantity(low, "N")).small().color(palette.weak));
-    let (rect, response) = ui.allocate_exact_size(SIZE, Sense::hover());
-    let said = "Force: in colour where the cut is allowed, grey where a constraint forbids it";
-    response.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, said));
-    for step in 0..STEPS {
-        let share = step as f32 / STEPS as f32;
-        let force_n = low + (high - low) * f64::from(share);
-        let left = rect.left() + share * rect.width();
-        let right = left + rect.width() / STEPS as f32 + 0.5;
-        for (allowed, top, bottom) in
-            [(true, rect.top(), rect.center().y), (false, rect.center().y, rect.bottom())]
-        {
-            let piece = Rect::from_min_max(pos2(left, top), pos2(right, bottom));
-            let color = found.picture.color(palette, force_n, allowed);
-            ui.painter().rect_filled(piece, 0.0, color);
-        }
-    }
-    response.on_hover_text(said);
-    ui.label(egui::RichText::new(theme::quantity(high, "N")).small().color(palette.weak));
-}
-
-/// The values at the pinned place, with a way to let go of it.
-pub fn pinned(ui: &mut Ui, map: &mut Map, problem: &Problem) {
-    let Some(point) = map.pinned else { return };
-    let palette = Palette::at(ui);
-    theme::card(palette).show(ui, |ui| {
-        ui.horizontal_top(|ui| {
-            ui.vertical(|ui| readout(ui, problem, point));
-            let right = egui::Layout::right_to_left(egui::Align::Min);
-            ui.with_layout(right, |ui| {
-                let help = "Let go of this place";
-                if icon::button(ui, Icon::Close, help, help, true).clicked() {
-                    map.pinned = None;
-                }
-            });
-        });
-    });
 }

@@ -105,6 +105,12 @@ impl Picture {
         })
     }
 
+    /// The samples.
+    #[must_use]
+    pub fn field(&self) -> &Field {
+        &self.field
+    }
+
     /// Least and largest force on the map, N.
     #[must_use]
     pub fn range_n(&self) -> [f64; 2] {

@@ -1,0 +1,206 @@
+//! The map in space: the force surface, cut by the plane of the force limit and bounded by the
+//! other constraints, as the 2013 paper draws it. It is turned by dragging or by its buttons.
+
+use egui::{Align2, Color32, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
+use egui_plot::LineStyle;
+
+use super::layers::{Layer, Layers};
+use super::map::on_the_map;
+use super::marks::{self, Moving};
+use super::search::Found;
+use super::space::{Space, top};
+use crate::app::theme::{self, Look, Palette, round_step};
+use crate::app::widgets::zoom::by_touch;
+use crate::study::plan::constraints::CONSTRAINTS;
+use crate::study::plan::problem::{CUTTING_SPEED_M_MIN, FEED_PER_TOOTH_MM};
+
+/// Turn per point of a drag, and of a button, rad.
+const TURN_PER_POINT: f64 = 0.008;
+const TURN_PER_PRESS: f64 = 0.25;
+/// The tilts allowed, rad: from above, for the surface hides nothing then.
+const TILT: [f64; 2] = [0.3, 1.4];
+
+/// Where the title of a scale stands from the middle of its edge, points.
+const TITLE_OFF: egui::Vec2 = vec2(14.0, 18.0);
+
+/// How it is turned.
+#[derive(Clone, Copy, Debug)]
+pub struct Relief {
+    turn_rad: f64,
+    tilt_rad: f64,
+}
+
+impl Default for Relief {
+    fn default() -> Self {
+        Self { turn_rad: 0.55, tilt_rad: 0.55 }
+    }
+}
+
+impl Relief {
+    /// The buttons that turn it.
+    pub fn buttons(&mut self, ui: &mut Ui) {
+        let help = "Turns the surface; so does a drag with the mouse";
+        for (name, by) in [("Turn left", TURN_PER_PRESS), ("Turn right", -TURN_PER_PRESS)] {
+            if ui.small_button(name).on_hover_text(help).clicked() {
+                self.turn_rad += by;
+            }
+        }
+    }
+
+    /// Draws it `height` points high.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        found: &Found,
+        layers: &Layers,
+        moving: &Moving<'_>,
+        height: f32,
+    ) {
+        let palette = Palette::at(ui);
+        // Fingers scroll the page.
+        let sense = if by_touch(ui) { Sense::hover() } else { Sense::drag() };
+        let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), sense);
+        response.widget_info(|| {
+            let [turn, tilt] = [self.turn_rad, self.tilt_rad].map(f64::to_degrees);
+            let name =
+                format!("Force surface in space, turned by {turn:.0}°, seen {tilt:.0}° from above");
+            WidgetInfo::labeled(egui::Role::Figure, true, name)
+        });
+        let drag = response.drag_delta();
+        self.turn_rad -= TURN_PER_POINT * f64::from(drag.x);
+        let tilt_rad = self.tilt_rad + TURN_PER_POINT * f64::from(drag.y);
+        self.tilt_rad = tilt_rad.clamp(TILT[0], TILT[1]);
+
+        let problem = found.job.problem();
+        let checked = found.job.optimum().constraints;
+        let force = CONSTRAINTS.iter().position(|constraint| constraint.id == "force");
+        let limit_n = force.and_then(|force| checked[force].high);
+        let limit_n = limit_n.filter(|_| force.is_some_and(|f| layers.show(Layer::Boundary(f))));
+        let top_n = top(found.picture.range_n()[1], limit_n);
+        let space = Space::new(rect, self.turn_rad, self.tilt_rad, top_n);
+        let painter = ui.painter().with_clip_rect(rect);
+        let on_surface = |point: [f64; 2]| space.at(point, problem.cut(point).force_n);
+
+        frame(&painter, &space, palette, top_n);
+        let plane = limit_n
+            .filter(|limit| *limit <= top_n)
+            .zip(force)
+            .map(|(limit, force)| (limit, palette.constraints[force].gamma_multiply(0.28)));
+        painter.add(Shape::mesh(space.skin(&found.picture, palette, plane)));
+        if layers.show(Layer::ForceLines) {
+            let stroke = Stroke::new(0.8, palette.text.gamma_multiply(0.35));
+            for (force_n, lines) in found.picture.force_lines() {
+                for line in lines {
+                    let points = line.iter().map(|point| space.at(*point, *force_n)).collect();
+                    painter.add(Shape::line(points, stroke));
+                }
+            }
+        }
+        for number in (0..CONSTRAINTS.len()).filter(|n| layers.show(Layer::Boundary(*n))) {
+            let look = Look::Constraint(number);
+            for line in &found.picture.boundary(number).lines {
+                if Some(number) != force {
+                    let color = palette.constraints[number].gamma_multiply(0.16);
+                    wall(&painter, &space, line, &on_surface, top_n, color);
+                }
+                let points: Vec<Pos2> = line.iter().map(|point| on_surface(*point)).collect();
+                stroked(&painter, &points, look, palette);
+            }
+        }
+        let off_the_map = !on_the_map(moving.programmed);
+        let at = |point: [f64; 2]| {
+            // Beyond the edges there is no surface to stand on.
+            if off_the_map && point == moving.programmed {
+                rect.min - vec2(99.0, 99.0)
+            } else {
+                on_surface(point)
+            }
+        };
+        marks::all(&painter, palette, found, layers, moving, &at);
+    }
+}
+
+/// A line in the style of its meaning.
+fn stroked(painter: &Painter, points: &[Pos2], look: Look, palette: &Palette) {
+    let (stroke, style) = look.line(palette);
+    painter.extend(match style {
+        LineStyle::Solid => vec![Shape::line(points.to_vec(), stroke)],
+        LineStyle::Dashed { length } => Shape::dashed_line(points, stroke, length, 0.6 * length),
+        LineStyle::Dotted { spacing } => {
+            Shape::dotted_line(points, stroke.color, spacing, 0.7 * stroke.width)
+        }
+    });
+}
+
+/// The part above the surface of the upright plane that a constraint cuts it with.
+fn wall(
+    painter: &Painter,
+    space: &Space,
+    line: &[[f64; 2]],
+    on_surface: &dyn Fn([f64; 2]) -> Pos2,
+    top_n: f64,
+    color: Color32,
+) {
+    let mut mesh = egui::Mesh::default();
+    for (i, point) in line.iter().enumerate() {
+        mesh.colored_vertex(on_surface(*point), color);
+        mesh.colored_vertex(space.at(*point, top_n), color);
+        if let Some(before) = i.checked_sub(1) {
+            let corner = |k: usize| (2 * before + k) as u32;
+            mesh.add_triangle(corner(0), corner(1), corner(2));
+            mesh.add_triangle(corner(1), corner(2), corner(3));
+        }
+    }
+    painter.add(Shape::mesh(mesh));
+}
+
+/// The floor, the upright edge at the left, and their scales.
+fn frame(painter: &Painter, space: &Space, palette: &Palette, top_n: f64) {
+    let [x, y] = [CUTTING_SPEED_M_MIN, FEED_PER_TOOTH_MM];
+    let stroke = Stroke::new(1.0, palette.line);
+    let corners = [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]];
+    let floor = corners.map(|corner| space.at(corner, 0.0));
+    painter.add(Shape::closed_line(floor.to_vec(), stroke));
+    let left =
+        corners.into_iter().min_by(|a, b| space.at(*a, 0.0).x.total_cmp(&space.at(*b, 0.0).x));
+    let font = egui::FontId::proportional(10.5);
+    let write = |at: Pos2, anchor: Align2, text: &str| {
+        painter.text(at, anchor, text, font.clone(), palette.weak);
+    };
+    if let Some(left) = left {
+        painter.line_segment([space.at(left, 0.0), space.at(left, top_n)], stroke);
+        for force_n in steps([0.0, top_n], 4.0) {
+            let text = theme::quantity(force_n, "N").replace(".0 ", " ");
+            write(space.at(left, force_n) - vec2(5.0, 0.0), Align2::RIGHT_CENTER, &text);
+        }
+    }
+    // The scales stand along the edges that are nearer.
+    let [speed_away, feed_away] = space.farther();
+    let near = |[low, high]: [f64; 2], away: bool| if away { low } else { high };
+    let (x_near, y_near) = (near(x, speed_away), near(y, feed_away));
+    let middle = Rect::from_points(&floor).center();
+    let title = |at: Pos2, text: &str| {
+        let (anchor, side) = match at.x < middle.x {
+            true => (Align2::RIGHT_TOP, -TITLE_OFF.x),
+            false => (Align2::LEFT_TOP, TITLE_OFF.x),
+        };
+        write(at + vec2(side, TITLE_OFF.y), anchor, text);
+    };
+    for speed in steps(x, 3.0) {
+        let at = space.at([speed, y_near], 0.0);
+        write(at + vec2(0.0, 3.0), Align2::CENTER_TOP, &format!("{speed}"));
+    }
+    for feed in steps(y, 3.0) {
+        let at = space.at([x_near, feed], 0.0);
+        write(at + vec2(0.0, 3.0), Align2::CENTER_TOP, &format!("{feed:.2}"));
+    }
+    title(space.at([0.5 * (x[0] + x[1]), y_near], 0.0), "cutting speed [m/min]");
+    title(space.at([x_near, 0.5 * (y[0] + y[1])], 0.0), "feed per tooth [mm]");
+}
+
+/// Round values in a range, about as many as asked for.
+fn steps([low, high]: [f64; 2], count: f64) -> Vec<f64> {
+    let Some(step) = round_step((high - low) / count) else { return Vec::new() };
+    let (first, last) = ((low / step).ceil() as i64, (high / step).floor() as i64);
+    (first..=last).map(|k| k as f64 * step).collect()
+}
