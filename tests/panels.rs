@@ -282,7 +282,7 @@ fn a_text_that_is_being_written_keeps_its_keys() {
 fn every_widget_has_a_name() {
     for size in [DESKTOP, PHONE] {
         let mut window = window(size);
-        for key in [Key::Num1, Key::Num2, Key::Num3] {
+        for key in [Key::Num1, Key::Num2, Key::Num3, Key::Num4] {
             press(&mut window, Modifiers::COMMAND, key);
             assert_eq!(window.unnamed_widgets(), Vec::<String>::new());
         }
@@ -291,7 +291,7 @@ fn every_widget_has_a_name() {
     let mut window = window(vec2(1280.0, 2400.0));
     click(&mut window, "More settings");
     window.run_steps(10);
-    for group in ["Target", "Plant", "Feed drive", "CNC", "Workpiece", "Run", "Plan", "Name"] {
+    for group in ["Target", "Plant", "Feed drive", "CNC", "Workpiece", "Run", "Planning", "Name"] {
         window.get_by_label(group).click_accesskit();
         window.run_steps(10);
     }
