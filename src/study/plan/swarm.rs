@@ -7,12 +7,17 @@
 //! ```
 //!
 //! w falls linearly from 0.9 to 0.4 over the iterations allowed, c1 = c2 = 2, |v| is at most 0.2 of
-//! the range. A particle that would leave the range is set on its edge and comes back with half of
-//! that component of v: set to zero, as is also done, whole swarms stick to an edge near which the
-//! feasible region is narrow (measured: in up to a quarter of all seeds). The swarm ends when its
-//! best has not gained for a while and all particles have gathered around it; without the second
-//! condition most runs end before the swarm has contracted. Every random number is drawn by counter from one stream, so that the
-//! result depends on the seed alone and not on how the work was cut in slices.
+//! the range. A particle that would leave the range is set on its edge and comes back with a
+//! quarter of that component of v. With none, as is also done, whole swarms stick to an edge along
+//! which the feasible strip is narrow: where the force limit leaves 1 to 3 % of the feeds, 11 to 99
+//! of 100 seeds meet the grid's best within 0.5 %, by problem. With a half or more they fly over it.
+//!
+//! The swarm ends when its best has not gained for a while and all particles have gathered around
+//! it. Without the second condition most runs end before the swarm has contracted, and 37 to 100 of
+//! 100 seeds meet the grid's best.
+//!
+//! Every random number is drawn by counter from one stream, so that the result depends on the seed
+//! alone and not on how the work was cut in slices.
 
 use serde::Serialize;
 
@@ -26,8 +31,8 @@ const INERTIA: [f64; 2] = [0.9, 0.4];
 const PULL: f64 = 2.0;
 /// Largest step of an iteration as a share of the range.
 const LARGEST_STEP: f64 = 0.2;
-/// Share of its velocity with which a particle comes back from an edge (chosen).
-const REBOUND: f64 = 0.5;
+/// Share of its velocity with which a particle comes back from an edge (chosen: see above).
+const REBOUND: f64 = 0.25;
 /// The swarm has gathered when its particles' own bests lie, on the mean, within this share of the
 /// best (chosen).
 const GATHERED: f64 = 5e-3;
