@@ -165,7 +165,12 @@ fn frame(painter: &Painter, space: &Space, palette: &Palette, top_n: f64) {
         corners.into_iter().min_by(|a, b| space.at(*a, 0.0).x.total_cmp(&space.at(*b, 0.0).x));
     let font = egui::FontId::proportional(10.5);
     let write = |at: Pos2, anchor: Align2, text: &str| {
-        painter.text(at, anchor, text, font.clone(), palette.weak);
+        let galley = painter.layout_no_wrap(text.to_owned(), font.clone(), palette.weak);
+        // What would stand beyond the edge is moved in.
+        let room = painter.clip_rect().shrink2(galley.size());
+        let place = anchor.anchor_size(at, galley.size()).min;
+        let inside = place.clamp(painter.clip_rect().min, room.max);
+        painter.galley(inside, galley, palette.weak);
     };
     if let Some(left) = left {
         painter.line_segment([space.at(left, 0.0), space.at(left, top_n)], stroke);

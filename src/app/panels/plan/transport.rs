@@ -1,6 +1,6 @@
 //! What moves the swarm: again, play and pause, one iteration, to the end, and how fast.
 
-use egui::{ComboBox, RichText, Role, Ui, WidgetInfo};
+use egui::{ComboBox, Label, RichText, Role, Ui, WidgetInfo};
 
 use super::search::{SPEEDS, Search};
 use crate::app::command::Command;
@@ -59,7 +59,9 @@ pub fn show(
             let (iteration, most) = (progress.iteration, progress.iterations);
             let text = format!("{state}: iteration {iteration} of at most {most}");
             let help = format!("{} evaluations of the force surface", progress.evaluations);
-            ui.label(RichText::new(text).color(Palette::at(ui).weak)).on_hover_text(help);
+            let text = RichText::new(text).color(Palette::at(ui).weak);
+            // In one piece where the line wraps.
+            ui.add(Label::new(text).extend()).on_hover_text(help);
         }
     });
 }
