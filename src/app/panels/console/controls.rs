@@ -36,7 +36,7 @@ const GROUPS: [(&str, &str); 15] = [
     ("program", "NC program"),
     ("workpiece", "Workpiece"),
     ("run", "Run"),
-    ("plan", "Planning"),
+    ("plan", "Off-line plan"),
     ("", "Name"),
 ];
 

@@ -169,7 +169,7 @@ fn frame(painter: &Painter, space: &Space, palette: &Palette, top_n: f64) {
         // What would stand beyond the edge is moved in.
         let room = painter.clip_rect().shrink2(galley.size());
         let place = anchor.anchor_size(at, galley.size()).min;
-        let inside = place.clamp(painter.clip_rect().min, room.max);
+        let inside = place.min(room.max).max(painter.clip_rect().min);
         painter.galley(inside, galley, palette.weak);
     };
     if let Some(left) = left {

@@ -27,7 +27,7 @@ impl Space {
     #[must_use]
     pub fn new(rect: Rect, turn_rad: f64, tilt_rad: f64, force_n: f64) -> Self {
         // As large as it can be however it is turned: the diagonal of its floor is 1.41.
-        let scale = f64::from(rect.width() / 1.5).min(f64::from(rect.height() / 1.45));
+        let scale = f64::from(rect.width() / 1.5).min(f64::from(rect.height() / 1.56));
         let turn = [cos(turn_rad), sin(turn_rad)];
         Self { middle: rect.center(), scale, turn, tilt: [cos(tilt_rad), sin(tilt_rad)], force_n }
     }

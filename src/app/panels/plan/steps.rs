@@ -42,7 +42,8 @@ fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {
         }
     };
     let program = &session.scenario().program;
-    let compared = optimum.filter(|(optimum, _)| optimum.feasible).map_or("", |(optimum, _)| {
+    let ended = optimum.filter(|(optimum, progress)| progress.done && optimum.feasible);
+    let compared = ended.map_or("", |(optimum, _)| {
         let same = |a: f64, b: f64| (a - b).abs() <= SAME * b;
         let is = same(program.feed_mm_min, optimum.feed_mm_min)
             && same(program.spindle_rpm, optimum.speed_rpm);
@@ -75,8 +76,8 @@ fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {
             "The overrides go back to the machine",
             format!(
                 "DNCFRO {}, DNCSPO {}",
-                theme::quantity(row.feed_override_percent, "%"),
-                theme::quantity(row.spindle_override_percent, "%")
+                theme::override_percent(row.feed_override_percent, now.cnc.override_quantised),
+                theme::override_percent(row.spindle_override_percent, now.cnc.override_quantised)
             ),
         ),
         step(
