@@ -291,7 +291,9 @@ fn every_widget_has_a_name() {
     let mut window = window(vec2(1280.0, 2400.0));
     click(&mut window, "More settings");
     window.run_steps(10);
-    for group in ["Target", "Plant", "Feed drive", "CNC", "Workpiece", "Run", "Off-line plan", "Name"] {
+    for group in
+        ["Target", "Plant", "Feed drive", "CNC", "Workpiece", "Run", "Off-line plan", "Name"]
+    {
         window.get_by_label(group).click_accesskit();
         window.run_steps(10);
     }
