@@ -382,6 +382,19 @@ fn an_air_cut_is_air_and_the_estimate_is_held() {
 }
 
 #[test]
+fn air_is_no_cut_outside_the_range_of_a_force_model() {
+    for force_model in ForceModel::ALL {
+        let mut scenario = tracking(5);
+        scenario.plant.force_model = *force_model;
+        scenario.workpiece.depth_steps = vec![[10.0, 0.0], [25.0, 2.0]];
+        let run = Run::complete(&scenario, &Edits::none());
+        let in_air = run.recording().rows().iter().filter(|row| row.has(flag::AIR));
+        assert!(in_air.clone().count() > 500);
+        assert!(in_air.into_iter().all(|row| !row.has(flag::K4_OUTSIDE)), "{force_model:?}");
+    }
+}
+
+#[test]
 fn metrics_meet_hand_computed_values() {
     // Constant feed without noise: everything is constant, so every metric is known.
     let mut scenario = load("table3-5").unwrap();

@@ -87,13 +87,6 @@ impl NeuralLaw {
         let peak = self.at.peak(feed_mm_min, speed_rpm);
         Valued::new(peak.value * self.cut.factor, peak.valid && self.cut.known)
     }
-
-    /// Signed force components F_x, F_y, F_z in N at the instant of the peak, at the axial depth of
-    /// the last update.
-    #[must_use]
-    pub fn components_n(&self, feed_mm_min: f64, speed_rpm: f64) -> [f64; 3] {
-        self.at.components(feed_mm_min, speed_rpm).map(|force| force * self.cut.factor)
-    }
 }
 
 #[cfg(test)]
@@ -128,13 +121,11 @@ mod tests {
     }
 
     #[test]
-    fn depth_is_followed_and_the_components_make_the_peak() {
+    fn depth_is_followed() {
         let mut law = law(Material::Ck45, 200.0);
         let shallow = law.update(320.0, 1600.0, 1.0).value;
         let deep = law.update(320.0, 1600.0, 3.0).value;
         assert!(deep > 1.5 * shallow && law.update(320.0, 1600.0, 1.0).value == shallow);
-        let [x, y, _] = law.components_n(320.0, 1600.0);
-        assert!((x * x + y * y).sqrt() - shallow < 1e-9);
         assert_eq!(law.update(320.0, 1600.0, 0.0).value, 0.0, "in the air");
     }
 }

@@ -45,7 +45,8 @@ crate::settings! {
         hardness_hb: f64 = 200.0, [60.0, 500.0], "HB", live, "Hardness";
         /// Factor of tool wear on the force: 1 for a sharp tool.
         wear_factor: f64 = 1.0, [1.0, 2.0], "", live, "Wear factor";
-        /// Added to K4's force: an error of its intercept, for experiments on model mismatch.
+        /// Added to the force of the formula (an error of its intercept) or of the network, for
+        /// experiments on model mismatch; a plan does not know of it.
         force_offset_n: f64 = 0.0, [-100.0, 100.0], "N", live, "Force offset";
     }
 }
@@ -100,12 +101,6 @@ impl Process {
         &self.models
     }
 
-    /// The network that gives the force, if one does.
-    #[must_use]
-    pub fn neural(&self) -> Option<&NeuralLaw> {
-        self.neural.as_deref()
-    }
-
     /// Whether the tool is in the material at this axial depth in mm; otherwise it is in the air.
     #[must_use]
     pub fn engaged(&self, axial_depth_mm: f64) -> bool {
@@ -116,7 +111,12 @@ impl Process {
     #[inline]
     #[must_use]
     pub fn update(&mut self, feed_mm_min: f64, speed_rpm: f64, axial_depth_mm: f64) -> Valued {
+        let in_air = !self.engaged(axial_depth_mm);
         if let Some(neural) = &mut self.neural {
+            if in_air {
+                // No cut, and so none that the network does not know.
+                return Valued::new(0.0, true);
+            }
             let peak = neural.update(feed_mm_min, speed_rpm, axial_depth_mm);
             if peak.value == 0.0 {
                 return peak;
