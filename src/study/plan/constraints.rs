@@ -129,17 +129,20 @@ impl Bounds {
     }
 }
 
-/// The limits of all seven, with the force limit in N.
+/// The limits of all seven, with the force limit in N; one that follows from two values is as
+/// certain as the less certain of them.
 #[must_use]
 pub fn bounds(machine: &Machine, force_max_n: f64) -> [Bounds; 7] {
-    let between =
-        |low: Sourced, high: Sourced| Bounds::new(Some(low.value), Some(high.value), high.source);
+    let between = |low: Sourced, high: Sourced| {
+        Bounds::new(Some(low.value), Some(high.value), low.source.min(high.source))
+    };
+    let (power, efficiency) = (machine.power_max_kw, machine.spindle_efficiency);
     let at_most = |high: Sourced| Bounds::new(None, Some(high.value), high.source);
     [
         between(machine.speed_min_rpm, machine.speed_max_rpm),
         between(machine.feed_min_mm_min, machine.feed_max_mm_min),
         Bounds::new(None, Some(force_max_n), Source::Given),
-        at_most(machine.power_max_kw),
+        Bounds::new(None, Some(power.value), power.source.min(efficiency.source)),
         at_most(machine.ra_max_um),
         at_most(machine.deflection_max_mm),
         Bounds::new(
@@ -207,5 +210,20 @@ mod tests {
         let (force, life) = (all[FORCE], all[6]);
         assert!((force.excess(332.5) + 0.5).abs() < 1e-15);
         assert!((life.excess(15.0) - 0.5).abs() < 1e-15 && life.excess(60.0) < 0.0);
+    }
+
+    #[test]
+    fn a_limit_is_as_certain_as_the_least_certain_of_its_values() {
+        let mut machine = Machine::heller_bea_01();
+        for value in
+            [&mut machine.speed_max_rpm, &mut machine.feed_max_mm_min, &mut machine.power_max_kw]
+        {
+            value.source = Source::Given;
+        }
+        let sources = |machine: &Machine| bounds(machine, 665.0).map(|bounds| bounds.source);
+        assert_eq!(sources(&machine)[..2], [Source::Placeholder; 2]);
+        assert_eq!(sources(&machine)[3], Source::Placeholder, "the efficiency is one");
+        machine.spindle_efficiency.source = Source::Given;
+        assert_eq!(sources(&machine)[3], Source::Given);
     }
 }

@@ -7,8 +7,8 @@ use crate::base::settings::SettingError;
 /// The shipped file: the papers' machine, for which no public limits were found.
 pub const HELLER_BEA_01: &str = include_str!("../../../assets/machines/heller_bea_01.toml");
 
-/// Where a value comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+/// Where a value comes from, the least certain first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Source {
     /// No public data found: to be replaced by the owner of a real machine.
