@@ -88,7 +88,7 @@ const STRATEGY_2013: &[Erratum] = errata! { "2013":
     2, "eq. 4 (M3): exponent -0.004",
         "gives about 3700 1/min where Table 1 has about 2200 1/min",
         "restored with -0.0071, which gives the final speeds from the initial forces within \
-         4.4 %; re-identified";
+         4.7 %; re-identified";
     3, "eq. 6 (M5): leading coefficient 0.0001",
         "gives 0.11 to 0.14 um where Table 1 has 0.44 to 0.99 um, and turns round at 170.5 N, \
          inside the table",
@@ -117,10 +117,11 @@ const STRATEGY_2013: &[Erratum] = errata! { "2013":
         "the usual seven of milling, each marked as chosen, machine limits in a file of \
          placeholders";
     9, "Table 1, simulations 6 and 7",
-        "the force differs by 1 N, the roughness by 0.17 um: the table is not smooth, no function \
-         of force meets both",
+        "the force differs by 1 N, the roughness by 0.17 um: the table is not smooth, no smooth \
+         function of force meets both",
         "Ra is judged within 0.08 um";
-    10, "section 2.3: \"momentum rates between 0.008 and 0.01 are good; should not exceed 0.004\"",
-        "the two sentences exclude each other",
+    10, "section 2.3: \"momentum rates between 0.008 and 0.01 are good\" for small errors, but should \
+         \"not exceed 0.004 if the number of training cycles is also to be minimized\"",
+        "no momentum serves both",
         "`steadycut train --study` prints both rates beside others";
 };

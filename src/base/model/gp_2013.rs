@@ -35,7 +35,7 @@ pub const M2_RESTORED: Quartic =
 /// M3 as printed.
 pub const M3: Exponential = Exponential { scale_rpm: 7641.3, rate_per_n: -0.004 };
 /// M3 restored: with -0.0071 it gives the final speeds of Table 1 from its initial forces within
-/// 4.4 %; as printed about 3700 1/min against 2200 1/min.
+/// 4.7 %; as printed about 3700 1/min against 2200 1/min.
 pub const M3_RESTORED: Exponential = Exponential { rate_per_n: -0.0071, ..M3 };
 /// M4 as printed.
 pub const M4: ForceFormula =
