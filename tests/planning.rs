@@ -305,6 +305,7 @@ fn the_command_line_plans_prints_and_writes() {
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("binding: Spindle speed"), "{text}");
     assert!(text.contains("placeholder") && text.contains("chosen"), "{text}");
+    assert!(text.contains("3500 measurements were never published"), "{text}");
     for constraint in CONSTRAINTS {
         assert!(text.contains(constraint.label) && text.contains(constraint.formula));
     }

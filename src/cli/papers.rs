@@ -7,6 +7,7 @@ use super::Outcome;
 use super::args::PapersArgs;
 use crate::study::papers::{Cell, PaperTable, Verdict, table};
 use crate::study::published::PaperId;
+use crate::study::train::data::NOTE;
 
 pub fn execute(args: &PapersArgs) -> Outcome {
     let id = PaperId::from(args.paper);
@@ -96,6 +97,7 @@ fn print(out: &mut impl Write, id: PaperId, paper: &PaperTable) -> std::io::Resu
         writeln!(out, "\n{met} of {all} cells within their bands")?;
     } else {
         writeln!(out, "\nfinal values as they are: the table's forces come from the formula")?;
+        writeln!(out, "{NOTE}")?;
     }
     writeln!(out, "\nerrata")?;
     for erratum in paper.errata {

@@ -15,6 +15,7 @@ use crate::study::plan::field::exhaustive;
 use crate::study::plan::machine::{Machine, Source};
 use crate::study::plan::optimum::Optimum;
 use crate::study::plan::swarm::Iteration;
+use crate::study::train::data::NOTE;
 
 /// Points per axis of the exhaustive search printed beside the swarm.
 const GRID: usize = 200;
@@ -128,6 +129,7 @@ fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {
         let (found, least) = (o.score.violation, grid.score.violation);
         writeln!(out, "  grid:  violation {least:.5} {place}; swarm {found:.5}")?;
     }
+    writeln!(out, "\nThe force comes from a network. {NOTE}")?;
     if !o.inside_training_data {
         writeln!(
             out,
