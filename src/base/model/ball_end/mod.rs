@@ -36,6 +36,7 @@ pub use static_cut::{StaticCut, StaticPeak, static_peak};
 pub const ELASTICITY_MM_PER_N: f64 = 2e-5;
 /// Most teeth of a cutter.
 pub const MAX_TEETH: usize = 8;
+
 /// A ball-end mill.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cutter {
