@@ -112,6 +112,9 @@ fn papers_2013_prints_eight_rows_and_reports_other_calibrations_as_they_are() {
     assert!(String::from_utf8(text).unwrap().contains("32 of 32 cells within their bands"));
     let printed = json(&["papers", "--paper", "2013", "--calibration", "printed", "--json"]);
     assert_eq!(printed["rows"][0]["feed_final_mm_min"]["verdict"], "missed");
+    let text = steadycut(&["papers", "--paper", "2013", "--calibration", "printed"]).stdout;
+    let text = String::from_utf8(text).unwrap();
+    assert!(text.contains("m2_outside") && !text.contains("k2_outside"), "{text}");
 }
 
 #[test]

@@ -30,6 +30,12 @@ fn word(cell: &Cell) -> &'static str {
     }
 }
 
+/// A state with its model's name in the paper: ids call models by their names of 2007.
+fn named(state: &str, id: PaperId) -> String {
+    let letter = id.model_set().letter().to_ascii_lowercase();
+    state.strip_prefix('k').map_or(state.to_owned(), |rest| format!("{letter}{rest}"))
+}
+
 fn print(out: &mut impl Write, id: PaperId, paper: &PaperTable) -> std::io::Result<()> {
     writeln!(
         out,
@@ -79,7 +85,9 @@ fn print(out: &mut impl Write, id: PaperId, paper: &PaperTable) -> std::io::Resu
             row.ra_deviation_printed_percent, row.ra_deviation_reproduced_percent
         )?;
         if !row.out_of_range.is_empty() {
-            writeln!(out, "     states: {}", row.out_of_range.join(", "))?;
+            let states: Vec<String> =
+                row.out_of_range.iter().map(|state| named(state, id)).collect();
+            writeln!(out, "     states: {}", states.join(", "))?;
         }
         if let Some(note) = row.note {
             writeln!(out, "     note: {note}")?;
