@@ -212,7 +212,7 @@ fn print_study(out: &mut impl Write, trials: &[Trial], found: &Findings) -> std:
     writeln!(
         out,
         "{NOTE}\n{} networks 8-N-3, {EPOCHS} epochs each; error: mean of F_xy over the rows held \
-         out;\ncycles: epochs until it first reached {LEVEL_PERCENT} %\n",
+         out;\ncycles, in brackets below: epochs until it first reached {LEVEL_PERCENT} %\n",
         trials.len()
     )?;
     writeln!(
