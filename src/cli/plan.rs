@@ -14,6 +14,7 @@ use crate::study::plan::constraints::{Checked, ORIGIN};
 use crate::study::plan::field::exhaustive;
 use crate::study::plan::machine::{Machine, Source};
 use crate::study::plan::optimum::Optimum;
+use crate::study::plan::remarks::remarks;
 use crate::study::plan::swarm::Iteration;
 use crate::study::train::data::NOTE;
 
@@ -33,6 +34,7 @@ struct Report<'a> {
     grid: &'a Optimum,
     grid_evaluations: u64,
     constraints_origin: &'static str,
+    remarks: Vec<String>,
 }
 
 /// Runs the command.
@@ -62,6 +64,7 @@ pub fn execute(args: &PlanArgs) -> Outcome {
         grid: &Optimum::at(job.problem(), grid.point),
         grid_evaluations: grid.evaluations,
         constraints_origin: ORIGIN,
+        remarks: remarks(&scenario),
     };
     let mut out = std::io::stdout().lock();
     if args.json {
@@ -146,7 +149,8 @@ fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {
             report.machine.name
         )?;
     }
-    writeln!(out, "Costs, tool life and process limits are chosen values.")
+    writeln!(out, "Costs, tool life and process limits are chosen values.")?;
+    report.remarks.iter().try_for_each(|remark| writeln!(out, "{remark}."))
 }
 
 fn constraint(out: &mut impl Write, one: &Checked) -> std::io::Result<()> {

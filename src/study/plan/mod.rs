@@ -11,6 +11,7 @@ pub mod field;
 pub mod machine;
 pub mod optimum;
 pub mod problem;
+pub mod remarks;
 pub mod score;
 pub mod surface;
 pub mod swarm;
