@@ -108,7 +108,7 @@ const LIGHT: Palette = Palette {
         rgb(0x00795a),
         rgb(0xc78500),
     ],
-    force: [rgb(0xe3f2fb), rgb(0x5fb0e0)],
+    force: [rgb(0xb9e0f6), rgb(0x3f96cf)],
     barred: [rgb(0xe7e5e2), rgb(0xb1aeaa)],
 };
 
@@ -140,7 +140,7 @@ const DARK: Palette = Palette {
         rgb(0x2fc79c),
         rgb(0xffd24a),
     ],
-    force: [rgb(0x123247), rgb(0x2a7fb5)],
+    force: [rgb(0x174560), rgb(0x2f8cc6)],
     barred: [rgb(0x1d1e20), rgb(0x4a4b4d)],
 };
 
