@@ -146,6 +146,14 @@ test("the console draws, gives the golden digests and obeys the target-Ra slider
   });
 
   await picture(page, "console");
+
+  await t.test("plan", async () => {
+    await page.keyboard.press("Control+3");
+    const shown = await untilState(page, (now) => now.screen === "plan");
+    // The swarm moves, and the page goes on drawing.
+    await untilState(page, (now, was) => now.frames > was.frames + 20, shown);
+    await picture(page, "plan");
+  });
   assert.deepEqual(wrong, []);
   await context.close();
 });
