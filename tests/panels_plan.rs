@@ -280,7 +280,9 @@ fn the_keyboard_moves_the_swarm() {
 #[test]
 fn a_fixed_speed_is_searched_along_a_line_and_kept() {
     let mut screen = open(DESKTOP, &fixed_limit(665.0));
+    assert!(!texts(&screen).contains("the speed searched"));
     click(&mut screen, "Search the speed too");
+    assert!(texts(&screen).contains("the speed searched"));
     assert!(!scenario(&screen).plan.free_speed);
     finish(&mut screen);
     let optimum = PlanJob::complete(scenario(&screen)).unwrap().optimum();
@@ -316,4 +318,22 @@ fn the_surface_can_be_seen_and_turned_in_space() {
         click(&mut screen, "3-D");
         assert!(figure(&screen, "Force over cutting speed"));
     }
+}
+
+#[test]
+fn what_was_changed_during_the_cut_is_planned_for_on_request() {
+    let mut screen = open(DESKTOP, &[]);
+    click(&mut screen, "Console");
+    screen.get_by_role_and_label(Role::Slider, "Target Ra").set_value_accesskit(1.5);
+    screen.run_steps(2);
+    assert_eq!(console(&screen).session().edits().list().len(), 1);
+    click(&mut screen, "Plan");
+    assert!(texts(&screen).contains("Changed during the cut, after its start: Target Ra."));
+    click(&mut screen, "Plan for the values now");
+    assert_eq!(scenario(&screen).target.ra_um, 1.5);
+    assert!(console(&screen).session().edits().list().is_empty());
+    assert!(iteration(&screen) < 5);
+    assert!(!texts(&screen).contains("Changed during the cut"));
+    click(&mut screen, "Undo");
+    assert_eq!(console(&screen).session().edits().list().len(), 1);
 }

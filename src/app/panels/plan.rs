@@ -35,11 +35,17 @@ use search::Search;
 const LONGEST_FRAME_S: f64 = 0.25;
 /// Width of the column with the answer, points.
 const ANSWER_WIDTH: f32 = 392.0;
-/// Height of the map where it is scrolled, as a share of the width, and of the convergence plots.
+/// From this width on, points, the map stands between settings and answer.
+const WIDE_FROM: f32 = 1080.0;
+/// Height of the map where it is scrolled, as a share of the width, and at most, points.
 const MAP_SHARE: f32 = 0.86;
-const CONVERGENCE_HEIGHT: f32 = 132.0;
+const MAP_HEIGHT_SCROLLED: f32 = 460.0;
+/// Room for the legend above it, points.
+const LEGEND_HEIGHT: f32 = 110.0;
 /// Least height of the map, points.
 const MAP_HEIGHT_MIN: f32 = 220.0;
+/// Height of the convergence plots with their titles, points.
+const CONVERGENCE_HEIGHT: f32 = 132.0;
 
 /// The screen.
 #[derive(Default)]
@@ -69,7 +75,7 @@ impl Panel for PlanPanel {
         if self.search.playing {
             ui.ctx().request_repaint();
         }
-        if view.narrow {
+        if ui.available_width() < WIDE_FROM {
             self.narrow(ui, view, commands);
         } else {
             self.wide(ui, view, commands);
@@ -86,7 +92,7 @@ impl PlanPanel {
             .frame(margin)
             .show(ui, |ui| {
                 ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-                    controls::show(ui, view.session.scenario(), commands);
+                    controls::show(ui, view.session, commands);
                 });
             });
         SidePanel::right("plan answer")
@@ -95,6 +101,7 @@ impl PlanPanel {
             .frame(margin)
             .show(ui, |ui| {
                 ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+                    self.pinned(ui);
                     self.answer(ui, commands);
                     ui.add_space(4.0);
                     self.steps(ui, view);
@@ -117,10 +124,12 @@ impl PlanPanel {
         area.auto_shrink([false, false]).show(ui, |ui| {
             margin.show(ui, |ui| {
                 self.transport(ui, view, commands);
-                let height = (MAP_SHARE * ui.available_width()).clamp(MAP_HEIGHT_MIN, 460.0);
-                self.map(ui, view, height + 110.0);
+                let height = MAP_SHARE * ui.available_width();
+                let height = height.clamp(MAP_HEIGHT_MIN, MAP_HEIGHT_SCROLLED);
+                self.map(ui, view, height + LEGEND_HEIGHT);
+                self.pinned(ui);
                 CollapsingHeader::new("Settings of the plan").show_unindented(ui, |ui| {
-                    controls::show(ui, view.session.scenario(), commands);
+                    controls::show(ui, view.session, commands);
                 });
                 self.answer(ui, commands);
                 self.convergence(ui);
@@ -151,9 +160,7 @@ impl PlanPanel {
             true => "programmed now",
             false => "programmed now: outside the map",
         };
-        let checked = found.job.optimum().constraints;
-        let picture = &found.picture;
-        layers::legend(ui, &mut self.map.layers, |i| picture.boundary(i), &checked, name);
+        layers::legend(ui, &mut self.map.layers, found, name);
         ui.horizontal_wrapped(|ui| {
             readout::scale(ui, &found.picture);
             let help = "The force as a surface in space, cut by the plane of its limit";
@@ -167,12 +174,19 @@ impl PlanPanel {
             }
         });
         let left = (height - (ui.cursor().top() - top)).max(MAP_HEIGHT_MIN);
+        let programmed = Some(programmed).filter(|point| map::on_the_map(*point));
         let moving = Moving { positions: &positions, programmed, pinned: self.map.pinned };
         match self.in_space {
             true => self.relief.show(ui, found, &self.map.layers, &moving, left),
             false => self.map.show(ui, found, &moving, left),
         }
-        readout::pinned(ui, &mut self.map.pinned, found.job.problem());
+    }
+
+    /// The values at the place that was clicked.
+    fn pinned(&mut self, ui: &mut Ui) {
+        if let Some(Ok(found)) = self.search.found() {
+            readout::pinned(ui, &mut self.map.pinned, found.job.problem());
+        }
     }
 
     fn answer(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {

@@ -138,7 +138,8 @@ impl Session {
     fn set_up(&mut self, changes: &[(String, Value)]) -> Result<(), SettingError> {
         let plan = self.rewritten(changes)?;
         let paths: Vec<&str> = changes.iter().map(|(path, _)| path.as_str()).collect();
-        self.take(plan, &paths.join(" "));
+        // Another gesture than one on the same setting at the playhead.
+        self.take(plan, &format!("set up {}", paths.join(" ")));
         Ok(())
     }
 

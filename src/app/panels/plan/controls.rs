@@ -4,11 +4,11 @@
 use egui::{CollapsingHeader, RichText, Ui};
 
 use crate::app::command::Command;
-use crate::app::theme::Palette;
+use crate::app::session::Session;
+use crate::app::theme::{self, Palette};
 use crate::app::widgets::setting::{Size, setting};
 use crate::app::widgets::target::target_ra;
 use crate::run::plan_settings::{ForceLimit, PlanSettings};
-use crate::run::scenario::Scenario;
 
 const WEIGHTS: [&str; 4] =
     ["plan.weight_force", "plan.weight_removal_rate", "plan.weight_time", "plan.weight_cost"];
@@ -26,6 +26,8 @@ const CUT: [&str; 9] = [
     "plant.hardness_hb",
     "plant.wear_factor",
 ];
+/// Groups of settings that a plan depends on.
+const GROUPS: [&str; 5] = ["plan", "plant", "workpiece", "target", "belief"];
 /// Settings of the limit and of the speed that is searched, shown with or without their values.
 const LIMITS: [&str; 4] =
     ["plan.force_limit", "plan.force_max_n", "plan.free_speed", "plan.cutting_speed_m_min"];
@@ -39,8 +41,33 @@ fn matters(path: &str, plan: &PlanSettings) -> bool {
     }
 }
 
+/// What was changed during the cut and has a say in the plan: a plan is made for its start, and
+/// one click makes it for the cut as it is now.
+fn changed_in_the_cut(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
+    let changed = session.current().difference(session.scenario());
+    let changed: Vec<_> =
+        changed.into_iter().filter(|(param, _)| GROUPS.contains(&param.group)).collect();
+    if changed.is_empty() {
+        return;
+    }
+    let palette = Palette::at(ui);
+    let names: Vec<&str> = changed.iter().map(|(param, _)| param.spec.label).collect();
+    theme::card(palette).stroke(egui::Stroke::new(1.0, palette.warn)).show(ui, |ui| {
+        let text = format!("Changed during the cut, after its start: {}.", names.join(", "));
+        ui.label(RichText::new(text).small());
+        let help = "Makes the values at the playhead those of the start, and plans for them";
+        if ui.button("Plan for the values now").on_hover_text(help).clicked() {
+            let values = changed.into_iter().map(|(param, value)| (param.path.clone(), value));
+            commands.push(Command::SetUp(values.collect()));
+        }
+    });
+    ui.add_space(4.0);
+}
+
 /// All of them.
-pub fn show(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
+pub fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
+    let scenario = session.scenario();
+    changed_in_the_cut(ui, session, commands);
     let mut changes = Vec::new();
     let plan = &scenario.plan;
     let out = &mut changes;

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use egui::{Color32, Painter, Rect, RichText, Stroke, Ui, vec2};
 
 use super::marks;
-use super::picture::Boundary;
+use super::search::Found;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::legend;
 use crate::study::plan::constraints::{Checked, ORIGIN};
@@ -48,15 +48,11 @@ impl Layers {
     }
 }
 
-/// The legend; `boundaries` gives the boundary of every constraint.
-pub fn legend<'a>(
-    ui: &mut Ui,
-    layers: &mut Layers,
-    boundaries: impl Fn(usize) -> &'a Boundary,
-    checked: &[Checked; 7],
-    programmed_text: &str,
-) {
+/// The legend.
+pub fn legend(ui: &mut Ui, layers: &mut Layers, found: &Found, programmed_text: &str) {
     let palette = Palette::at(ui);
+    let checked = &found.job.optimum().constraints;
+    let boundaries = |number: usize| found.picture.boundary(number);
     let spacing = ui.spacing().clone();
     ui.spacing_mut().item_spacing = vec2(12.0, 1.0);
     ui.spacing_mut().interact_size.y = 14.0;
@@ -95,6 +91,9 @@ pub fn legend<'a>(
         mark(Layer::Programmed, programmed_text, &|painter, rect, _| {
             marks::programmed(painter, rect.center(), palette);
         });
+        if found.fixed_speed_m_min().is_some() {
+            legend::sample(ui, "the speed searched", Look::Searched);
+        }
     });
     ui.horizontal_wrapped(|ui| {
         let absent = checked.iter().enumerate();

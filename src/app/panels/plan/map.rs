@@ -59,10 +59,6 @@ impl Map {
         let drags = if by_touch(ui) { Sense::click() } else { Sense::click_and_drag() };
         let width = ui.available_width();
         let picture = &found.picture;
-        let fixed_m_min = match found.job.problem().range()[0] {
-            [low, high] if low == high => Some(low),
-            _ => None,
-        };
         let wanted = self.wanted.take();
         let plot = Plot::new("force map")
             .height(height)
@@ -102,7 +98,7 @@ impl Map {
                     plot.line(quiet(line, Stroke::new(0.8, color)));
                 }
             }
-            if let Some(speed) = fixed_m_min {
+            if let Some(speed) = found.fixed_speed_m_min() {
                 let (stroke, style) = Look::Searched.line(palette);
                 plot.vline(VLine::new("", speed).stroke(stroke).style(style).allow_hover(false));
             }

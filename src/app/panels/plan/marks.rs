@@ -10,8 +10,9 @@ use crate::app::theme::Palette;
 pub struct Moving<'a> {
     /// Where the particles are drawn.
     pub positions: &'a [[f64; 2]],
-    /// The programmed values as cutting speed in m/min and feed per tooth in mm.
-    pub programmed: [f64; 2],
+    /// The programmed values as cutting speed in m/min and feed per tooth in mm, where they lie on
+    /// the map.
+    pub programmed: Option<[f64; 2]>,
     /// The place whose values are kept in sight.
     pub pinned: Option<[f64; 2]>,
 }
@@ -81,8 +82,10 @@ pub fn all(
             particle(painter, at(*place), now.score.feasible(), palette);
         }
     }
-    if layers.show(Layer::Programmed) {
-        programmed(painter, at(moving.programmed), palette);
+    if let Some(point) = moving.programmed
+        && layers.show(Layer::Programmed)
+    {
+        programmed(painter, at(point), palette);
     }
     if layers.show(Layer::Best) {
         let (point, _) = found.job.swarm().best();

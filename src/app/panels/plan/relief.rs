@@ -5,7 +5,6 @@ use egui::{Align2, Color32, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Widge
 use egui_plot::LineStyle;
 
 use super::layers::{Layer, Layers};
-use super::map::on_the_map;
 use super::marks::{self, Moving};
 use super::search::Found;
 use super::space::{Space, top};
@@ -107,16 +106,7 @@ impl Relief {
                 stroked(&painter, &points, look, palette);
             }
         }
-        let off_the_map = !on_the_map(moving.programmed);
-        let at = |point: [f64; 2]| {
-            // Beyond the edges there is no surface to stand on.
-            if off_the_map && point == moving.programmed {
-                rect.min - vec2(99.0, 99.0)
-            } else {
-                on_surface(point)
-            }
-        };
-        marks::all(&painter, palette, found, layers, moving, &at);
+        marks::all(&painter, palette, found, layers, moving, &on_surface);
     }
 }
 

@@ -65,6 +65,13 @@ pub struct Found {
 }
 
 impl Found {
+    /// The cutting speed in m/min where it is not searched.
+    #[must_use]
+    pub fn fixed_speed_m_min(&self) -> Option<f64> {
+        let [low, high] = self.job.problem().range()[0];
+        (low == high).then_some(low)
+    }
+
     fn iterate(&mut self, iterations: u32) {
         self.before = self.job.particles().iter().map(|particle| particle.position).collect();
         self.job.advance(iterations);
@@ -109,7 +116,6 @@ impl Search {
     }
 
     fn begin(&mut self, scenario: &Scenario, map_stays: bool) {
-        self.playing = true;
         (self.rushing, self.since_s) = (false, 0.0);
         let old = self.found.take();
         self.found = Some(PlanJob::new(scenario).map(|job| {
@@ -120,6 +126,7 @@ impl Search {
             let before = job.particles().iter().map(|particle| particle.position).collect();
             Found { job, picture, before }
         }));
+        self.playing = matches!(self.found, Some(Ok(_)));
     }
 
     /// The plan, or why there is none; nothing before the first [`Self::follow`].
