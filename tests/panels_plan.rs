@@ -337,3 +337,11 @@ fn what_was_changed_during_the_cut_is_planned_for_on_request() {
     click(&mut screen, "Undo");
     assert_eq!(console(&screen).session().edits().list().len(), 1);
 }
+
+#[test]
+fn a_cut_that_the_network_does_not_know_is_told() {
+    let warning = "The network does not know this cut";
+    assert!(!texts(&open(DESKTOP, &[])).contains(warning));
+    let screen = open(DESKTOP, &[("plant.hardness_hb", Value::Float(450.0))]);
+    assert!(texts(&screen).contains(warning));
+}

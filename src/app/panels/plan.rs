@@ -40,8 +40,9 @@ const WIDE_FROM: f32 = 1080.0;
 /// Height of the map where it is scrolled, as a share of the width, and at most, points.
 const MAP_SHARE: f32 = 0.86;
 const MAP_HEIGHT_SCROLLED: f32 = 460.0;
-/// Room for the legend above it, points.
+/// Room for the legend above it, and for the buttons above that, points.
 const LEGEND_HEIGHT: f32 = 110.0;
+const BUTTONS_HEIGHT: f32 = 40.0;
 /// Least height of the map, points.
 const MAP_HEIGHT_MIN: f32 = 220.0;
 /// Height of the convergence plots with their titles, points.
@@ -121,11 +122,14 @@ impl PlanPanel {
         let drag = if by_touch(ui) { DragScroll::Always } else { DragScroll::Never };
         let source = ScrollSource { drag, ..ScrollSource::default() };
         let area = ScrollArea::vertical().id_salt("plan").scroll_source(source);
+        let room = ui.available_height() - LEGEND_HEIGHT - BUTTONS_HEIGHT;
         area.auto_shrink([false, false]).show(ui, |ui| {
             margin.show(ui, |ui| {
                 self.transport(ui, view, commands);
                 let height = MAP_SHARE * ui.available_width();
-                let height = height.clamp(MAP_HEIGHT_MIN, MAP_HEIGHT_SCROLLED);
+                // All of it is in sight at once, its legend and what moves the swarm with it.
+                let most = room.clamp(MAP_HEIGHT_MIN, MAP_HEIGHT_SCROLLED);
+                let height = height.clamp(MAP_HEIGHT_MIN, most);
                 self.map(ui, view, height + LEGEND_HEIGHT);
                 self.pinned(ui);
                 CollapsingHeader::new("Settings of the plan").show_unindented(ui, |ui| {

@@ -45,6 +45,11 @@ pub fn show(ui: &mut Ui, job: &PlanJob, commands: &mut Vec<Command>) {
         let first = letters.next().map(|letter| letter.to_uppercase().to_string());
         let sentence = first.unwrap_or_default() + letters.as_str() + ".";
         ui.label(RichText::new(sentence).color(color));
+        if !optimum.inside_training_data {
+            let text = "The network does not know this cut: material, hardness or depths lie \
+                        outside its training data, and the force is continued.";
+            ui.label(RichText::new(text).small().color(palette.warn));
+        }
         values(ui, &optimum);
         let obstacle = obstacle(job, &optimum);
         let button = Button::new("Use as programmed values");
