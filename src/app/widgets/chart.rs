@@ -113,7 +113,7 @@ pub fn show(
     let range = axes.range(session);
     let palette = Palette::at(ui);
     let unit = SIGNALS[index(chart.curves[0].signal)].unit;
-    let lines = lines(chart, session, axes, range, width, palette);
+    let lines = lines(chart, session, axes, [range, values], width, palette);
     let band = band(chart, session, range, width, palette);
     let drags = if by_touch(ui) { egui::Sense::click() } else { egui::Sense::click_and_drag() };
     let group = egui::Id::unique("time");

@@ -59,17 +59,21 @@ pub(super) fn band(
 
 fn visible(cut: &Cut, signal: &str, range: [f64; 2], end: usize, width: f32) -> Vec<[f64; 2]> {
     let rows = cut.run().recording().rows();
-    let points = cut.traces().points(index(signal), range, end, width as usize, Some(rows));
-    without_flats(points)
+    cut.traces().points(index(signal), range, end, width as usize, Some(rows))
 }
 
-/// Leaves out the points between two equal ones: a level needs only its ends.
-fn without_flats(points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+/// Leaves out the points between two that look equal: a level needs only its ends. Dashes would
+/// otherwise be made of pieces too short to draw, and the line of a value that settles would have
+/// gaps. `span` is the height of the picture in the values' unit.
+fn without_flats(points: Vec<[f64; 2]>, span: f64) -> Vec<[f64; 2]> {
+    /// Difference that nobody sees, as a share of the picture's height.
+    const SAME: f64 = 1e-4;
+    let same = |a: [f64; 2], b: [f64; 2]| (a[1] - b[1]).abs() <= SAME * span;
     let mut kept: Vec<[f64; 2]> = Vec::with_capacity(points.len());
     for point in points {
         if let [.., before, last] = kept.as_mut_slice()
-            && before[1] == last[1]
-            && last[1] == point[1]
+            && same(*before, *last)
+            && same(*before, point)
         {
             *last = point;
         } else {
@@ -83,14 +87,16 @@ pub(super) fn lines(
     chart: &Chart,
     session: &Session,
     axes: &Axes,
-    range: [f64; 2],
+    [range, values]: [[f64; 2]; 2],
     width: f32,
     palette: &Palette,
 ) -> Vec<Line<'static>> {
+    let span = values[1] - values[0];
     let shown = |name: &'static str| !axes.hidden.contains(&(chart.id, name));
     let line = |name: &str, look: Look, points: Vec<[f64; 2]>| {
         let (stroke, style) = look.line(palette);
-        let line = Line::new(name.to_owned(), PlotPoints::from(points));
+        let points = PlotPoints::from(without_flats(points, span));
+        let line = Line::new(name.to_owned(), points);
         // The points are few already; bands would fill the area below a step.
         line.stroke(stroke).style(style).allow_band(false)
     };
@@ -112,7 +118,7 @@ pub(super) fn lines(
             let from = [range[0].max(ghost.from_s), range[1]];
             let signal = index(curve.signal);
             let points = ghost.traces.points(signal, from, usize::MAX, width as usize, None);
-            lines.push(line(&format!("{label}, {GHOST}"), Look::Ghost, without_flats(points)));
+            lines.push(line(&format!("{label}, {GHOST}"), Look::Ghost, points));
         }
         if shown(label) {
             // While it stands still after a change, what is to come is shown faintly.
@@ -127,4 +133,19 @@ pub(super) fn lines(
         }
     }
     lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_flats;
+
+    #[test]
+    fn a_value_that_settles_is_one_level_and_a_step_stays() {
+        let settling = |i: i32| [f64::from(i), 73.0 + 0.01 / f64::from(1 + i * i)];
+        let points: Vec<[f64; 2]> = (0..1000).map(settling).chain([[1000.0, 80.0]]).collect();
+        let kept = without_flats(points.clone(), 1000.0);
+        assert_eq!(kept, [points[0], points[999], points[1000]]);
+        // Where the picture is closer, the same values are a curve.
+        assert!(without_flats(points, 0.1).len() > 10);
+    }
 }
