@@ -37,7 +37,11 @@ pub fn show(ui: &mut Ui, job: &PlanJob, commands: &mut Vec<Command>) {
     let done = job.progress().done;
     theme::card(palette).show(ui, |ui| {
         ui.set_width(ui.available_width());
-        let title = if done { "Optimum" } else { "Best so far" };
+        let title = match (done, optimum.feasible) {
+            (false, _) => "Best so far",
+            (true, true) => "Optimum",
+            (true, false) => "No optimum",
+        };
         ui.label(RichText::new(title).strong());
         let color = if optimum.feasible { palette.good } else { palette.bad };
         let verdict = optimum.verdict();

@@ -78,8 +78,10 @@ pub fn all(
         }
     }
     if layers.show(Layer::Particles) {
-        for (place, now) in moving.positions.iter().zip(particles) {
-            particle(painter, at(*place), now.score.feasible(), palette);
+        // Judged where it is drawn: between two iterations that is neither's place.
+        for place in moving.positions {
+            let feasible = found.job.problem().score(*place).feasible();
+            particle(painter, at(*place), feasible, palette);
         }
     }
     if let Some(point) = moving.programmed
