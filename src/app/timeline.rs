@@ -1,6 +1,6 @@
 //! The strip at the foot of the window: the playhead over the whole run, and what moves it.
 
-use egui::{ComboBox, RichText, Role, Slider, Ui, WidgetInfo};
+use egui::{ComboBox, Label, RichText, Role, Slider, TextWrapMode, Ui, WidgetInfo};
 
 use super::command::Command;
 use super::panels::View;
@@ -35,7 +35,7 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let text = theme::time_of(playback.playhead_s, view.session.length_s());
         let text = RichText::new(text).monospace();
         let text = if view.narrow { text.small() } else { text };
-        ui.add(egui::Label::new(text).selectable(false));
+        ui.add(Label::new(text).selectable(false));
         speed(ui, view, commands);
         let mut follow = playback.follow;
         let help = "Plots show the last seconds before the playhead; otherwise the whole run.";
@@ -77,7 +77,9 @@ fn state(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
             End::TimeLimit => ("Cut finished: time limit".to_owned(), palette.warn),
             End::Fault(fault) => (fault.to_string(), palette.bad),
         };
-        ui.label(RichText::new(text).color(color).strong());
+        // Whole, on the next line where this one has no room for it.
+        let text = RichText::new(text).color(color).strong();
+        ui.add(Label::new(text).wrap_mode(TextWrapMode::Extend));
         if ui.button("Restart the cut").on_hover_text("Space does the same").clicked() {
             commands.push(Command::Restart);
         }
