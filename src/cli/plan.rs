@@ -111,10 +111,13 @@ fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {
     let first = report.history.iter().position(|iteration| iteration.best.feasible());
     let last = report.history.last().map_or(0.0, |iteration| iteration.feasible_share);
     writeln!(out, "\nconvergence")?;
+    let reached = match o.feasible {
+        true => format!("{:.5}", o.score.value),
+        false => format!("violation {:.5}", o.score.violation),
+    };
     writeln!(
         out,
-        "  swarm: {:.5} after {} iterations, {} evaluations{}; {:.0} % of particles feasible",
-        o.score.value,
+        "  swarm: {reached} after {} iterations, {} evaluations{}; {:.0} % of particles feasible",
         report.iterations,
         report.evaluations,
         first.map_or(String::new(), |i| format!(", feasible from iteration {i}")),
@@ -129,8 +132,7 @@ fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {
         let gap = 100.0 * (o.score.value / grid.score.value - 1.0);
         writeln!(out, "  grid:  {:.5} {place}; swarm {gap:+.3} %", grid.score.value)?;
     } else {
-        let (found, least) = (o.score.violation, grid.score.violation);
-        writeln!(out, "  grid:  violation {least:.5} {place}; swarm {found:.5}")?;
+        writeln!(out, "  grid:  violation {:.5} {place}", grid.score.violation)?;
     }
     writeln!(out, "\nThe force comes from a network. {NOTE}")?;
     if !o.inside_training_data {
