@@ -103,7 +103,7 @@ impl PlanPanel {
             .show(ui, |ui| {
                 ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
                     self.pinned(ui);
-                    self.answer(ui, commands);
+                    self.answer(ui, view, commands);
                     ui.add_space(4.0);
                     self.steps(ui, view);
                 });
@@ -135,7 +135,7 @@ impl PlanPanel {
                 CollapsingHeader::new("Settings of the plan").show_unindented(ui, |ui| {
                     controls::show(ui, view.session, commands);
                 });
-                self.answer(ui, commands);
+                self.answer(ui, view, commands);
                 self.convergence(ui);
                 self.steps(ui, view);
             });
@@ -193,10 +193,10 @@ impl PlanPanel {
         }
     }
 
-    fn answer(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+    fn answer(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let Some(Ok(found)) = self.search.found() else { return };
         let job = &found.job;
-        answer::show(ui, job, commands);
+        answer::show(ui, job, view.session.scenario(), commands);
         ui.add_space(4.0);
         table::show(ui, &job.optimum().constraints, &mut self.open);
     }

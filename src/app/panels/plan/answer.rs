@@ -5,8 +5,10 @@ use egui::{Button, Grid, RichText, Ui};
 use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
 use crate::base::settings::Value;
+use crate::run::scenario::Scenario;
 use crate::study::plan::PlanJob;
 use crate::study::plan::optimum::Optimum;
+use crate::study::plan::remarks::remarks;
 
 /// Size of type of the values.
 const VALUE: f32 = 12.5;
@@ -30,8 +32,8 @@ fn use_it(optimum: &Optimum, commands: &mut Vec<Command>) {
     commands.push(Command::Restart);
 }
 
-/// The card with the best cut, the verdict and the button.
-pub fn show(ui: &mut Ui, job: &PlanJob, commands: &mut Vec<Command>) {
+/// The card with the best cut, the verdict, the button and what a run does with it.
+pub fn show(ui: &mut Ui, job: &PlanJob, scenario: &Scenario, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
     let optimum = job.optimum();
     let done = job.progress().done;
@@ -64,8 +66,15 @@ pub fn show(ui: &mut Ui, job: &PlanJob, commands: &mut Vec<Command>) {
         if response.clicked() {
             use_it(&optimum, commands);
         }
-        if let Some(obstacle) = obstacle {
-            ui.label(RichText::new(obstacle).small().color(palette.weak));
+        match obstacle {
+            Some(obstacle) => {
+                ui.label(RichText::new(obstacle).small().color(palette.weak));
+            }
+            None => {
+                for remark in remarks(scenario) {
+                    ui.label(RichText::new(remark + ".").small().color(palette.weak));
+                }
+            }
         }
     });
 }
