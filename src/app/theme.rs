@@ -296,6 +296,13 @@ pub fn quantity(value: f64, unit_text: &str) -> String {
     format!("{} {unit}", number(value, unit_text)).trim_end().to_owned()
 }
 
+/// A deviation in percent with its sign; one that is none to the digits shown has no minus.
+#[must_use]
+pub fn deviation(percent: f64) -> String {
+    let value = number(percent, "%");
+    if value.starts_with('-') { format!("{value} %") } else { format!("+{value} %") }
+}
+
 /// An override in percent with its unit; a quantised one is a whole number.
 #[must_use]
 pub fn override_percent(value: f64, quantised: bool) -> String {
@@ -363,6 +370,7 @@ mod tests {
         assert_eq!(quantity(0.8123, "um"), "0.812 µm");
         assert_eq!(quantity(-0.004, "%"), "0.0 %");
         assert_eq!(quantity(1.0, "-"), "1.00");
+        assert_eq!([deviation(-0.004), deviation(-5.77)], ["+0.0 %", "-5.8 %"]);
         assert_eq!(fine(0.11658, "mm"), "0.117 mm");
         assert_eq!(fine(0.005_63, "mm"), "0.0056 mm");
         assert_eq!(fine(2434.3, "1/min"), "2434 1/min");

@@ -2,12 +2,9 @@
 
 use egui::{Grid, ScrollArea, Ui};
 
+use crate::app::theme;
 use crate::study::papers::{PaperRow, PaperTable};
 use crate::study::published::PaperId;
-
-fn percent(deviation: f64) -> String {
-    format!("{deviation:+.1} %")
-}
 
 fn off(is: f64, wanted: f64) -> f64 {
     100.0 * (is / wanted - 1.0)
@@ -17,18 +14,21 @@ fn off(is: f64, wanted: f64) -> f64 {
 type Column = (&'static str, fn(&PaperRow) -> String);
 
 const RA: [Column; 2] = [
-    ("Ra printed", |row| percent(row.ra_deviation_printed_percent)),
-    ("Ra run", |row| percent(row.ra_deviation_reproduced_percent)),
+    ("Ra printed", |row| theme::deviation(row.ra_deviation_printed_percent)),
+    ("Ra run", |row| theme::deviation(row.ra_deviation_reproduced_percent)),
 ];
 
 /// Final against desired force; only Table 3 of 2007 prints the desired one.
 const FORCE: [Column; 2] = [
     ("force printed", |row| {
         let (end, wanted) = (&row.force_final_n, row.force_start_n.printed);
-        let [printed, read] = [end.printed, end.reference].map(|is| percent(off(is, wanted)));
+        let [printed, read] =
+            [end.printed, end.reference].map(|is| theme::deviation(off(is, wanted)));
         if printed == read { printed } else { format!("{printed}\n(read {read})") }
     }),
-    ("force run", |row| percent(off(row.force_final_n.reproduced, row.force_start_n.reproduced))),
+    ("force run", |row| {
+        theme::deviation(off(row.force_final_n.reproduced, row.force_start_n.reproduced))
+    }),
 ];
 
 /// What the paper finds, and what the runs leave.
@@ -58,7 +58,7 @@ fn extremes(table: &PaperTable) -> String {
         return String::new();
     };
     let told = |row: &PaperRow| {
-        format!("{} in simulation {}", percent(row.ra_deviation_printed_percent), row.sim)
+        format!("{} in simulation {}", theme::deviation(row.ra_deviation_printed_percent), row.sim)
     };
     format!("Ra is off by {} to {}", told(high), told(low))
 }

@@ -70,7 +70,11 @@ fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {
         ),
         step(
             "The measured force is compared with the reference",
-            if air { "in the air".to_owned() } else { format!("{measured}, {deviation:+.1} %") },
+            if air {
+                "in the air".to_owned()
+            } else {
+                format!("{measured}, {}", theme::deviation(deviation))
+            },
         ),
         step(
             "The overrides go back to the machine",

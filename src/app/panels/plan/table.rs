@@ -9,8 +9,8 @@ use crate::study::plan::constraints::{Checked, ORIGIN};
 use crate::study::plan::machine::Source;
 
 /// Width of the names, points: longer ones are cut.
-const NAME_WIDTH: f32 = 126.0;
-/// Size of type of the values.
+const NAME_WIDTH: f32 = 161.0;
+/// Size of type of names and values.
 const NOTE: f32 = 11.5;
 
 /// The table; `open` is the number of the constraint that is explained below it.
@@ -61,7 +61,7 @@ fn row(ui: &mut Ui, number: usize, one: &Checked, open: &mut Option<usize>) {
     let constraint = &one.constraint;
     let (stroke, _) = Look::Constraint(number).line(palette);
     let is_open = *open == Some(number);
-    let text = RichText::new(constraint.label).color(stroke.color);
+    let text = RichText::new(constraint.label).size(NOTE).color(stroke.color);
     let button = Button::new(text).frame_when_inactive(false).selected(is_open).truncate();
     let left = egui::Layout::left_to_right(egui::Align::Center);
     let size = egui::vec2(NAME_WIDTH, ui.spacing().interact_size.y);
@@ -75,10 +75,11 @@ fn row(ui: &mut Ui, number: usize, one: &Checked, open: &mut Option<usize>) {
     ui.label(RichText::new(theme::fine(one.value, constraint.unit)).size(NOTE));
     let limit = limits(one) + mark(one.source);
     ui.label(RichText::new(limit).small().color(palette.weak));
+    let margin = format!("{:+.0} %", one.margin_percent);
     let (text, color) = match (one.violation > 0.0, one.binding) {
-        (true, _) => (format!("violated {:.0} %", -one.margin_percent), palette.bad),
+        (true, _) => (margin, palette.bad),
         (false, true) => ("binding".to_owned(), palette.accent),
-        (false, false) => (format!("{:+.0} %", one.margin_percent), palette.text),
+        (false, false) => (margin, palette.text),
     };
     ui.label(RichText::new(text).size(NOTE).color(color));
 }
