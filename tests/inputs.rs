@@ -67,6 +67,16 @@ fn candidates(kind: &Kind) -> Vec<Value> {
     ] {
         values.push(Value::Steps(steps));
     }
+    for cuts in [
+        vec![],
+        vec![vec![]],
+        vec![vec![[10.0, 2.0, 1.0]]; 17],
+        vec![vec![[10.0, f64::NAN, 1.0]]],
+        vec![vec![[-1.0, 2.0, 1.0]]],
+        vec![vec![[0.1, 0.0, -8.0], [2000.0, 8.0, 8.0]], vec![[0.1, 8.0, -8.0]]],
+    ] {
+        values.push(Value::Cuts(cuts));
+    }
     match kind {
         Kind::Float { min, max } => {
             let inside = 0.5 * (min + max);
@@ -76,14 +86,14 @@ fn candidates(kind: &Kind) -> Vec<Value> {
         Kind::Choice { options } => {
             values.extend(options.iter().map(|option| Value::Text(option.id.to_owned())));
         }
-        Kind::Bool | Kind::Text { .. } | Kind::Steps { .. } => {}
+        Kind::Bool | Kind::Text { .. } | Kind::Steps { .. } | Kind::Cuts { .. } => {}
     }
     values
 }
 
 #[test]
 fn every_setting_takes_or_refuses_every_extreme_by_name() {
-    for base in ["first-cut", "depth-step"] {
+    for base in ["first-cut", "depth-step", "experiment-1"] {
         let base = load(base).unwrap();
         for param in table() {
             for value in candidates(&param.spec.allowed) {
@@ -151,6 +161,10 @@ proptest! {
                     [share * 50.0, share * max_depth_mm],
                     [share * 50.0 + 1.0, (1.0 - share) * max_depth_mm],
                     [*max_position_mm, 1.0],
+                ]),
+                Kind::Cuts { max_length_mm, max_depth_mm } => Value::Cuts(vec![
+                    vec![[0.1 + share * 20.0, share * max_depth_mm, -share * max_depth_mm]],
+                    vec![[3.0, 2.0, 1.5], [*max_length_mm, (1.0 - share) * max_depth_mm, 0.0]],
                 ]),
                 Kind::Bool => Value::Bool(pick % 2 == 0),
                 Kind::Text { .. } => Value::Text(format!(" {pick} \"quoted\" & = % # é\n' ")),

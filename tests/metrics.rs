@@ -16,6 +16,7 @@ fn rows(n: u64, change: impl Fn(f64, &mut Row)) -> Recording {
             time_s,
             position_mm: 5.0 * time_s,
             axial_depth_mm: 2.0,
+            radial_depth_mm: 3.0,
             ra_target_um: 1.0,
             ra_um: 1.0,
             force_ref_n: 100.0,

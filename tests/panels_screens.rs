@@ -87,11 +87,12 @@ fn text(text: &str) -> Value {
 #[test]
 fn every_card_opens_for_every_controller_calibration_set_and_force_model() {
     // A character that no font has would end the test.
-    for i in 0..6 {
-        let set = ModelSet::ALL[i / 3];
-        let [controller, calibration] =
-            [ControllerKind::ALL[i % 3].id(), Calibration::ALL[i % 3].id()];
+    for i in 0..ControllerKind::ALL.len() {
+        let set = ModelSet::ALL[i % 2];
+        let [controller, calibration] = [ControllerKind::ALL[i].id(), Calibration::ALL[i % 3].id()];
         let change = [
+            // Fine enough for the cut tooth by tooth.
+            ("run.steps_per_control", Value::Int(576)),
             ("controller.kind", text(controller)),
             ("plant.model_set", text(set.id())),
             ("plant.force_model", text(ForceModel::ALL[i % ForceModel::ALL.len()].id())),
@@ -216,7 +217,7 @@ fn the_papers_screen_has_both_papers_and_every_force_model() {
         harness.run_steps(2);
         assert!(texts(&harness).contains("M2 outside its range"), "{}", texts(&harness));
         harness.get_by_label("identified").click();
-        for force_model in &ForceModel::ALL[1..] {
+        for force_model in &ForceModel::MAPS[1..] {
             harness.get_by_label(force_model.label()).click();
             harness.run_steps(2);
             let shown = texts(&harness);

@@ -12,6 +12,7 @@ use super::command::Command;
 use super::cut::{Cut, Ghost};
 use super::playback::Playback;
 use super::twin::{self, Comparison};
+use crate::blocks::cutting::process::ForceModel;
 use crate::run::edits::Edits;
 use crate::run::one_run::End;
 use crate::run::scenario::Scenario;
@@ -19,6 +20,8 @@ use crate::run::signals::Row;
 
 /// Ticks that each run is simulated by in one frame: some milliseconds of work.
 const TICKS_PER_FRAME: u64 = 60_000;
+/// The same tooth by tooth, where a tick costs some ten times as much.
+const TOOTH_TICKS_PER_FRAME: u64 = 12_000;
 /// Steps of undo that are kept.
 const MAX_UNDO: usize = 200;
 /// Time between two comparisons while playing, s: numbers that change faster can't be read.
@@ -206,9 +209,11 @@ impl Session {
 
     /// Goes on by `dt_s` seconds of real time: simulates ahead and moves the playhead.
     pub fn advance(&mut self, dt_s: f64) {
+        let by_teeth = self.current.plant.force_model == ForceModel::Mechanistic;
+        let ticks = if by_teeth { TOOTH_TICKS_PER_FRAME } else { TICKS_PER_FRAME };
         for cut in [&mut self.chosen, &mut self.twin] {
             if !cut.is_over() {
-                cut.advance(TICKS_PER_FRAME);
+                cut.advance(ticks);
             }
         }
         self.playback.advance(dt_s, self.chosen.simulated_s(), self.chosen.is_over());

@@ -13,6 +13,10 @@ use serde::Serialize;
 /// `axial_depth_mm`.
 pub type DepthStep = [f64; 2];
 
+/// A section of a straight cut: length along the cut, axial depth of cut and position y_e of the side
+/// wall across the cut relative to the tool's axis, all in mm.
+pub type Section = [f64; 3];
+
 /// The value of a setting in transit (file, link, command line, edit).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
@@ -27,6 +31,8 @@ pub enum Value {
     Text(String),
     /// A depth profile: pairs of position and depth, both in mm.
     Steps(Vec<DepthStep>),
+    /// Straight cuts, each a list of sections.
+    Cuts(Vec<Vec<Section>>),
 }
 
 impl fmt::Display for Value {
@@ -44,6 +50,8 @@ impl fmt::Display for Value {
                 }
                 write!(f, "]")
             }
+            // Nested lists of floats are written alike in TOML, in JSON and here.
+            Self::Cuts(cuts) => write!(f, "{cuts:?}"),
         }
     }
 }
@@ -96,6 +104,13 @@ pub enum Kind {
         /// Largest depth allowed, in mm.
         max_depth_mm: f64,
     },
+    /// Straight cuts: at most 16, each of at most 32 sections.
+    Cuts {
+        /// Largest length of a section, in mm.
+        max_length_mm: f64,
+        /// Largest depth allowed, in mm; walls lie between minus and plus this.
+        max_depth_mm: f64,
+    },
 }
 
 impl Kind {
@@ -116,12 +131,23 @@ impl Kind {
                 "at most {MAX_STEPS} pairs [position mm, depth mm], positions ascending from 0 to \
                  {max_position_mm}, depths from 0 to {max_depth_mm}"
             ),
+            Self::Cuts { max_length_mm, max_depth_mm } => format!(
+                "at most {MAX_CUTS} cuts of 1 to {MAX_SECTIONS} sections [length mm, axial depth mm, \
+                 wall mm], lengths from {MIN_SECTION_MM} to {max_length_mm}, depths from 0 to \
+                 {max_depth_mm}, walls from -{max_depth_mm} to {max_depth_mm}"
+            ),
         }
     }
 }
 
 /// Most pairs in a depth profile.
 pub const MAX_STEPS: usize = 64;
+/// Most straight cuts.
+pub const MAX_CUTS: usize = 16;
+/// Most sections of a cut.
+pub const MAX_SECTIONS: usize = 32;
+/// Shortest section, mm.
+pub const MIN_SECTION_MM: f64 = 0.1;
 
 /// The description of one setting.
 #[derive(Clone, Debug, Serialize)]
@@ -290,6 +316,33 @@ impl Field for Vec<DepthStep> {
         });
         let ascending = steps.windows(2).all(|pair| pair[0][0] < pair[1][0]);
         (in_range && ascending && steps.len() <= MAX_STEPS).then(|| steps.clone())
+    }
+}
+
+impl Field for Vec<Vec<Section>> {
+    fn kind(min: f64, max: f64) -> Kind {
+        // The macro's range reads `max_depth..=max_length` here.
+        Kind::Cuts { max_length_mm: max, max_depth_mm: min }
+    }
+    fn to_value(&self) -> Value {
+        Value::Cuts(self.clone())
+    }
+    fn from_value(value: &Value, kind: &Kind) -> Option<Self> {
+        let Kind::Cuts { max_length_mm, max_depth_mm } = kind else { return None };
+        let cuts = match value {
+            Value::Cuts(cuts) => cuts.clone(),
+            // An empty list reads as an empty profile too.
+            Value::Steps(steps) if steps.is_empty() => Self::new(),
+            _ => return None,
+        };
+        let fits = |[length, depth, wall]: &Section| {
+            (MIN_SECTION_MM..=*max_length_mm).contains(length)
+                && (0.0..=*max_depth_mm).contains(depth)
+                && (-max_depth_mm..=*max_depth_mm).contains(wall)
+        };
+        let cut_fits =
+            |cut: &Vec<Section>| (1..=MAX_SECTIONS).contains(&cut.len()) && cut.iter().all(fits);
+        (cuts.len() <= MAX_CUTS && cuts.iter().all(cut_fits)).then_some(cuts)
     }
 }
 

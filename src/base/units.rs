@@ -18,6 +18,12 @@ pub fn s_from_ms(time_ms: f64) -> f64 {
     time_ms / 1000.0
 }
 
+/// Millimetres from micrometres.
+#[must_use]
+pub fn mm_from_um(length_um: f64) -> f64 {
+    length_um / 1000.0
+}
+
 /// A ratio from percent.
 #[must_use]
 pub fn ratio_from_percent(percent: f64) -> f64 {

@@ -107,10 +107,8 @@ impl From<CalibrationArg> for Calibration {
 }
 
 fn force_model(text: &str) -> Result<ForceModel, String> {
-    ForceModel::from_id(text).ok_or_else(|| {
-        let ids: Vec<&str> = ForceModel::OPTIONS.iter().map(|option| option.id).collect();
-        format!("allowed is {}", ids.join(", "))
-    })
+    let map = ForceModel::MAPS.into_iter().find(|map| map.id() == text);
+    map.ok_or_else(|| format!("allowed is {}", ForceModel::MAPS.map(ForceModel::id).join(", ")))
 }
 
 /// Arguments of `papers`.

@@ -12,6 +12,7 @@ use serde::Serialize;
 use super::Outcome;
 use super::args::RunArgs;
 use crate::base::settings::SettingError;
+use crate::blocks::cutting::tool_path::ToolPath;
 use crate::run::edits::Edits;
 use crate::run::metrics::Metrics;
 use crate::run::one_run::{End, Run};
@@ -169,7 +170,7 @@ fn print_metrics(
         ("feed", format!("{:.2} mm/min", m.feed_final_mm_min)),
         ("spindle speed", format!("{:.1} 1/min", m.spindle_final_rpm)),
         ("time of cut", format!("{:.3} s", m.time_of_cut_s)),
-        ("path", format!("{:.2} of {} mm", m.path_mm, scenario.workpiece.length_mm)),
+        ("path", format!("{:.2} of {} mm", m.path_mm, ToolPath::length_of(&scenario.workpiece))),
         ("metal removed", format!("{:.3} cm3", m.metal_removed_cm3)),
         ("at a limit", format!("{:.1} % of time", m.saturated_percent)),
         ("models outside range", format!("{:.1} % of time", m.outside_percent)),

@@ -31,11 +31,16 @@ use crate::blocks::cnc::feed_override::Override;
 use crate::blocks::cnc::spindle_drive::SpindleDrive;
 use crate::blocks::control::{ControlInput, Controller, ControllerKind, FeedSpeed, Limits};
 use crate::blocks::cutting::process::Process;
-use crate::blocks::cutting::workpiece::DepthProfile;
+use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::reference;
 use crate::blocks::sensing::dynamic_force::DynamicForce;
 use crate::blocks::sensing::dynamometer::Dynamometer;
+use crate::blocks::sensing::peak::PeakWindow;
 use crate::blocks::surface::roughness;
+
+/// Peak force below which a tool that is simulated tooth by tooth counts as in the air, as a share of
+/// the desired force: 40 of 665 N in 2005.
+const AIR_SHARE: f64 = 0.06;
 
 /// A value that stopped being finite: the run ends there, before anything spreads.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,15 +75,19 @@ pub struct ClosedLoop {
     dead_time: DeadTime,
     feed_drive: FeedDrive,
     spindle_drive: SpindleDrive,
-    depth: DepthProfile,
+    path: ToolPath,
     process: Process,
     dynamic_force: DynamicForce,
     dynamometer: Dynamometer,
+    peak: PeakWindow,
     // State.
     tick: u64,
     to_control: u64,
     position_mm: f64,
     command_flags: u32,
+    /// What the sensor is given, and whether that is a peak tooth by tooth.
+    sensed_n: f64,
+    tooth_by_tooth: bool,
     row: Row,
 }
 
@@ -94,6 +103,7 @@ impl ClosedLoop {
         let belief = GpModels::new(scenario.belief.model_set, scenario.belief.calibration);
         let ticks = scenario.ticks(scenario.cnc.dead_time_s) as usize;
         let (cnc, period_s) = (&scenario.cnc, scenario.control_period_s());
+        let path = ToolPath::new(&scenario.workpiece);
         let mut this = Self {
             dt_s,
             steps_per_control: u64::from(scenario.run.steps_per_control),
@@ -101,21 +111,33 @@ impl ClosedLoop {
             limits: limits(scenario),
             belief,
             desired_force: reference::desired_force(&scenario.target, &belief),
-            target_ra_um: scenario.target.ra_um,
+            target_ra_um: reference::desired_ra(&scenario.target, &belief),
             controller: Controller::new(&scenario.control_setup(), programmed),
             feed_override: Override::new(cnc, programmed.feed_mm_min, period_s),
             spindle_override: Override::new(cnc, programmed.speed_rpm, period_s),
             dead_time: DeadTime::new(ticks, [programmed.feed_mm_min, programmed.speed_rpm]),
             feed_drive: FeedDrive::new(&scenario.feed_drive, dt_s, programmed.feed_mm_min),
             spindle_drive: SpindleDrive::new(&scenario.spindle_drive, dt_s, programmed.speed_rpm),
-            depth: DepthProfile::new(&scenario.workpiece),
-            process: Process::new(&scenario.plant, scenario.workpiece.radial_depth_mm),
+            process: Process::new(
+                &scenario.plant,
+                scenario.workpiece.radial_depth_mm,
+                path.depth_max_mm(),
+                dt_s,
+            ),
+            path,
             dynamic_force: DynamicForce::new(&scenario.noise, scenario.run.seed, dt_s),
             dynamometer: Dynamometer::new(&scenario.noise, scenario.run.seed),
+            peak: PeakWindow::new(
+                &scenario.noise,
+                scenario.run.seed,
+                u64::from(scenario.run.steps_per_control),
+            ),
             tick: 0,
             to_control: 0,
             position_mm: 0.0,
             command_flags: 0,
+            sensed_n: 0.0,
+            tooth_by_tooth: false,
             row: Row {
                 feed_command_mm_min: programmed.feed_mm_min,
                 feed_override_percent: 100.0,
@@ -138,20 +160,22 @@ impl ClosedLoop {
         self.limits = limits(scenario);
         self.belief = GpModels::new(scenario.belief.model_set, scenario.belief.calibration);
         self.desired_force = reference::desired_force(&scenario.target, &self.belief);
-        self.target_ra_um = scenario.target.ra_um;
+        self.target_ra_um = reference::desired_ra(&scenario.target, &self.belief);
         let command = [self.row.feed_command_mm_min, self.row.spindle_command_rpm];
         let sent = FeedSpeed { feed_mm_min: command[0], speed_rpm: command[1] };
-        self.controller.reconfigure(&scenario.control_setup(), current, sent);
+        self.controller.reconfigure(&scenario.control_setup(), self.programmed, current, sent);
         let period_s = scenario.control_period_s();
         self.feed_override.reconfigure(&scenario.cnc, period_s);
         self.spindle_override.reconfigure(&scenario.cnc, period_s);
         self.dead_time.resize(scenario.ticks(scenario.cnc.dead_time_s) as usize, command);
         self.feed_drive.reconfigure(&scenario.feed_drive, self.dt_s);
         self.spindle_drive.reconfigure(&scenario.spindle_drive, self.dt_s);
-        self.depth.reconfigure(&scenario.workpiece);
-        self.process = Process::new(&scenario.plant, scenario.workpiece.radial_depth_mm);
+        self.path.reconfigure(&scenario.workpiece);
+        let place = self.path.place(self.position_mm);
+        self.process.reconfigure(&scenario.plant, &place, self.path.depth_max_mm(), self.dt_s);
         self.dynamic_force.reconfigure(&scenario.noise, self.dt_s);
         self.dynamometer.reconfigure(&scenario.noise);
+        self.peak.reconfigure(&scenario.noise);
     }
 
     /// Steps done so far.
@@ -184,6 +208,7 @@ impl ClosedLoop {
         let speed_rpm = self.spindle_drive.update(speed_command);
         self.position_mm += mm_s_from_mm_min(feed_mm_min) * self.dt_s;
         self.tick += 1;
+        self.next_cut();
         self.cut(feed_mm_min, speed_rpm);
         self.check()
     }
@@ -191,7 +216,12 @@ impl ClosedLoop {
     /// The controller's turn: from the sensed force to the commands that are sent.
     fn control(&mut self) {
         let sample = self.tick / self.steps_per_control;
-        let force_measured_n = self.dynamometer.read(self.row.force_dyn_n, sample);
+        // The peak of a window has its sensor noise already.
+        let force_measured_n = if self.tooth_by_tooth {
+            self.sensed_n
+        } else {
+            self.dynamometer.read(self.sensed_n, sample)
+        };
         let output = self.controller.update(&ControlInput {
             force_measured_n,
             force_ref_n: self.desired_force.value,
@@ -220,23 +250,55 @@ impl ClosedLoop {
             | bit(!output.speed_model_valid, flag::K3_OUTSIDE);
     }
 
+    /// At the end of a cut the next one begins: at rest at the programmed values, before the part.
+    fn next_cut(&mut self) {
+        let Some(position_mm) = self.path.next_cut(self.position_mm) else { return };
+        let FeedSpeed { feed_mm_min, speed_rpm } = self.programmed;
+        self.position_mm = position_mm;
+        self.controller.restart(self.programmed);
+        self.feed_override.restart();
+        self.spindle_override.restart();
+        self.dead_time.restart([feed_mm_min, speed_rpm]);
+        self.feed_drive.restart(feed_mm_min);
+        self.process.restart();
+        self.peak.restart();
+        self.row.feed_command_mm_min = feed_mm_min;
+        self.row.feed_override_percent = 100.0;
+        self.row.spindle_command_rpm = speed_rpm;
+        self.row.spindle_override_percent = 100.0;
+    }
+
     /// Depth, force, dynamic component and roughness at the present feed, speed and position.
     #[inline]
     fn cut(&mut self, feed_mm_min: f64, speed_rpm: f64) {
-        let axial_depth_mm = self.depth.at(self.position_mm);
-        let force = self.process.update(feed_mm_min, speed_rpm, axial_depth_mm);
+        let place = self.path.place(self.position_mm);
         let dynamic = self.dynamic_force.update(self.tick, self.position_mm, speed_rpm);
-        let force_dyn_n = math::positive(force.value * dynamic);
-        let in_air = !self.process.engaged(axial_depth_mm);
+        let under = self.path.cut_at(self.position_mm);
+        let milled = self.process.mill(feed_mm_min, speed_rpm, under, dynamic);
+        // Tooth by tooth, the force is the peak of a control period; what a sensor reads of it
+        // stands for the force with dynamics.
+        let (force, force_dyn_n, sensed_n, in_air) = if let Some([x, y, _]) = milled {
+            let peak = self.peak.push(self.tick, [x, y]);
+            let air = peak.true_n < AIR_SHARE * self.desired_force.value;
+            let now_n = (x * x + y * y).sqrt();
+            (Valued::new(peak.true_n, true), now_n, peak.measured_n, air)
+        } else {
+            let force = self.process.update(feed_mm_min, speed_rpm, &place);
+            let force_dyn_n = math::positive(force.value * dynamic);
+            (force, force_dyn_n, force_dyn_n, !self.process.engaged(place.axial_depth_mm))
+        };
+        self.tooth_by_tooth = milled.is_some();
+        self.sensed_n = sensed_n;
         let (ra, ra_dyn) = if in_air {
             (Valued::new(0.0, true), Valued::new(0.0, true))
         } else {
-            roughness::produced(force.value, force_dyn_n, self.process.models())
+            roughness::produced(force.value, sensed_n, self.process.models())
         };
         let row = &mut self.row;
         row.time_s = self.tick as f64 * self.dt_s;
         row.position_mm = self.position_mm;
-        row.axial_depth_mm = axial_depth_mm;
+        row.axial_depth_mm = place.axial_depth_mm;
+        row.radial_depth_mm = place.radial_depth_mm;
         row.ra_target_um = self.target_ra_um;
         row.force_ref_n = self.desired_force.value;
         row.force_n = force.value;

@@ -18,6 +18,7 @@ use super::recording::Recording;
 use super::scenario::Scenario;
 use super::signals::{Row, flag};
 use crate::base::units::{cm3_from_mm3, percent_from_ratio, ratio_from_percent};
+use crate::blocks::reference::Reference;
 
 /// The numbers that a run is judged by. Fields are named like the keys of `run --json`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -92,11 +93,17 @@ pub fn metrics(recording: &Recording, rows: usize, scenario: &Scenario, edits: &
         let step_mm = row.position_mm - pair[0].position_mm;
         if !row.has(flag::AIR) {
             in_contact_mm += step_mm;
-            if (row.ra_um - row.ra_target_um).abs() <= tolerance * row.ra_target_um {
+            let good = match scenario.target.reference {
+                Reference::Ra => {
+                    (row.ra_um - row.ra_target_um).abs() <= tolerance * row.ra_target_um
+                }
+                Reference::Force => relative_error(row).abs() <= tolerance,
+            };
+            if good {
                 good_mm += step_mm;
             }
         }
-        removed_mm3 += row.axial_depth_mm * scenario.workpiece.radial_depth_mm * step_mm;
+        removed_mm3 += row.axial_depth_mm * row.radial_depth_mm * step_mm;
         max_force_n = max_force_n.max(row.force_n);
         if row.time_s >= 1.0 && !row.has(flag::AIR) && relative_error(row).abs() > worst.abs() {
             worst = relative_error(row);
@@ -112,9 +119,8 @@ pub fn metrics(recording: &Recording, rows: usize, scenario: &Scenario, edits: &
         let sum: f64 = samples.iter().map(|row| relative_error(row) * relative_error(row)).sum();
         (!samples.is_empty()).then(|| (sum / samples.len() as f64).sqrt())
     };
-    let twenty: Vec<&Row> = (1..=20)
-        .filter_map(|k| samples.get((samples.len() * k / 20).saturating_sub(1)).copied())
-        .collect();
+    let twenty: Vec<&Row> =
+        (1..=20).filter_map(|k| samples.get(samples.len() * (2 * k - 1) / 40).copied()).collect();
 
     let changes = changes(recording, rows, edits);
     Metrics {

@@ -5,6 +5,7 @@ use super::edits::Edits;
 use super::metrics::{self, Metrics};
 use super::recording::Recording;
 use super::scenario::Scenario;
+use crate::blocks::cutting::tool_path::ToolPath;
 
 /// Why a run is over.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +39,7 @@ pub struct Run {
     edit_ticks: Vec<u64>,
     state: State,
     last_tick: u64,
+    path_mm: f64,
     recording: Recording,
     snapshots: Vec<State>,
     snapshot_ticks: u64,
@@ -67,6 +69,7 @@ impl Run {
             snapshot_ticks: SNAPSHOT_TICKS,
             state,
             last_tick,
+            path_mm: ToolPath::length_of(&scenario.workpiece),
             recording,
             end: None,
         };
@@ -113,7 +116,7 @@ impl Run {
         }
         let row = *self.state.closed_loop.row();
         self.recording.push(tick, &row);
-        if row.position_mm >= self.base.workpiece.length_mm {
+        if row.position_mm >= self.path_mm {
             self.end = Some(End::PathDone);
         } else if tick >= self.last_tick {
             self.end = Some(End::TimeLimit);

@@ -46,6 +46,8 @@ presets![
     "strategy-table1-6",
     "strategy-table1-7",
     "strategy-table1-8",
+    "experiment-1",
+    "experiment-2",
     "table3-5-noise",
     "depth-step",
     "material-change",

@@ -9,17 +9,24 @@ use crate::blocks::cnc::feed_drive::FeedDriveSettings;
 use crate::blocks::cnc::feed_override::{Cnc, Program};
 use crate::blocks::cnc::spindle_drive::SpindleDriveSettings;
 use crate::blocks::control::constant_feed::ConstantFeedSettings;
+use crate::blocks::control::force::adjustable_pi::AdjustablePiSettings;
+use crate::blocks::control::force::division::DivisionSettings;
+use crate::blocks::control::force::mrac::MracSettings;
+use crate::blocks::control::force::proportional::ProportionalSettings;
 use crate::blocks::control::sdnrp::SdnrpSettings;
 use crate::blocks::control::tracking::TrackingSettings;
 use crate::blocks::control::{Belief, ControlSetup, ControllerChoice};
-use crate::blocks::cutting::process::Plant;
+use crate::blocks::cutting::process::{ForceModel, Plant};
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::Target;
 use crate::blocks::sensing::dynamic_force::NoiseSettings;
 
 /// Version of the scenario format, in files and links.
 pub const FORMAT_VERSION: i64 = 1;
-/// Most rows that a run may record: a row takes 152 bytes, a console holds up to four recordings,
+/// Longest plant step with the mechanistic force model, s: some 180 samples for a tooth period of the
+/// papers' cut.
+const TOOTH_STEP_MAX_S: f64 = 1e-4;
+/// Most rows that a run may record: a row takes 160 bytes, a console holds up to four recordings,
 /// and a page in the browser has 4 GiB at most.
 pub const MAX_ROWS: f64 = if cfg!(target_arch = "wasm32") { 1_000_000.0 } else { 4_000_000.0 };
 
@@ -41,9 +48,9 @@ crate::settings! {
         /// Control period: sampling of the controller.
         control_period_ms: f64 = 20.0, [1.0, 100.0], "ms", setup, "Control period";
         /// Plant steps per control period: 20 give a plant step of 1 ms.
-        steps_per_control: u32 = 20, [1.0, 200.0], "", setup, "Plant steps per period";
+        steps_per_control: u32 = 20, [1.0, 1000.0], "", setup, "Plant steps per period";
         /// Every how many plant steps a row is recorded: a divisor of the steps per control period.
-        record_every: u32 = 1, [1.0, 200.0], "", setup, "Record every";
+        record_every: u32 = 1, [1.0, 1000.0], "", setup, "Record every";
         /// Seed of all random streams.
         seed: u32 = 1, [0.0, 4_294_967_295.0], "", setup, "Seed";
     }
@@ -100,6 +107,10 @@ scenario! {
     "controller.constant_feed", constant_feed: ConstantFeedSettings;
     "controller.sdnrp", sdnrp: SdnrpSettings;
     "controller.tracking", tracking: TrackingSettings;
+    "controller.division", division: DivisionSettings;
+    "controller.p", proportional: ProportionalSettings;
+    "controller.adjustable_pi", adjustable_pi: AdjustablePiSettings;
+    "controller.mrac", mrac: MracSettings;
     "belief", belief: Belief;
     "feed_drive", feed_drive: FeedDriveSettings;
     "spindle_drive", spindle_drive: SpindleDriveSettings;
@@ -252,6 +263,18 @@ impl Scenario {
 
     /// Rules between settings.
     fn check(&self) -> Result<(), SettingError> {
+        let by_teeth = self.plant.force_model == ForceModel::Mechanistic;
+        if by_teeth && self.dt_s() > TOOTH_STEP_MAX_S {
+            let steps = (self.control_period_s() / TOOTH_STEP_MAX_S).ceil();
+            return Err(SettingError::Refused {
+                path: "plant.force_model".to_owned(),
+                value: format!("mechanistic with plant steps of {} s", self.dt_s()),
+                allowed: format!(
+                    "plant steps of at most {TOOTH_STEP_MAX_S} s: `run.steps_per_control` from \
+                     {steps} on (576 give 28.8 kHz)"
+                ),
+            });
+        }
         let refuse = |path: &str, value: f64, unit: &str, allowed: String| {
             let value = format!("{value}{unit}");
             Err(SettingError::Refused { path: path.to_owned(), value, allowed })
@@ -307,6 +330,10 @@ impl Scenario {
             constant_feed: &self.constant_feed,
             sdnrp: &self.sdnrp,
             tracking: &self.tracking,
+            division: &self.division,
+            proportional: &self.proportional,
+            adjustable_pi: &self.adjustable_pi,
+            mrac: &self.mrac,
             belief: &self.belief,
             period_s: self.control_period_s(),
         }
@@ -350,5 +377,6 @@ pub fn parse_value(path: &str, text: &str) -> Result<Value, SettingError> {
             let steps: Vec<[f64; 2]> = serde_json::from_str(text).map_err(|_| bad())?;
             Value::Steps(steps)
         }
+        Kind::Cuts { .. } => Value::Cuts(serde_json::from_str(text).map_err(|_| bad())?),
     })
 }

@@ -84,6 +84,10 @@ fn value_from_toml(path: &str, value: &toml::Value) -> Result<Value, SettingErro
         toml::Value::Float(x) => Value::Float(*x),
         toml::Value::Boolean(x) => Value::Bool(*x),
         toml::Value::String(x) => Value::Text(x.clone()),
+        toml::Value::Array(cuts) if is_cuts(cuts) => {
+            let read = toml::Value::try_into::<Vec<Vec<[f64; 3]>>>(value.clone());
+            Value::Cuts(read.map_err(|_| wrong())?)
+        }
         toml::Value::Array(pairs) => {
             let number = |value: &toml::Value| {
                 value.as_float().or_else(|| value.as_integer().map(|x| x as f64))
@@ -97,6 +101,12 @@ fn value_from_toml(path: &str, value: &toml::Value) -> Result<Value, SettingErro
         }
         toml::Value::Datetime(_) | toml::Value::Table(_) => return Err(wrong()),
     })
+}
+
+/// Whether a list holds lists of lists: cuts of sections.
+fn is_cuts(list: &[toml::Value]) -> bool {
+    let first = list.first().and_then(toml::Value::as_array).and_then(|cut| cut.first());
+    first.is_some_and(toml::Value::is_array)
 }
 
 fn parse_edits(scenario: &Scenario, list: toml::Value) -> Result<Edits, SettingError> {

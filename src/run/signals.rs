@@ -55,6 +55,8 @@ signals! {
     position_mm, "mm", "Position";
     /// Axial depth of cut A_D at the tool.
     axial_depth_mm, "mm", "Axial depth";
+    /// Radial depth of cut R_D at the tool.
+    radial_depth_mm, "mm", "Radial depth";
     /// Target roughness.
     ra_target_um, "um", "Target Ra";
     /// Produced roughness, Ra = K5(F) or M5(F).

@@ -68,7 +68,7 @@ impl PapersPanel {
         choose(ui, "Paper:", PaperId::ALL, PaperId::OPTIONS, paper);
         let whose = "Calibration of plant and controller:";
         choose(ui, whose, Calibration::ALL, Calibration::OPTIONS, calibration);
-        choose(ui, "Plant's force from:", ForceModel::ALL, ForceModel::OPTIONS, force_model);
+        choose(ui, "Plant's force from:", &ForceModel::MAPS, ForceModel::OPTIONS, force_model);
         let shown = self.shown;
         let table = self
             .done

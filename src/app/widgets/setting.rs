@@ -8,7 +8,7 @@ use super::super::theme;
 use super::icon::{self, Icon};
 use super::number::Field;
 use crate::base::settings::{DepthStep, Kind, MAX_STEPS, Value};
-use crate::run::scenario::{Param, Scenario, param};
+use crate::run::scenario::{Param, Scenario, param, parse_value};
 
 /// How much room an editor takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,6 +62,7 @@ pub fn setting(
             (Kind::Steps { .. }, Value::Steps(now)) => {
                 steps(ui, param, now, &mut change, said_here)
             }
+            (Kind::Cuts { .. }, Value::Cuts(_)) => cuts(ui, param, &value, &mut change, said_here),
             _ => unreachable!("the table pairs kinds with values"),
         };
         let response = response.on_hover_ui(|ui| describe(ui, param));
@@ -291,6 +292,35 @@ fn steps(
     }
     if touched {
         change(Value::Steps(steps));
+    }
+    response
+}
+
+/// Cuts as a list of lists: taken over when the field is left, faults are answered.
+fn cuts(
+    ui: &mut Ui,
+    param: &Param,
+    now: &Value,
+    change: &mut dyn FnMut(Value),
+    said: &mut Option<String>,
+) -> Response {
+    let label = ui.label(param.spec.label);
+    let id = ui.scope_id().with("draft");
+    // A cut a line, as long as nothing else is being written.
+    let shown = now.to_string().replace("]], [[", "]],\n[[");
+    let mut draft = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
+    let edit = egui::TextEdit::multiline(&mut draft).desired_rows(2).desired_width(f32::INFINITY);
+    let response = ui.add(edit.code_editor()).labelled_by(label.id);
+    if response.has_focus() {
+        ui.data_mut(|data| data.insert_temp(id, draft));
+    } else {
+        if response.lost_focus() && draft != shown {
+            match parse_value(&param.path, &draft) {
+                Ok(value) => change(value),
+                Err(error) => *said = Some(error.to_string()),
+            }
+        }
+        ui.data_mut(|data| data.remove::<String>(id));
     }
     response
 }

@@ -28,6 +28,11 @@ impl DeadTime {
         delayed
     }
 
+    /// Delivers `initial` first again, as a new cut begins.
+    pub fn restart(&mut self, initial: [f64; 2]) {
+        self.queue.fill(initial);
+    }
+
     /// Changes the length. Commands under way keep their order; a longer queue repeats its
     /// oldest, a shorter one drops its oldest, as a channel would that suddenly got slower or
     /// faster.

@@ -31,6 +31,11 @@ impl FeedDrive {
         }
     }
 
+    /// At rest at `feed_mm_min`, as a new cut begins.
+    pub fn restart(&mut self, feed_mm_min: f64) {
+        self.state = DriveState::settled(feed_mm_min);
+    }
+
     /// Another drive takes over at the feed of the old one.
     pub fn reconfigure(&mut self, settings: &FeedDriveSettings, dt_s: f64) {
         if settings.kind != self.kind {

@@ -86,6 +86,11 @@ impl Override {
         this
     }
 
+    /// At 100 % again, as a new cut begins.
+    pub fn restart(&mut self) {
+        self.ramp_percent = 100.0;
+    }
+
     /// Takes over changed settings; the override goes on from where it stands.
     pub fn reconfigure(&mut self, cnc: &Cnc, period_s: f64) {
         self.quantised = cnc.override_quantised;

@@ -3,6 +3,7 @@
 //! lists below marked `register`.
 
 pub mod constant_feed;
+pub mod force;
 pub mod sdnrp;
 pub mod tracking;
 
@@ -18,6 +19,14 @@ crate::choice! {
         Sdnrp = "sdnrp", "SDNRP";
         /// Model inverse with integral action, anti-windup and a Smith predictor.
         Tracking = "tracking", "Tracking";
+        /// The divisional controller of 2005: programmed feed over normalised force.
+        Division = "division", "Division";
+        /// Proportional force control (2005), integral part optional.
+        Proportional = "p", "P";
+        /// PI force control whose gain follows the estimated force gain (2005).
+        AdjustablePi = "adjustable_pi", "Adjustable PI";
+        /// Model-reference adaptive control (2005).
+        Mrac = "mrac", "MRAC";
     }
 }
 
@@ -111,6 +120,14 @@ pub struct ControlSetup<'a> {
     pub sdnrp: &'a sdnrp::SdnrpSettings,
     /// Settings of Tracking.
     pub tracking: &'a tracking::TrackingSettings,
+    /// Settings of the divisional controller.
+    pub division: &'a force::division::DivisionSettings,
+    /// Settings of the P controller.
+    pub proportional: &'a force::proportional::ProportionalSettings,
+    /// Settings of the adjustable PI controller.
+    pub adjustable_pi: &'a force::adjustable_pi::AdjustablePiSettings,
+    /// Settings of the model-reference adaptive controller.
+    pub mrac: &'a force::mrac::MracSettings,
     /// The controller's beliefs.
     pub belief: &'a Belief,
     /// Control period, s.
@@ -126,6 +143,8 @@ pub enum Controller {
     Sdnrp(sdnrp::Sdnrp),
     /// See [`tracking`].
     Tracking(Box<tracking::Tracking>),
+    /// See [`force`].
+    Force(Box<force::ForceController>),
 }
 
 impl Controller {
@@ -141,20 +160,53 @@ impl Controller {
             ControllerKind::Tracking => {
                 Self::Tracking(Box::new(tracking::Tracking::new(setup, programmed)))
             }
+            ControllerKind::Division
+            | ControllerKind::Proportional
+            | ControllerKind::AdjustablePi
+            | ControllerKind::Mrac => {
+                Self::Force(Box::new(force::ForceController::new(setup, 1.0, 1.0)))
+            }
         }
     }
 
     /// Takes over changed settings and keeps its state if it is still the same kind; otherwise a
     /// new controller takes over a machine that runs at `current` under the command `sent`.
     /// Tracking does so without a bump; the others are static laws and have no state to match.
-    pub fn reconfigure(&mut self, setup: &ControlSetup, current: FeedSpeed, sent: FeedSpeed) {
-        match (self, setup.kind) {
+    pub fn reconfigure(
+        &mut self,
+        setup: &ControlSetup,
+        programmed: FeedSpeed,
+        current: FeedSpeed,
+        sent: FeedSpeed,
+    ) {
+        if let Self::Force(controller) = self
+            && controller.configure(setup)
+        {
+            return;
+        }
+        match (&mut *self, setup.kind) {
             (Self::Tracking(tracking), ControllerKind::Tracking) => tracking.configure(setup),
-            (other, ControllerKind::Tracking) => {
-                *other =
+            (_, ControllerKind::Tracking) => {
+                *self =
                     Self::Tracking(Box::new(tracking::Tracking::take_over(setup, current, sent)));
             }
-            (other, _) => *other = Self::new(setup, current),
+            (_, ControllerKind::ConstantFeed | ControllerKind::Sdnrp) => {
+                *self = Self::new(setup, current);
+            }
+            _ => {
+                let of = |feed: f64| feed / programmed.feed_mm_min;
+                let (actual, sent) = (of(current.feed_mm_min), of(sent.feed_mm_min));
+                *self = Self::Force(Box::new(force::ForceController::new(setup, actual, sent)));
+            }
+        }
+    }
+
+    /// A new cut begins at the programmed values: what was learned stays, dynamic state goes.
+    pub fn restart(&mut self, programmed: FeedSpeed) {
+        match self {
+            Self::ConstantFeed(_) | Self::Sdnrp(_) => {}
+            Self::Tracking(tracking) => tracking.restart(programmed),
+            Self::Force(controller) => controller.restart(),
         }
     }
 
@@ -165,6 +217,7 @@ impl Controller {
             Self::ConstantFeed(controller) => controller.update(input),
             Self::Sdnrp(controller) => controller.update(input),
             Self::Tracking(controller) => controller.update(input),
+            Self::Force(controller) => controller.update(input),
         }
     }
 }

@@ -126,6 +126,15 @@ impl Tracking {
         tracking
     }
 
+    /// A new cut begins at rest at `current`: the gain stays, the predictor starts anew.
+    pub(super) fn restart(&mut self, current: FeedSpeed) {
+        self.sent.fill(current);
+        self.feed = DriveState::settled(current.feed_mm_min);
+        (self.speed_rpm, self.speed_undelayed_rpm) = (current.speed_rpm, current.speed_rpm);
+        self.asked = current;
+        self.started = false;
+    }
+
     pub(super) fn configure(&mut self, setup: &ControlSetup) {
         let belief = setup.belief;
         self.settings = setup.tracking.clone();

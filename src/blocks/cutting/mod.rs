@@ -1,7 +1,10 @@
 //! Cutting: workpiece, material and the force of the cut.
 
 pub mod material;
+pub mod milling;
 pub mod neural;
+pub mod part;
 pub mod process;
 pub mod tool;
+pub mod tool_path;
 pub mod workpiece;

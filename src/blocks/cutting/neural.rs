@@ -77,6 +77,12 @@ impl NeuralLaw {
         Self { network, cut, at: network.at(&cut.point) }
     }
 
+    /// Another radial depth of cut in mm.
+    pub fn set_radial_depth(&mut self, radial_depth_mm: f64) {
+        self.cut.point.radial_depth_mm = radial_depth_mm;
+        self.at = self.network.at(&self.cut.point);
+    }
+
     /// The peak force in N of a sharp tool; invalid where the network does not know the cut.
     #[inline]
     pub fn update(&mut self, feed_mm_min: f64, speed_rpm: f64, axial_depth_mm: f64) -> Valued {

@@ -6,17 +6,26 @@
 //! F = (|F_xy|(f_a, n_a, R_D, A_D, material, HB, tool) + offset) x wear
 //! ```
 //!
+//! or the mechanistic model, tooth by tooth ([`super::milling`]), whose force is that of every
+//! instant and not a maximum.
+//!
 //! K4 and M4 belong to Ck45 at A_D 2 mm and R_D 3 mm with a sharp tool; force is taken as
 //! proportional to the cross-section of the cut (chosen). The network knows depths and material
 //! itself; wear multiplies its force as well.
 
 use super::material::Material;
+use super::milling::{Milling, MillingSetup};
 use super::neural::{NeuralCut, NeuralLaw};
+use super::part::CutPath;
+use super::tool::R216_16B20_040;
+use super::tool_path::Place;
 use super::workpiece::{AXIAL_DEPTH_2007_MM, RADIAL_DEPTH_2007_MM};
 use crate::base::math;
 use crate::base::model::Valued;
+use crate::base::model::ball_end::{CK45, Cutter, MNCRSI5};
 use crate::base::model::gp::{Calibration, GpModels, ModelSet};
 use crate::base::model::neural_force::NeuralKind;
+use crate::base::units::mm_from_um;
 
 crate::choice! {
     /// What gives the plant's cutting force.
@@ -27,6 +36,9 @@ crate::choice! {
         Neural = "neural", "Neural network";
         /// The 8-15-3 network with the inputs and learning parameters of the 2013 paper.
         NeuralLiteral = "neural_literal", "Neural network as in the paper";
+        /// The mechanistic model of the ball-end mill, tooth by tooth (2005 milling simulator); wants
+        /// plant steps of some 30 us.
+        Mechanistic = "mechanistic", "Tooth by tooth";
     }
 }
 
@@ -48,18 +60,51 @@ crate::settings! {
         /// Added to the force of the formula (an error of its intercept) or of the network, for
         /// experiments on model mismatch; a plan does not know of it.
         force_offset_n: f64 = 0.0, [-100.0, 100.0], "N", live, "Force offset";
+        /// Run-out of the cutter, one tooth out and one in by this; tooth by tooth only.
+        runout_um: f64 = 3.0, [0.0, 50.0], "um", live, "Run-out";
+        /// Height of the cutter's slices; tooth by tooth only. It is part of the calibration.
+        slice_mm: f64 = 0.25, [0.05, 1.0], "mm", live, "Slice height";
     }
 }
 
 impl ForceModel {
+    /// The force models that are functions of feed, speed and depth, as published tables need them.
+    pub const MAPS: [Self; 3] = [Self::Formula, Self::Neural, Self::NeuralLiteral];
+
     /// The network; `None` for the formula.
     #[must_use]
     pub fn network(self) -> Option<NeuralKind> {
         match self {
-            Self::Formula => None,
+            Self::Formula | Self::Mechanistic => None,
             Self::Neural => Some(NeuralKind::Improved),
             Self::NeuralLiteral => Some(NeuralKind::Literal),
         }
+    }
+}
+
+/// Rake of the papers' insert, geometry code 3, degrees.
+const RAKE_DEG: f64 = 12.0;
+
+/// The papers' cutter in the plant's material. Materials but the two of the 2005 paper are Ck45
+/// times the ratio of their forces, hardness included.
+fn milling_setup(plant: &Plant, dt_s: f64) -> MillingSetup {
+    let (steel, base) = match plant.material {
+        Material::MnCrSi5 => (MNCRSI5, Material::MnCrSi5),
+        _ => (CK45, Material::Ck45),
+    };
+    let factor =
+        plant.material.force_factor(plant.hardness_hb) / base.force_factor(base.hardness_hb());
+    MillingSetup {
+        cutter: Cutter::two_teeth(
+            R216_16B20_040.diameter_mm,
+            mm_from_um(plant.runout_um),
+            plant.slice_mm,
+        ),
+        steel,
+        rake_deg: RAKE_DEG,
+        hardness_hb: steel.hardness_hb,
+        factor,
+        dt_s,
     }
 }
 
@@ -69,16 +114,21 @@ pub struct Process {
     models: GpModels,
     /// Force factor per millimetre of axial depth, for the formula.
     factor_per_mm: f64,
+    radial_depth_mm: f64,
+    /// Material times wear.
+    share: f64,
     /// In place of the formula.
     neural: Option<Box<NeuralLaw>>,
+    milling: Option<Box<Milling>>,
     wear_factor: f64,
     offset_n: f64,
 }
 
 impl Process {
-    /// The process for a plant with a radial depth of cut in mm.
+    /// The process for a plant at a radial depth of cut in mm, for steps of `dt_s` and axial depths
+    /// up to `depth_max_mm`.
     #[must_use]
-    pub fn new(plant: &Plant, radial_depth_mm: f64) -> Self {
+    pub fn new(plant: &Plant, radial_depth_mm: f64, depth_max_mm: f64, dt_s: f64) -> Self {
         let mut models = GpModels::new(plant.model_set, plant.calibration);
         models.force.intercept_n += plant.force_offset_n;
         let engagement = radial_depth_mm / (AXIAL_DEPTH_2007_MM * RADIAL_DEPTH_2007_MM);
@@ -86,10 +136,15 @@ impl Process {
         let cut =
             NeuralCut::new(plant.material, plant.hardness_hb, AXIAL_DEPTH_2007_MM, radial_depth_mm);
         let neural = plant.force_model.network().map(|kind| Box::new(NeuralLaw::new(kind, cut)));
+        let milling = (plant.force_model == ForceModel::Mechanistic)
+            .then(|| Box::new(Milling::new(&milling_setup(plant, dt_s), depth_max_mm)));
         Self {
             models,
             factor_per_mm: material * plant.wear_factor * engagement,
+            radial_depth_mm,
+            share: material * plant.wear_factor,
             neural,
+            milling,
             wear_factor: plant.wear_factor,
             offset_n: plant.force_offset_n,
         }
@@ -107,10 +162,50 @@ impl Process {
         self.factor_per_mm * axial_depth_mm > 0.0
     }
 
-    /// The maximum cutting force in N.
+    /// The forces of this instant in N, if the mechanistic model gives them: see
+    /// [`Milling::update`]; `dynamic` is the factor of the dynamic component.
+    #[inline]
+    pub fn mill(
+        &mut self,
+        feed_mm_min: f64,
+        speed_rpm: f64,
+        (cut, x_mm): (&CutPath, f64),
+        dynamic: f64,
+    ) -> Option<[f64; 3]> {
+        let factor = self.wear_factor * math::positive(dynamic);
+        let milling = self.milling.as_deref_mut()?;
+        Some(milling.update(feed_mm_min, speed_rpm, x_mm, cut, factor))
+    }
+
+    /// A new cut begins.
+    pub fn restart(&mut self) {
+        if let Some(milling) = &mut self.milling {
+            milling.restart();
+        }
+    }
+
+    /// Takes over settings changed in the cut; a turning cutter goes on.
+    pub fn reconfigure(&mut self, plant: &Plant, place: &Place, depth_max_mm: f64, dt_s: f64) {
+        let before = self.milling.take();
+        *self = Self::new(plant, place.radial_depth_mm, depth_max_mm, dt_s);
+        if let (Some(before), Some(now)) = (before, &mut self.milling) {
+            now.take_over(&before);
+        }
+    }
+
+    /// The maximum cutting force in N by formula or network.
     #[inline]
     #[must_use]
-    pub fn update(&mut self, feed_mm_min: f64, speed_rpm: f64, axial_depth_mm: f64) -> Valued {
+    pub fn update(&mut self, feed_mm_min: f64, speed_rpm: f64, place: &Place) -> Valued {
+        let axial_depth_mm = place.axial_depth_mm;
+        if place.radial_depth_mm != self.radial_depth_mm {
+            self.radial_depth_mm = place.radial_depth_mm;
+            let engagement = place.radial_depth_mm / (AXIAL_DEPTH_2007_MM * RADIAL_DEPTH_2007_MM);
+            self.factor_per_mm = self.share * engagement;
+            if let Some(neural) = &mut self.neural {
+                neural.set_radial_depth(place.radial_depth_mm);
+            }
+        }
         let in_air = !self.engaged(axial_depth_mm);
         if let Some(neural) = &mut self.neural {
             if in_air {

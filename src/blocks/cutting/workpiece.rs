@@ -1,6 +1,7 @@
-//! The workpiece: a straight cut of given length, radial depth and axial depth profile.
+//! The workpiece: a straight cut of given length, radial depth and axial depth profile, or several
+//! cuts of sections (2005, Experiments 1 and 2).
 
-use crate::base::settings::DepthStep;
+use crate::base::settings::{DepthStep, Section};
 
 /// Axial depth A_D of the 2007 example, at which K4 holds, mm.
 pub const AXIAL_DEPTH_2007_MM: f64 = 2.0;
@@ -19,6 +20,10 @@ crate::settings! {
         radial_depth_mm: f64 = RADIAL_DEPTH_2007_MM, [0.0, 16.0], "mm", setup, "Radial depth";
         /// Depth profile: from each position on, the axial depth of cut given with it.
         depth_steps: Vec<DepthStep> = Vec::new(), [8.0, 20000.0], "mm", live, "Depth profile";
+        /// Straight cuts one after the other, each a list of sections [length, axial depth, wall]; the
+        /// wall is its position across the cut from the tool's axis. With cuts, length, depths and
+        /// profile above are not used; each cut begins 7.6 mm before the part.
+        cuts: Vec<Vec<Section>> = Vec::new(), [8.0, 2000.0], "mm", setup, "Cuts";
     }
 }
 
@@ -56,6 +61,23 @@ impl DepthProfile {
             self.first_mm = workpiece.axial_depth_mm;
             self.depth_mm = workpiece.axial_depth_mm;
         }
+    }
+
+    /// The profile from here on as sections of a cut that is open at its start: from each position
+    /// to the next the depth, up to `length_mm`; the present depth also holds behind.
+    #[must_use]
+    pub fn sections(&self, length_mm: f64, wall_mm: f64) -> Vec<Section> {
+        let mut sections = Vec::new();
+        let (mut from_mm, mut depth_mm) = (0.0, self.depth_mm);
+        for [step_mm, next_mm] in self.steps.iter().skip(self.passed) {
+            if *step_mm >= length_mm {
+                break;
+            }
+            sections.push([step_mm - from_mm, depth_mm, wall_mm]);
+            (from_mm, depth_mm) = (*step_mm, *next_mm);
+        }
+        sections.push([length_mm - from_mm, depth_mm, wall_mm]);
+        sections
     }
 
     /// Axial depth of cut in mm at `position_mm`, which must not fall between calls.

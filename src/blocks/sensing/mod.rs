@@ -2,3 +2,4 @@
 
 pub mod dynamic_force;
 pub mod dynamometer;
+pub mod peak;

@@ -34,7 +34,7 @@ fn detail(block: Block, now: &Now<'_>) -> String {
             ControllerKind::Tracking => {
                 format!("Tracking, gain {}", number(now.moment.row.gain_estimate))
             }
-            ControllerKind::ConstantFeed => ControllerKind::ConstantFeed.label().to_owned(),
+            kind => kind.label().to_owned(),
         },
         Block::Override => {
             let cnc = &scenario.cnc;

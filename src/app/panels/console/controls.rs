@@ -7,7 +7,7 @@ use crate::app::command::Command;
 use crate::app::panels::View;
 use crate::app::theme::Palette;
 use crate::app::widgets::setting::{Size, setting};
-use crate::app::widgets::target::target_ra;
+use crate::app::widgets::target::target as target_of;
 use crate::blocks::control::ControllerKind;
 use crate::run::presets::PRESETS;
 use crate::run::scenario::table;
@@ -22,11 +22,15 @@ const FIRST: [&str; 5] =
 const TARGET: &str = "target.ra_um";
 
 /// Groups below the fold, with their titles.
-const GROUPS: [(&str, &str); 15] = [
+const GROUPS: [(&str, &str); 19] = [
     ("target", "Target"),
     ("controller.constant_feed", "Constant feed"),
     ("controller.sdnrp", "SDNRP"),
     ("controller.tracking", "Tracking"),
+    ("controller.division", "Division"),
+    ("controller.p", "P"),
+    ("controller.adjustable_pi", "Adjustable PI"),
+    ("controller.mrac", "MRAC"),
     ("belief", "What the controller believes"),
     ("plant", "Plant"),
     ("noise", "Noise"),
@@ -43,7 +47,7 @@ const GROUPS: [(&str, &str); 15] = [
 /// The first controls: target Ra, material and hardness, noise, wear, controller.
 pub fn first(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     let scenario = view.session.current();
-    target_ra(ui, scenario, commands);
+    target_of(ui, scenario, commands);
     for path in FIRST {
         setting(ui, path, scenario, Size::Large, commands);
     }
@@ -51,7 +55,7 @@ pub fn first(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
 
 /// The slider of the target alone, for narrow windows.
 pub fn target(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-    target_ra(ui, view.session.current(), commands);
+    target_of(ui, view.session.current(), commands);
 }
 
 /// The first controls but the target, for narrow windows.

@@ -6,6 +6,7 @@ use crate::app::panels::View;
 use crate::app::theme::{self, Palette};
 use crate::app::twin::Comparison;
 use crate::base::units::ratio_from_percent;
+use crate::blocks::reference::Reference;
 use crate::run::metrics::Metrics;
 use crate::run::signals::{Row, flag};
 
@@ -42,8 +43,16 @@ fn items(view: &View<'_>, palette: &Palette) -> [Item; 5] {
     };
     let Comparison { chosen, twin, .. } = view.session.comparison();
     [
-        ra_now(view, palette, &twin_has),
-        in_tolerance(chosen, palette, twin_has(share_of(twin.in_tolerance_percent))),
+        match view.session.current().target.reference {
+            Reference::Ra => ra_now(view, palette, &twin_has),
+            Reference::Force => force_now(view, palette, &twin_has),
+        },
+        in_tolerance(
+            chosen,
+            view.session.current().target.reference,
+            palette,
+            twin_has(share_of(twin.in_tolerance_percent)),
+        ),
         worst_force(chosen, palette, twin_has(signed(worst(twin)))),
         time_of_cut(view, palette),
         Item {
@@ -65,7 +74,13 @@ fn ra_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> Strin
     let tolerance_um = ratio_from_percent(target.tolerance_percent) * now.ra_target_um;
     // In the air no surface is produced.
     let ra = |row: &Row| (!row.has(flag::AIR)).then_some(row.ra_um);
-    let text = |ra_um: Option<f64>| ra_um.map_or("-".to_owned(), |x| theme::quantity(x, "um"));
+    // Where the model ends at zero, zero is no roughness.
+    let ended = |row: &Row| row.has(flag::K5_OUTSIDE) && row.ra_um == 0.0;
+    let text = |row: &Row| match ra(row) {
+        Some(_) if ended(row) => "outside model".to_owned(),
+        Some(ra_um) => theme::quantity(ra_um, "um"),
+        None => "-".to_owned(),
+    };
     let inside = |ra_um: f64| (ra_um - now.ra_target_um).abs() <= tolerance_um;
     Item {
         title: "Ra now",
@@ -73,23 +88,55 @@ fn ra_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> Strin
             "Roughness produced at the playhead: as it should be within {} % of its target.",
             target.tolerance_percent
         ),
-        value: text(ra(now)),
+        value: text(now),
         color: judged(palette, ra(now).is_some_and(inside), ra(now).is_some()),
         below: [
             format!("target {}", theme::quantity(now.ra_target_um, "um")),
-            twin_has(text(ra(twin))),
+            twin_has(text(twin)),
         ],
     }
 }
 
-fn in_tolerance(chosen: &Metrics, palette: &Palette, twin: String) -> Item {
+/// In the place of the roughness where a force is to be held.
+fn force_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> String) -> Item {
+    let (now, twin) = (view.session.row(), &view.session.comparison().twin_now);
+    let percent = view.session.current().target.tolerance_percent;
+    let tolerance_n = ratio_from_percent(percent) * now.force_ref_n;
+    let inside = (now.force_n - now.force_ref_n).abs() <= tolerance_n;
+    let force = |row: &Row| theme::quantity(row.force_n, "N");
+    Item {
+        title: "Force now",
+        help: format!(
+            "Maximum force at the playhead: as it should be within {percent} % of its reference."
+        ),
+        value: force(now),
+        color: judged(palette, inside, !now.has(flag::AIR)),
+        below: [
+            format!("reference {}", theme::quantity(now.force_ref_n, "N")),
+            twin_has(force(twin)),
+        ],
+    }
+}
+
+fn in_tolerance(chosen: &Metrics, reference: Reference, palette: &Palette, twin: String) -> Item {
     let share = chosen.in_tolerance_percent;
     let [good, bad] = TOLERANCE_LEVELS;
     Item {
-        title: "Ra in tolerance",
-        help: "Share of the cut length on which the produced Ra lies within the tolerance around \
-               its target."
-            .to_owned(),
+        title: match reference {
+            Reference::Ra => "Ra in tolerance",
+            Reference::Force => "Force in tolerance",
+        },
+        help: match reference {
+            Reference::Ra => {
+                "Share of the cut length on which the produced Ra lies within the tolerance \
+                 around its target."
+            }
+            Reference::Force => {
+                "Share of the cut length on which the maximum force lies within the tolerance \
+                 around its reference."
+            }
+        }
+        .to_owned(),
         value: share_of(share),
         color: judged(palette, share.is_some_and(|x| x >= good), share.is_some_and(|x| x < bad)),
         below: ["of the length cut".to_owned(), twin],

@@ -6,6 +6,8 @@ use super::models::{feed, speed};
 use crate::base::model::gp::GpModels;
 use crate::base::units::ratio_from_percent;
 use crate::blocks::control::ControllerKind;
+use crate::blocks::control::force::division::Divided;
+use crate::blocks::control::force::mrac::Adapted;
 use crate::run::scenario::Scenario;
 use crate::run::signals::{Row, flag};
 
@@ -88,7 +90,55 @@ pub fn controller(belief: &GpModels, row: &Row, scenario: &Scenario) -> Vec<Live
             }
             lines
         }
+        ControllerKind::Division
+        | ControllerKind::Proportional
+        | ControllerKind::AdjustablePi
+        | ControllerKind::Mrac => force_law(row, scenario),
     }
+}
+
+/// The force controllers of 2005: the law, and the normalised force that it saw.
+fn force_law(row: &Row, scenario: &Scenario) -> Vec<Live> {
+    let y = row.force_measured_n / row.force_ref_n;
+    let seen = Live::everywhere(
+        "y = F_m / F_{ref}",
+        format!(
+            "y = {} / {} = {}",
+            number(row.force_measured_n),
+            number(row.force_ref_n),
+            number(y)
+        ),
+    );
+    let sent = format!("u = {} %", number(row.feed_override_percent));
+    let gain = number(row.gain_estimate);
+    let law = match scenario.controller.kind {
+        ControllerKind::Proportional => {
+            let kp = number(scenario.proportional.kp);
+            Live::everywhere(format!("u = 1 + {kp} (1 - y) + Ki Σ(1 - y)"), sent)
+        }
+        ControllerKind::AdjustablePi => {
+            let [kp, ki] = [scenario.adjustable_pi.kp, scenario.adjustable_pi.ki].map(number);
+            Live::everywhere(
+                format!("u grows by [{kp} (e - e_{{before}}) + {ki} e] / K,  e = 1 - y"),
+                format!("{sent}, K = {gain}"),
+            )
+        }
+        ControllerKind::Mrac => match scenario.mrac.adapted {
+            Adapted::Landau => Live::everywhere("u from five adapted parameters θ φ", sent),
+            Adapted::Gain => Live::everywhere("u = r / K", format!("{sent}, K = {gain}")),
+        },
+        _ => {
+            let formula = match scenario.division.divided {
+                Divided::Programmed => "u = 1 / y".to_owned(),
+                Divided::Actual => "u = u_a / y".to_owned(),
+                Divided::Command => {
+                    format!("u = u_{{before}} y^{{-{}}}", number(scenario.division.exponent))
+                }
+            };
+            Live::everywhere(formula, sent)
+        }
+    };
+    vec![seen, law]
 }
 
 /// Tracking with whole percents: what rounding takes is not lost.

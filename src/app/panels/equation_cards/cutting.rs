@@ -4,7 +4,10 @@ use super::formula::number;
 use super::live::Live;
 use super::neural::neural;
 use crate::base::model::force_formula::{FEED_MIN_MM_MIN, INCH, SPEED_MIN_RPM};
-use crate::blocks::cutting::process::Process;
+use crate::base::units::mm_from_um;
+use crate::blocks::cutting::process::{ForceModel, Process};
+use crate::blocks::cutting::tool::R216_16B20_040;
+use crate::blocks::cutting::tool_path::Place;
 use crate::blocks::cutting::workpiece::{AXIAL_DEPTH_2007_MM, RADIAL_DEPTH_2007_MM};
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
@@ -12,9 +15,13 @@ use crate::run::signals::Row;
 /// Model 4 of the plant, and what it does not know.
 pub fn cutting(row: &Row, scenario: &Scenario) -> Vec<Live> {
     let plant = &scenario.plant;
-    let mut process = Process::new(plant, scenario.workpiece.radial_depth_mm);
+    if plant.force_model == ForceModel::Mechanistic {
+        return tooth_by_tooth(row, scenario);
+    }
     let (feed, speed, depth) = (row.feed_mm_min, row.spindle_rpm, row.axial_depth_mm);
-    let force = process.update(feed, speed, depth);
+    let radial_depth_mm = row.radial_depth_mm;
+    let mut process = Process::new(plant, radial_depth_mm, depth, scenario.dt_s());
+    let force = process.update(feed, speed, &Place { axial_depth_mm: depth, radial_depth_mm });
     if let Some(kind) = plant.force_model.network() {
         return neural(kind, row, scenario, force);
     }
@@ -41,7 +48,7 @@ pub fn cutting(row: &Row, scenario: &Scenario) -> Vec<Live> {
         ),
         valid: k4.valid,
     };
-    let engagement = depth * scenario.workpiece.radial_depth_mm;
+    let engagement = depth * radial_depth_mm;
     let reference = AXIAL_DEPTH_2007_MM * RADIAL_DEPTH_2007_MM;
     let product = Live::everywhere(
         format!("F = {name} · material · (A_D R_D / {} mm^2) · wear", number(reference)),
@@ -58,4 +65,33 @@ pub fn cutting(row: &Row, scenario: &Scenario) -> Vec<Live> {
         ),
     );
     vec![model, product]
+}
+
+/// The mechanistic model: what a tooth meets now, and the peak of the control period.
+fn tooth_by_tooth(row: &Row, scenario: &Scenario) -> Vec<Live> {
+    let tool = R216_16B20_040;
+    let per_tooth_mm = row.feed_mm_min / (tool.teeth * row.spindle_rpm.max(1.0));
+    vec![
+        Live::everywhere(
+            "f_t = f_a / (z n_a)",
+            format!(
+                "f_t = {} / ({} · {}) = {} mm, run-out ± {} mm",
+                number(row.feed_mm_min),
+                number(tool.teeth),
+                number(row.spindle_rpm),
+                number(per_tooth_mm),
+                number(mm_from_um(scenario.plant.runout_um))
+            ),
+        ),
+        Live::everywhere(
+            "F = largest √(F_x^2 + F_y^2) of a control period",
+            format!(
+                "F = {} N; this instant {} N  (A_D {} mm, R_D {} mm)",
+                number(row.force_n),
+                number(row.force_dyn_n),
+                number(row.axial_depth_mm),
+                number(row.radial_depth_mm)
+            ),
+        ),
+    ]
 }

@@ -41,7 +41,7 @@ impl Block {
     pub fn now(self, scenario: &Scenario) -> String {
         let force = scenario.plant.force_model;
         match self.using(scenario) {
-            Some(Using { whose, .. }) if self == Self::Cutting && force.network().is_some() => {
+            Some(Using { whose, .. }) if self == Self::Cutting && force != ForceModel::Formula => {
                 format!("Now, {whose}: {}", force.label())
             }
             Some(Using { whose, set, calibration }) => {
@@ -79,6 +79,7 @@ impl Names {
     fn model(self, number: u32) -> String {
         match number {
             4 if self.force.network().is_some() => "NN".to_owned(),
+            4 if self.force == ForceModel::Mechanistic => "by teeth".to_owned(),
             1..=3 => format!("{}{number}", self.belief.letter()),
             _ => format!("{}{number}", self.plant.letter()),
         }

@@ -3,6 +3,7 @@
 use super::Block;
 use crate::base::model::feed_drive::FeedDriveKind;
 use crate::base::model::gp::ModelSet;
+use crate::blocks::cutting::process::ForceModel;
 use crate::run::scenario::Scenario;
 
 /// An equation as its source prints it.
@@ -51,6 +52,19 @@ const NETWORK: Printed = eq(
     "F_x, F_y, F_z = NN(f, n, R_D, A_D, material, hardness, D, geometry)",
     "Control strategy 2013, section 2.3: 8 inputs, 15 hidden neurons, 3 outputs; its weights were \
      never published",
+);
+
+const CHIP: Printed = eq(
+    "h = [(f_t + X_m) sin φ + Y_m cos φ + Δρ] sin κ",
+    "Combined system 2005, Fig. 3 (lost), as ball-end geometry after Lee and Altintas",
+);
+const DEFLECTION: Printed = eq(
+    "X_m = G [F_x(t) - F_x(t - T)],  Y_m = G [F_y(t) - F_y(t - T)]",
+    "Combined system 2005, eq. 1: elasticity with the delay of one tooth period",
+);
+const KIENZLE: Printed = eq(
+    "dF_i = k_i h^{1 - m_i} db",
+    "Kienzle's laws, tangential, radial and axial (constants of published tables, in part chosen)",
 );
 
 /// The transfer function of a drive.
@@ -114,6 +128,9 @@ impl Block {
                 "chosen: no paper gives a spindle drive",
             )],
             Self::Cutting if scenario.plant.force_model.network().is_some() => vec![NETWORK],
+            Self::Cutting if scenario.plant.force_model == ForceModel::Mechanistic => {
+                vec![CHIP, DEFLECTION, KIENZLE]
+            }
             Self::Cutting => vec![if of_2007 { K4 } else { M4 }],
             Self::Dynamic => vec![eq(
                 "F_{dyn} = F (1 + level (b(t) + ripple sin θ + w(x)))",

@@ -7,7 +7,7 @@ use crate::app::command::Command;
 use crate::app::session::Session;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::setting::{Size, setting};
-use crate::app::widgets::target::target_ra;
+use crate::app::widgets::target::target;
 use crate::run::plan_settings::{ForceLimit, PlanSettings};
 
 const WEIGHTS: [&str; 4] =
@@ -73,7 +73,7 @@ pub fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     let out = &mut changes;
     let by_target = plan.force_limit == ForceLimit::TargetRa;
     if by_target {
-        target_ra(ui, scenario, out);
+        target(ui, scenario, out);
     }
     for path in LIMITS.into_iter().filter(|path| matters(path, plan)) {
         setting(ui, path, scenario, Size::Large, out);

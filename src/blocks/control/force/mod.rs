@@ -1,0 +1,253 @@
+//! The force controllers of the 2005 comparison: each moves the feed override u alone and sees the
+//! normalised force y = F_m / F_ref once in a control period; the spindle stays as programmed.
+//!
+//! What they share stands here: the model of the actual override, contact with the part, the air
+//! feed, and the Smith predictor that any of them can be given. Thresholds and gains are relative,
+//! so every controller runs on every plant.
+//!
+//! ```text
+//! u_a(k)  override that the feed drive has reached, from the commands really sent
+//! u_0(k)  the same without dead time
+//! y*      = y u_0 / u_a            multiplicative Smith predictor, with u_0 in the place of u_a
+//! ```
+//!
+//! In the air (y below 0.06: 40 of 665 N) the override goes to its upper limit and every state is
+//! held: low loads raise the feed above the programmed one (2005, section 1).
+
+pub mod adjustable_pi;
+pub mod division;
+pub mod mrac;
+pub mod proportional;
+
+use adjustable_pi::AdjustablePi;
+use division::Division;
+use mrac::Mrac;
+use proportional::Proportional;
+
+use super::{ControlInput, ControlOutput, ControlSetup, ControllerKind, FeedSpeed};
+use crate::base::math::limit;
+use crate::base::model::feed_drive::{DriveState, ExactDrive};
+
+/// Normalised force below which the tool is in the air: 40 of 665 N (2005 simulator, chosen).
+const AIR: f64 = 0.06;
+/// Least actual override that anything is divided by.
+const LEAST: f64 = 0.02;
+/// Longest dead time that can be predicted, s; the range of `belief.dead_time_s`.
+const DEAD_TIME_MAX_S: f64 = 0.5;
+
+/// What a force controller sees in a control period.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// Normalised force y, or y* with the Smith predictor.
+    pub y: f64,
+    /// Actual override u_a, or u_0 with the Smith predictor; at least 0.02.
+    pub actual: f64,
+    /// Override that was really sent in the period before.
+    pub sent: f64,
+    /// Whether this is the first sample in contact.
+    pub entered: bool,
+    /// Least and largest override.
+    pub range: [f64; 2],
+}
+
+/// One of the laws: from a sample in contact to the new override.
+pub trait Law {
+    /// The new override, before limits.
+    fn update(&mut self, sample: &Sample) -> f64;
+    /// The law's estimate of the force at 100 % override relative to the reference; 1 where it has
+    /// none.
+    fn gain(&self) -> f64 {
+        1.0
+    }
+}
+
+/// The shared part with its state.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    drive: ExactDrive,
+    /// Whole control periods of dead time.
+    periods: usize,
+    smith: bool,
+    /// Overrides sent, a ring; `newest` is the last one.
+    sent: Vec<f64>,
+    newest: usize,
+    delayed: DriveState,
+    undelayed: DriveState,
+    in_contact: bool,
+    started: bool,
+}
+
+impl Frame {
+    pub(super) fn new(setup: &ControlSetup, smith: bool) -> Self {
+        let capacity = (DEAD_TIME_MAX_S / setup.period_s).ceil() as usize + 2;
+        let mut this = Self {
+            drive: ExactDrive::new(setup.belief.feed_drive, setup.period_s),
+            periods: 0,
+            smith,
+            sent: vec![1.0; capacity],
+            newest: 0,
+            delayed: DriveState::settled(1.0),
+            undelayed: DriveState::settled(1.0),
+            in_contact: false,
+            started: false,
+        };
+        this.configure(setup, smith);
+        this
+    }
+
+    pub(super) fn configure(&mut self, setup: &ControlSetup, smith: bool) {
+        self.drive = ExactDrive::new(setup.belief.feed_drive, setup.period_s);
+        self.periods = (setup.belief.dead_time_s / setup.period_s).round() as usize;
+        self.smith = smith;
+    }
+
+    /// The machine runs at the override `actual` under the command `sent`.
+    pub(super) fn restart(&mut self, actual: f64, sent: f64) {
+        self.sent.fill(sent);
+        (self.delayed, self.undelayed) = (DriveState::settled(actual), DriveState::settled(actual));
+        (self.in_contact, self.started) = (false, false);
+    }
+
+    fn follow(&mut self, sent: f64) {
+        let n = self.sent.len();
+        self.newest = (self.newest + 1) % n;
+        self.sent[self.newest] = sent;
+        let older = self.sent[(self.newest + n - self.periods.min(n - 1)) % n];
+        self.drive.advance(&mut self.delayed, older);
+        self.drive.advance(&mut self.undelayed, sent);
+    }
+
+    /// One control period of `law`.
+    pub(super) fn update(&mut self, law: &mut dyn Law, input: &ControlInput) -> ControlOutput {
+        let programmed = input.programmed.feed_mm_min;
+        let sent = input.applied.feed_mm_min / programmed;
+        if self.started {
+            self.follow(sent);
+        }
+        self.started = true;
+        let range = input.limits.feed_mm_min.map(|feed| feed / programmed);
+        let mut y = input.force_measured_n / input.force_ref_n;
+        let contact = y >= AIR;
+        let delayed = self.delayed.feed_mm_min().max(LEAST);
+        let mut actual = delayed;
+        if self.smith {
+            actual = self.undelayed.feed_mm_min().max(LEAST);
+            y *= actual / delayed;
+        }
+        let override_now = if contact {
+            let entered = !self.in_contact;
+            law.update(&Sample { y, actual, sent, entered, range })
+        } else {
+            range[1]
+        };
+        self.in_contact = contact;
+        ControlOutput {
+            request: FeedSpeed {
+                feed_mm_min: limit(override_now, range[0], range[1]) * programmed,
+                speed_rpm: input.programmed.speed_rpm,
+            },
+            force_setpoint_n: input.force_ref_n,
+            gain_estimate: law.gain(),
+            feed_model_valid: true,
+            speed_model_valid: true,
+        }
+    }
+}
+
+/// The laws that can be chosen.
+#[derive(Clone, Debug)]
+enum AnyLaw {
+    Division(Division),
+    Proportional(Proportional),
+    AdjustablePi(AdjustablePi),
+    Mrac(Box<Mrac>),
+}
+
+impl AnyLaw {
+    fn new(setup: &ControlSetup) -> Self {
+        match setup.kind {
+            // register: law
+            ControllerKind::Proportional => {
+                Self::Proportional(Proportional { settings: setup.proportional.clone(), sum: 0.0 })
+            }
+            ControllerKind::AdjustablePi => Self::AdjustablePi(AdjustablePi {
+                settings: setup.adjustable_pi.clone(),
+                gain: 1.0,
+                covariance: 1.0,
+                error_before: 0.0,
+            }),
+            ControllerKind::Mrac => Self::Mrac(Box::new(Mrac::new(setup.mrac))),
+            _ => Self::Division(Division { settings: setup.division.clone() }),
+        }
+    }
+
+    /// Takes over changed settings of the same law; `false` if it is another one.
+    fn configure(&mut self, setup: &ControlSetup) -> bool {
+        match (self, setup.kind) {
+            (Self::Division(law), ControllerKind::Division) => {
+                law.settings = setup.division.clone();
+            }
+            (Self::Proportional(law), ControllerKind::Proportional) => {
+                law.settings = setup.proportional.clone();
+            }
+            (Self::AdjustablePi(law), ControllerKind::AdjustablePi) => {
+                law.settings = setup.adjustable_pi.clone();
+            }
+            (Self::Mrac(law), ControllerKind::Mrac) => law.settings = setup.mrac.clone(),
+            _ => return false,
+        }
+        true
+    }
+
+    fn as_law(&mut self) -> &mut dyn Law {
+        match self {
+            Self::Division(law) => law,
+            Self::Proportional(law) => law,
+            Self::AdjustablePi(law) => law,
+            Self::Mrac(law) => law.as_mut(),
+        }
+    }
+}
+
+fn smith(setup: &ControlSetup) -> bool {
+    match setup.kind {
+        ControllerKind::Proportional => setup.proportional.smith,
+        ControllerKind::AdjustablePi => setup.adjustable_pi.smith,
+        ControllerKind::Mrac => setup.mrac.smith,
+        _ => setup.division.smith,
+    }
+}
+
+/// A force controller: the shared part and its law.
+#[derive(Clone, Debug)]
+pub struct ForceController {
+    frame: Frame,
+    law: AnyLaw,
+}
+
+impl ForceController {
+    /// The controller of a machine that runs at the override `actual` under the command `sent`.
+    pub(super) fn new(setup: &ControlSetup, actual: f64, sent: f64) -> Self {
+        let mut frame = Frame::new(setup, smith(setup));
+        frame.restart(actual, sent);
+        Self { frame, law: AnyLaw::new(setup) }
+    }
+
+    /// Takes over changed settings and keeps its state; `false` if another law is chosen.
+    pub(super) fn configure(&mut self, setup: &ControlSetup) -> bool {
+        self.frame.configure(setup, smith(setup));
+        self.law.configure(setup)
+    }
+
+    /// A new cut begins at the programmed feed: what was learned stays.
+    pub(super) fn restart(&mut self) {
+        self.frame.restart(1.0, 1.0);
+        if let AnyLaw::Proportional(law) = &mut self.law {
+            law.sum = 0.0;
+        }
+    }
+
+    pub(super) fn update(&mut self, input: &ControlInput) -> ControlOutput {
+        self.frame.update(self.law.as_law(), input)
+    }
+}

@@ -1,0 +1,106 @@
+//! The part as the cutter's edge meets it: straight cuts one after the other, each of sections of
+//! constant axial depth and side wall.
+//!
+//! A contact point of the edge at (x, y), x along the cut from the part's edge and y across it from
+//! the tool's axis, is in the material if 0 <= x <= L and y >= y_e(x), up to the depth A_D(x). The wall
+//! is given by its place y_e and not by the radial depth: with the radial depth constant the wall
+//! would jump sideways at every step of the axial depth. Steps are met gradually, as the ball's
+//! contact points come to them.
+
+use crate::base::settings::Section;
+
+/// Distance in mm that a cut starts before the part's edge: the tool comes in from the air.
+pub const APPROACH_MM: f64 = 7.6;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Stretch {
+    to_mm: f64,
+    axial_depth_mm: f64,
+    wall_mm: f64,
+}
+
+/// One straight cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CutPath {
+    stretches: Vec<Stretch>,
+    /// Where the material begins: at the part's edge, or nowhere for a path that starts in it.
+    from_mm: f64,
+}
+
+impl CutPath {
+    /// A cut through `sections`: length, axial depth and wall position y_e in mm.
+    #[must_use]
+    pub fn new(sections: &[Section]) -> Self {
+        let mut to_mm = 0.0;
+        let stretches = sections.iter().map(|&[length_mm, axial_depth_mm, wall_mm]| {
+            to_mm += length_mm;
+            Stretch { to_mm, axial_depth_mm, wall_mm }
+        });
+        Self { stretches: stretches.collect(), from_mm: 0.0 }
+    }
+
+    /// The same with material before the first section too: the tool starts in the cut.
+    #[must_use]
+    pub fn open(sections: &[Section]) -> Self {
+        Self { from_mm: f64::NEG_INFINITY, ..Self::new(sections) }
+    }
+
+    /// Length L of the part along this cut, mm.
+    #[must_use]
+    pub fn length_mm(&self) -> f64 {
+        self.stretches.last().map_or(0.0, |stretch| stretch.to_mm)
+    }
+
+    /// The largest axial depth, mm.
+    #[must_use]
+    pub fn depth_max_mm(&self) -> f64 {
+        self.stretches.iter().map(|stretch| stretch.axial_depth_mm).fold(0.0, f64::max)
+    }
+
+    /// Axial depth and wall position in mm of the section at `x_mm`; no depth where there is none.
+    #[must_use]
+    pub fn section_at(&self, x_mm: f64) -> [f64; 2] {
+        let inside = x_mm >= self.from_mm;
+        let here = self.stretches.iter().find(|stretch| x_mm <= stretch.to_mm);
+        match here {
+            Some(stretch) if inside => [stretch.axial_depth_mm, stretch.wall_mm],
+            _ => [0.0, 0.0],
+        }
+    }
+
+    /// Axial depth in mm of the material at a contact point; 0 where there is none.
+    #[must_use]
+    #[inline]
+    pub fn depth_at(&self, x_mm: f64, y_mm: f64) -> f64 {
+        if x_mm < self.from_mm {
+            return 0.0;
+        }
+        for stretch in &self.stretches {
+            if x_mm <= stretch.to_mm {
+                return if y_mm >= stretch.wall_mm { stretch.axial_depth_mm } else { 0.0 };
+            }
+        }
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn material_is_found_by_section_and_wall_and_only_within_the_part() {
+        let cut = CutPath::new(&[[30.0, 2.6, 2.0], [10.0, 3.0, 1.5]]);
+        assert_eq!((cut.length_mm(), cut.depth_max_mm()), (40.0, 3.0));
+        for (x, y, depth) in [
+            (-0.1, 5.0, 0.0),
+            (0.0, 2.0, 2.6),
+            (29.9, 1.9, 0.0),
+            (30.1, 1.9, 3.0),
+            (40.0, 1.5, 3.0),
+            (40.1, 5.0, 0.0),
+        ] {
+            assert_eq!(cut.depth_at(x, y), depth, "{x} {y}");
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! The peak of the force across the tool in every control period: what the milling simulator's
+//! controllers see (2005: 576 samples of 28.8 kHz in 20 ms).
+//!
+//! ```text
+//! F_m(k) = max over the window of sqrt((F_x + nu_x)^2 + (F_y + nu_y)^2)
+//! ```
+
+use super::dynamic_force::NoiseSettings;
+use crate::base::rng::Stream;
+
+/// The largest force of a window, true and as measured, N.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Peak {
+    /// Without the sensor's noise.
+    pub true_n: f64,
+    /// With it.
+    pub measured_n: f64,
+}
+
+/// The running window and the last whole one.
+#[derive(Clone, Debug)]
+pub struct PeakWindow {
+    stream: Stream,
+    deviation_n: f64,
+    samples: u64,
+    count: u64,
+    running: Peak,
+    held: Peak,
+}
+
+impl PeakWindow {
+    /// Windows of `samples`, under `seed`.
+    #[must_use]
+    pub fn new(settings: &NoiseSettings, seed: u32, samples: u64) -> Self {
+        let stream = Stream::new(u64::from(seed), "noise.dynamometer");
+        let (running, held) = (Peak::default(), Peak::default());
+        let mut this = Self { stream, deviation_n: 0.0, samples, count: 0, running, held };
+        this.reconfigure(settings);
+        this
+    }
+
+    /// Takes over changed settings.
+    pub fn reconfigure(&mut self, settings: &NoiseSettings) {
+        self.deviation_n = settings.level * settings.sensor_n;
+    }
+
+    /// Forgets what was measured, as a new cut begins; the windows stay those of the controller.
+    pub fn restart(&mut self) {
+        (self.running, self.held) = (Peak::default(), Peak::default());
+    }
+
+    /// Sample number `tick` of F_x and F_y in N; gives the peaks of the last whole window.
+    #[inline]
+    pub fn push(&mut self, tick: u64, [x, y]: [f64; 2]) -> Peak {
+        let across = |x: f64, y: f64| (x * x + y * y).sqrt();
+        let true_n = across(x, y);
+        let measured_n = if self.deviation_n > 0.0 {
+            let noise = |draw: u64| self.deviation_n * self.stream.normal(2 * tick + draw);
+            across(x + noise(0), y + noise(1))
+        } else {
+            true_n
+        };
+        self.running.true_n = self.running.true_n.max(true_n);
+        self.running.measured_n = self.running.measured_n.max(measured_n);
+        self.count += 1;
+        if self.count == self.samples {
+            self.held = self.running;
+            (self.count, self.running) = (0, Peak::default());
+        }
+        self.held
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_window_holds_its_largest_force_until_the_next_is_whole() {
+        let mut window = PeakWindow::new(&NoiseSettings::default(), 1, 3);
+        let forces = [[3.0, 4.0], [0.0, 1.0], [1.0, 0.0], [0.0, 2.0], [0.0, 0.0], [0.0, 0.0]];
+        let held: Vec<f64> =
+            forces.iter().enumerate().map(|(k, f)| window.push(k as u64, *f).true_n).collect();
+        assert_eq!(held, [0.0, 0.0, 5.0, 5.0, 5.0, 2.0]);
+    }
+
+    #[test]
+    fn noise_is_measured_but_not_true() {
+        let settings = NoiseSettings { level: 1.0, sensor_n: 6.0, ..NoiseSettings::default() };
+        let mut window = PeakWindow::new(&settings, 1, 576);
+        let last = (0..576).map(|k| window.push(k, [100.0, 0.0])).last().unwrap();
+        assert_eq!(last.true_n, 100.0);
+        // The largest of 576 normal deviates lies near 3 standard deviations.
+        assert!(last.measured_n > 112.0 && last.measured_n < 130.0, "{last:?}");
+    }
+}
