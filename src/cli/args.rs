@@ -176,6 +176,22 @@ pub struct TrainArgs {
 pub enum TrainWhat {
     /// The neural cutting-force model.
     Force(TrainForceArgs),
+    /// The three networks of the neural control scheme UNKS.
+    Unks(TrainUnksArgs),
+}
+
+/// Arguments of `train unks`.
+#[derive(Debug, Args)]
+pub struct TrainUnksArgs {
+    /// Folder to write the three network files into.
+    #[arg(long, value_name = "FOLDER")]
+    pub out: Option<PathBuf>,
+    /// Exit with 1 unless every shipped file is reproduced bit for bit.
+    #[arg(long, conflicts_with = "out")]
+    pub check: bool,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `train force`: a recipe, and what differs from it.

@@ -9,6 +9,7 @@ mod papers;
 mod plan;
 mod run;
 mod train;
+mod train_unks;
 
 use std::process::ExitCode;
 

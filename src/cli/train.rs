@@ -22,13 +22,14 @@ pub fn execute(args: &TrainArgs) -> Outcome {
     match &args.what {
         Some(TrainWhat::Force(force)) if force.check => check(force.json),
         Some(TrainWhat::Force(force)) => train_force(force),
+        Some(TrainWhat::Unks(args)) => super::train_unks::execute(args),
         None if args.study => study(args.json),
         None => Err("what to train? `train force`, or `train --study`".into()),
     }
 }
 
 /// A progress bar on stderr; invisible where stderr is no terminal.
-fn bar(length: u64, what: &'static str) -> ProgressBar {
+pub(super) fn bar(length: u64, what: &'static str) -> ProgressBar {
     let style = ProgressStyle::with_template("{msg:<20} {wide_bar} {pos}/{len} {eta}");
     let bar = ProgressBar::new(length).with_message(what);
     style.map_or(bar.clone(), |style| bar.with_style(style))

@@ -13,6 +13,7 @@ use crate::blocks::control::force::adjustable_pi::AdjustablePiSettings;
 use crate::blocks::control::force::division::DivisionSettings;
 use crate::blocks::control::force::mrac::MracSettings;
 use crate::blocks::control::force::proportional::ProportionalSettings;
+use crate::blocks::control::force::unks::UnksSettings;
 use crate::blocks::control::sdnrp::SdnrpSettings;
 use crate::blocks::control::tracking::TrackingSettings;
 use crate::blocks::control::{Belief, ControlSetup, ControllerChoice};
@@ -111,6 +112,7 @@ scenario! {
     "controller.p", proportional: ProportionalSettings;
     "controller.adjustable_pi", adjustable_pi: AdjustablePiSettings;
     "controller.mrac", mrac: MracSettings;
+    "controller.unks", unks: UnksSettings;
     "belief", belief: Belief;
     "feed_drive", feed_drive: FeedDriveSettings;
     "spindle_drive", spindle_drive: SpindleDriveSettings;
@@ -334,6 +336,7 @@ impl Scenario {
             proportional: &self.proportional,
             adjustable_pi: &self.adjustable_pi,
             mrac: &self.mrac,
+            unks: &self.unks,
             belief: &self.belief,
             period_s: self.control_period_s(),
         }

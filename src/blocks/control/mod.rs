@@ -27,6 +27,8 @@ crate::choice! {
         AdjustablePi = "adjustable_pi", "Adjustable PI";
         /// Model-reference adaptive control (2005).
         Mrac = "mrac", "MRAC";
+        /// The neural control scheme of 2005, its networks learning in the cut.
+        Unks = "unks", "UNKS";
     }
 }
 
@@ -128,6 +130,8 @@ pub struct ControlSetup<'a> {
     pub adjustable_pi: &'a force::adjustable_pi::AdjustablePiSettings,
     /// Settings of the model-reference adaptive controller.
     pub mrac: &'a force::mrac::MracSettings,
+    /// Settings of the neural control scheme.
+    pub unks: &'a force::unks::UnksSettings,
     /// The controller's beliefs.
     pub belief: &'a Belief,
     /// Control period, s.
@@ -163,7 +167,8 @@ impl Controller {
             ControllerKind::Division
             | ControllerKind::Proportional
             | ControllerKind::AdjustablePi
-            | ControllerKind::Mrac => {
+            | ControllerKind::Mrac
+            | ControllerKind::Unks => {
                 Self::Force(Box::new(force::ForceController::new(setup, 1.0, 1.0)))
             }
         }

@@ -12,6 +12,7 @@ pub mod formula;
 pub mod recipe;
 pub mod report;
 pub mod static_peaks;
+pub mod unks;
 
 use crate::base::network::{Network, Provenance, ScaledNetwork, Scaling, Training, write};
 use crate::base::rng::Stream;

@@ -22,7 +22,7 @@ const FIRST: [&str; 5] =
 const TARGET: &str = "target.ra_um";
 
 /// Groups below the fold, with their titles.
-const GROUPS: [(&str, &str); 19] = [
+const GROUPS: [(&str, &str); 20] = [
     ("target", "Target"),
     ("controller.constant_feed", "Constant feed"),
     ("controller.sdnrp", "SDNRP"),
@@ -31,6 +31,7 @@ const GROUPS: [(&str, &str); 19] = [
     ("controller.p", "P"),
     ("controller.adjustable_pi", "Adjustable PI"),
     ("controller.mrac", "MRAC"),
+    ("controller.unks", "UNKS"),
     ("belief", "What the controller believes"),
     ("plant", "Plant"),
     ("noise", "Noise"),

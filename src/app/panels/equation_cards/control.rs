@@ -93,7 +93,8 @@ pub fn controller(belief: &GpModels, row: &Row, scenario: &Scenario) -> Vec<Live
         ControllerKind::Division
         | ControllerKind::Proportional
         | ControllerKind::AdjustablePi
-        | ControllerKind::Mrac => force_law(row, scenario),
+        | ControllerKind::Mrac
+        | ControllerKind::Unks => force_law(row, scenario),
     }
 }
 
@@ -127,6 +128,10 @@ fn force_law(row: &Row, scenario: &Scenario) -> Vec<Live> {
             Adapted::Landau => Live::everywhere("u from five adapted parameters θ φ", sent),
             Adapted::Gain => Live::everywhere("u = r / K", format!("{sent}, K = {gain}")),
         },
+        ControllerKind::Unks => Live::everywhere(
+            "u = a_0 e^{NM-2} · internal loop + w_{ext} (NM-R(F_{ref}, F_m) - 1)",
+            sent,
+        ),
         _ => {
             let formula = match scenario.division.divided {
                 Divided::Programmed => "u = 1 / y".to_owned(),

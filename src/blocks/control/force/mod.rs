@@ -18,15 +18,18 @@ pub mod adjustable_pi;
 pub mod division;
 pub mod mrac;
 pub mod proportional;
+pub mod unks;
 
 use adjustable_pi::AdjustablePi;
 use division::Division;
 use mrac::Mrac;
 use proportional::Proportional;
+use unks::Unks;
 
 use super::{ControlInput, ControlOutput, ControlSetup, ControllerKind, FeedSpeed};
 use crate::base::math::limit;
 use crate::base::model::feed_drive::{DriveState, ExactDrive};
+use crate::base::model::unks::HORIZON_BEYOND;
 
 /// Normalised force below which the tool is in the air: 40 of 665 N (2005 simulator, chosen).
 const AIR: f64 = 0.06;
@@ -97,7 +100,7 @@ impl Frame {
 
     pub(super) fn configure(&mut self, setup: &ControlSetup, smith: bool) {
         self.drive = ExactDrive::new(setup.belief.feed_drive, setup.period_s);
-        self.periods = (setup.belief.dead_time_s / setup.period_s).round() as usize;
+        self.periods = periods(setup);
         self.smith = smith;
     }
 
@@ -161,6 +164,7 @@ enum AnyLaw {
     Proportional(Proportional),
     AdjustablePi(AdjustablePi),
     Mrac(Box<Mrac>),
+    Unks(Box<Unks>),
 }
 
 impl AnyLaw {
@@ -177,6 +181,7 @@ impl AnyLaw {
                 error_before: 0.0,
             }),
             ControllerKind::Mrac => Self::Mrac(Box::new(Mrac::new(setup.mrac))),
+            ControllerKind::Unks => Self::Unks(Box::new(Unks::new(setup.unks, horizon(setup)))),
             _ => Self::Division(Division { settings: setup.division.clone() }),
         }
     }
@@ -194,6 +199,10 @@ impl AnyLaw {
                 law.settings = setup.adjustable_pi.clone();
             }
             (Self::Mrac(law), ControllerKind::Mrac) => law.settings = setup.mrac.clone(),
+            (Self::Unks(law), ControllerKind::Unks) => {
+                law.settings = setup.unks.clone();
+                law.set_horizon(horizon(setup));
+            }
             _ => return false,
         }
         true
@@ -205,8 +214,19 @@ impl AnyLaw {
             Self::Proportional(law) => law,
             Self::AdjustablePi(law) => law,
             Self::Mrac(law) => law.as_mut(),
+            Self::Unks(law) => law.as_mut(),
         }
     }
+}
+
+/// Whole control periods of the believed dead time.
+fn periods(setup: &ControlSetup) -> usize {
+    (setup.belief.dead_time_s / setup.period_s).round() as usize
+}
+
+/// How far UNKS looks ahead, in control periods.
+fn horizon(setup: &ControlSetup) -> usize {
+    periods(setup) + HORIZON_BEYOND
 }
 
 fn smith(setup: &ControlSetup) -> bool {
@@ -214,6 +234,7 @@ fn smith(setup: &ControlSetup) -> bool {
         ControllerKind::Proportional => setup.proportional.smith,
         ControllerKind::AdjustablePi => setup.adjustable_pi.smith,
         ControllerKind::Mrac => setup.mrac.smith,
+        ControllerKind::Unks => setup.unks.smith,
         _ => setup.division.smith,
     }
 }

@@ -1,0 +1,87 @@
+//! The three networks of the neural control scheme UNKS (2005): NM-R, NM-1 and NM-2, arc tangent in
+//! the hidden layer, linear at the output, trained by `steadycut train unks`.
+//!
+//! ```text
+//! NM-R  2-12-1  (F_ref, F)                            -> F_ref / F, limited to 0..1.5
+//! NM-1  4-8-1   (f0, f0-f1, f0-f2, ln(a_c/a_0))       -> f(k+H) - f0
+//! NM-2  4-8-1   (f0, f0-f1, f0-f2, ln(F_wanted/F))    -> ln(a(k+H)/a_0)
+//! ```
+//!
+//! f_i = ln of the peak force i control periods ago in kN, a the override that the feed drive has
+//! reached, H the horizon. Forces are taken relative to a reference of 0.665 kN, that of
+//! Experiment 2, so that the networks serve every plant.
+
+use std::sync::LazyLock;
+
+use crate::base::math;
+use crate::base::network::{ScaledNetwork, parse};
+
+/// Reference force of the networks' kilonewtons.
+pub const REFERENCE_KN: f64 = 0.665;
+/// Least force of which the logarithm is taken, kN.
+pub const LEAST_KN: f64 = 0.03;
+/// Control periods of the horizon beyond the dead time.
+pub const HORIZON_BEYOND: usize = 4;
+
+/// Logarithm of a normalised force as the networks see it.
+#[must_use]
+pub fn log_force(normalised: f64) -> f64 {
+    math::ln((normalised * REFERENCE_KN).max(LEAST_KN))
+}
+
+/// The three networks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UnksNetworks {
+    /// NM-R, the controller of the feedback loops.
+    pub reference: ScaledNetwork,
+    /// NM-1, the process forward.
+    pub forward: ScaledNetwork,
+    /// NM-2, the process inverted.
+    pub inverse: ScaledNetwork,
+}
+
+/// Files of the shipped networks in the order NM-R, NM-1, NM-2.
+pub const FILES: [&str; 3] = [
+    include_str!("../../../assets/models/unks_nmr.json"),
+    include_str!("../../../assets/models/unks_nm1.json"),
+    include_str!("../../../assets/models/unks_nm2.json"),
+];
+/// Their shapes.
+pub const SIZES: [&[usize]; 3] = [&[2, 12, 1], &[4, 8, 1], &[4, 8, 1]];
+
+static SHIPPED: LazyLock<UnksNetworks> = LazyLock::new(|| {
+    UnksNetworks::parse(FILES).expect("the shipped networks are checked by a test")
+});
+
+impl UnksNetworks {
+    /// The shipped networks.
+    #[must_use]
+    pub fn shipped() -> &'static Self {
+        &SHIPPED
+    }
+
+    /// Reads three network files in the order of [`FILES`].
+    ///
+    /// # Errors
+    /// Names the network and the faulty field.
+    pub fn parse(files: [&str; 3]) -> Result<Self, String> {
+        let read = |i: usize| {
+            let name = ["NM-R", "NM-1", "NM-2"][i];
+            let (scaled, _) = parse(files[i]).map_err(|error| format!("{name}: {error}"))?;
+            let sizes = scaled.network.sizes();
+            if sizes == SIZES[i] {
+                Ok(scaled)
+            } else {
+                Err(format!("{name}: `sizes` cannot be {sizes:?}: allowed is {:?}", SIZES[i]))
+            }
+        };
+        Ok(Self { reference: read(0)?, forward: read(1)?, inverse: read(2)? })
+    }
+
+    /// NM-R: F_ref / F, limited to 0..1.5, for forces in kN.
+    #[must_use]
+    pub fn ratio(&self, reference_kn: f64, force_kn: f64) -> f64 {
+        let force_kn = math::limit(force_kn, 0.1, 2.0);
+        math::limit(self.reference.predict(&[reference_kn, force_kn])[0], 0.0, 1.5)
+    }
+}
