@@ -11,6 +11,7 @@ use steadycut::run::one_run::{End, Run};
 use steadycut::run::presets::load;
 use steadycut::run::scenario::Scenario;
 use steadycut::run::signals::flag;
+use steadycut::study::compare_2005::Comparison;
 
 fn experiment_2(controller: &str) -> Scenario {
     let mut scenario = load("experiment-2").unwrap();
@@ -120,4 +121,41 @@ fn slices_and_branches_change_nothing_tooth_by_tooth() {
     sliced.branch(20.0, &Edits::none());
     sliced.advance(u64::MAX);
     assert_eq!(whole.recording().digest(), sliced.recording().digest());
+}
+
+#[test]
+fn unks_agrees_with_the_networks_as_shipped() {
+    let metrics = run(&experiment_2("unks"));
+    let nsn = metrics.normalized_standard_error.unwrap();
+    assert!((nsn - 0.1639).abs() <= 0.01, "Nsn {nsn}");
+    assert!((metrics.time_of_cut_s - 88.18).abs() <= 1.0, "{} s", metrics.time_of_cut_s);
+    assert!((metrics.max_force_n / 963.0 - 1.0).abs() <= 0.05, "{} N", metrics.max_force_n);
+}
+
+#[test]
+fn unks_learns_while_it_cuts() {
+    let learning = Run::complete(&experiment_2("unks"), &Edits::none());
+    let mut scenario = experiment_2("unks");
+    (scenario.unks.forward_rate, scenario.unks.inverse_rate) = (0.0, 0.0);
+    let fixed = Run::complete(&scenario, &Edits::none());
+    assert_ne!(learning.recording().digest(), fixed.recording().digest());
+}
+
+#[test]
+fn table_1_of_2005_is_met_where_it_can_be() {
+    let mut comparison = Comparison::new(1);
+    while !comparison.advance() {}
+    let methods = comparison.compared();
+    assert_eq!(methods.len(), 6);
+    for method in &methods {
+        let (time_s, printed_s) = (method.time_of_cut_s.mean, method.printed.time_of_cut_s);
+        assert!((time_s / printed_s - 1.0).abs() <= 0.06, "{method:?}");
+    }
+    let nsn = |i: usize| methods[i].normalized_standard_error.mean;
+    assert!((nsn(0) / 0.35 - 1.0).abs() <= 0.05, "conventional {}", nsn(0));
+    // UNKS and the adjustable PI are the two best.
+    let (unks, pi) = (nsn(5), nsn(3));
+    assert!((0..6).filter(|i| *i != 3 && *i != 5).all(|i| nsn(i) > unks.max(pi)));
+    assert!(unks <= 0.18 && methods[5].time_of_cut_s.mean <= 90.0);
+    assert!(methods[5].max_force_kn.mean <= 1.05, "{:?}", methods[5]);
 }

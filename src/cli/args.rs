@@ -111,12 +111,29 @@ fn force_model(text: &str) -> Result<ForceModel, String> {
     map.ok_or_else(|| format!("allowed is {}", ForceModel::MAPS.map(ForceModel::id).join(", ")))
 }
 
+/// A paper whose table can be compared with runs.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum ComparedPaper {
+    /// Combined system 2005, Table 1: six methods on Experiment 2.
+    #[value(name = "2005")]
+    Combined2005,
+    /// SDNRP 2007, Table 3.
+    #[value(name = "2007")]
+    Sdnrp2007,
+    /// Control strategy 2013, Table 1.
+    #[value(name = "2013")]
+    Strategy2013,
+}
+
 /// Arguments of `papers`.
 #[derive(Debug, Args)]
 pub struct PapersArgs {
     /// The paper.
     #[arg(long, value_enum)]
-    pub paper: Paper,
+    pub paper: ComparedPaper,
+    /// Number of noise seeds (2005 only), the same for every method.
+    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub seeds: u32,
     /// Calibration of plant and controller.
     #[arg(long, value_enum, default_value = "identified")]
     pub calibration: CalibrationArg,

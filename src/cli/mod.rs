@@ -6,6 +6,7 @@ mod force;
 mod identify;
 mod list;
 mod papers;
+mod papers_2005;
 mod plan;
 mod run;
 mod train;

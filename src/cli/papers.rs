@@ -4,13 +4,18 @@ use std::io::Write;
 use std::process::ExitCode;
 
 use super::Outcome;
-use super::args::PapersArgs;
+use super::args::{ComparedPaper, PapersArgs};
+use super::papers_2005;
 use crate::study::papers::{Cell, PaperTable, Verdict, table};
 use crate::study::published::PaperId;
 use crate::study::train::data::NOTE;
 
 pub fn execute(args: &PapersArgs) -> Outcome {
-    let id = PaperId::from(args.paper);
+    let id = match args.paper {
+        ComparedPaper::Combined2005 => return papers_2005::execute(args),
+        ComparedPaper::Sdnrp2007 => PaperId::Sdnrp2007,
+        ComparedPaper::Strategy2013 => PaperId::Strategy2013,
+    };
     let paper = table(id, args.calibration.into(), args.plant);
     let mut out = std::io::stdout().lock();
     if args.json {

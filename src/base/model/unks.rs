@@ -85,3 +85,31 @@ impl UnksNetworks {
         math::limit(self.reference.predict(&[reference_kn, force_kn])[0], 0.0, 1.5)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shipped_networks_do_what_they_are_for() {
+        let networks = UnksNetworks::shipped();
+        // NM-R is F_ref / F where that is below its cap.
+        for (reference, force) in [(0.3, 0.6), (0.665, 0.665), (0.665, 1.4), (0.9, 1.8)] {
+            let ratio = networks.ratio(reference, force);
+            assert!((ratio - reference / force).abs() < 0.06, "{reference} / {force}: {ratio}");
+        }
+        // More feed makes more force, and more force wanted asks for more feed.
+        let with = |network: &ScaledNetwork, last: f64| network.predict(&[-0.4, 0.0, 0.0, last])[0];
+        assert!(with(&networks.forward, 0.3) > with(&networks.forward, -0.3) + 0.2);
+        assert!(with(&networks.inverse, 0.3) > with(&networks.inverse, -0.3) + 0.2);
+    }
+
+    #[test]
+    fn files_of_other_shapes_are_refused_by_name() {
+        let [ratio, forward, inverse] = FILES;
+        let swapped = UnksNetworks::parse([forward, ratio, inverse]).unwrap_err();
+        assert!(swapped.contains("NM-R") && swapped.contains("`sizes`"), "{swapped}");
+        let broken = UnksNetworks::parse([ratio, "{}", inverse]).unwrap_err();
+        assert!(broken.contains("NM-1"), "{broken}");
+    }
+}
