@@ -159,3 +159,19 @@ fn table_1_of_2005_is_met_where_it_can_be() {
     assert!(unks <= 0.18 && methods[5].time_of_cut_s.mean <= 90.0);
     assert!(methods[5].max_force_kn.mean <= 1.05, "{:?}", methods[5]);
 }
+
+#[test]
+fn extreme_force_stops_the_machine_for_good_and_says_why() {
+    let mut scenario = experiment_2("constant_feed");
+    scenario.workpiece.cuts = vec![vec![[50.0, 3.0, 2.0], [40.0, 7.5, 0.0]]];
+    let run = Run::complete(&scenario, &Edits::none());
+    let Some(End::ForceStop(stop)) = run.end() else { panic!("{:?}", run.end()) };
+    assert!(stop.force_n > 2000.0 && stop.force_n < 2100.0, "{stop:?}");
+    // It goes on by the braking path alone: 2 tau v = 0.27 mm, without the dead time.
+    let last = run.recording().rows().last().unwrap();
+    assert!(last.feed_mm_min < 0.5, "{last:?}");
+    assert!(last.position_mm - stop.position_mm < 0.3, "{stop:?} {last:?}");
+    assert!(stop.to_string().contains("allowed 2000 N"), "{stop}");
+    scenario.cnc.force_stop = false;
+    assert_eq!(Run::complete(&scenario, &Edits::none()).end(), Some(&End::PathDone));
+}

@@ -75,6 +75,7 @@ fn state(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let (text, color) = match end {
             End::PathDone => ("Cut finished".to_owned(), palette.good),
             End::TimeLimit => ("Cut finished: time limit".to_owned(), palette.warn),
+            End::ForceStop(stop) => (format!("The machine {stop}"), palette.bad),
             End::Fault(fault) => (fault.to_string(), palette.bad),
         };
         // Whole, on the next line where this one has no room for it.

@@ -129,6 +129,7 @@ fn end_text(run: &Run) -> String {
     match run.end() {
         Some(End::PathDone) => "path_done".to_owned(),
         Some(End::TimeLimit) | None => "time_limit".to_owned(),
+        Some(End::ForceStop(stop)) => stop.to_string(),
         Some(End::Fault(fault)) => fault.to_string(),
     }
 }

@@ -57,6 +57,29 @@ impl std::fmt::Display for Fault {
     }
 }
 
+/// An extreme force has stopped the feed: to save the tool, for good.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ForceStop {
+    /// The force, N.
+    pub force_n: f64,
+    /// The force that was allowed, N.
+    pub limit_n: f64,
+    /// Where along the way it happened, mm.
+    pub position_mm: f64,
+    /// When, s.
+    pub time_s: f64,
+}
+
+impl std::fmt::Display for ForceStop {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { force_n, limit_n, position_mm, time_s } = self;
+        write!(
+            f,
+            "stopped at {time_s:.2} s, {position_mm:.1} mm: {force_n:.0} N, allowed {limit_n:.0} N"
+        )
+    }
+}
+
 /// The loop with all its blocks and their state.
 #[derive(Clone, Debug)]
 pub struct ClosedLoop {
@@ -88,6 +111,9 @@ pub struct ClosedLoop {
     /// What the sensor is given, and whether that is a peak tooth by tooth.
     sensed_n: f64,
     tooth_by_tooth: bool,
+    /// Force that stops the feed; infinite where that is switched off.
+    stop_n: f64,
+    stop: Option<ForceStop>,
     row: Row,
 }
 
@@ -138,6 +164,8 @@ impl ClosedLoop {
             command_flags: 0,
             sensed_n: 0.0,
             tooth_by_tooth: false,
+            stop_n: stop_n(scenario),
+            stop: None,
             row: Row {
                 feed_command_mm_min: programmed.feed_mm_min,
                 feed_override_percent: 100.0,
@@ -158,6 +186,7 @@ impl ClosedLoop {
         let current =
             FeedSpeed { feed_mm_min: self.row.feed_mm_min, speed_rpm: self.row.spindle_rpm };
         self.limits = limits(scenario);
+        self.stop_n = stop_n(scenario);
         self.belief = GpModels::new(scenario.belief.model_set, scenario.belief.calibration);
         self.desired_force = reference::desired_force(&scenario.target, &self.belief);
         self.target_ra_um = reference::desired_ra(&scenario.target, &self.belief);
@@ -184,6 +213,12 @@ impl ClosedLoop {
         self.tick
     }
 
+    /// What has stopped the feed, if anything has.
+    #[must_use]
+    pub fn stop(&self) -> Option<ForceStop> {
+        self.stop
+    }
+
     /// The row of the present moment.
     #[must_use]
     pub fn row(&self) -> &Row {
@@ -204,6 +239,8 @@ impl ClosedLoop {
 
         let command = [self.row.feed_command_mm_min, self.row.spindle_command_rpm];
         let [feed_command, speed_command] = self.dead_time.pass(command);
+        // A stop does not wait in the queue.
+        let feed_command = if self.stop.is_some() { 0.0 } else { feed_command };
         let feed_mm_min = self.feed_drive.update(feed_command);
         let speed_rpm = self.spindle_drive.update(speed_command);
         self.position_mm += mm_s_from_mm_min(feed_mm_min) * self.dt_s;
@@ -287,6 +324,14 @@ impl ClosedLoop {
             let force_dyn_n = math::positive(force.value * dynamic);
             (force, force_dyn_n, force_dyn_n, !self.process.engaged(place.axial_depth_mm))
         };
+        if force_dyn_n > self.stop_n && self.stop.is_none() {
+            self.stop = Some(ForceStop {
+                force_n: force_dyn_n,
+                limit_n: self.stop_n,
+                position_mm: self.position_mm,
+                time_s: self.tick as f64 * self.dt_s,
+            });
+        }
         self.tooth_by_tooth = milled.is_some();
         self.sensed_n = sensed_n;
         let (ra, ra_dyn) = if in_air {
@@ -334,6 +379,11 @@ impl ClosedLoop {
             None => Ok(()),
         }
     }
+}
+
+/// The force that stops the feed.
+fn stop_n(scenario: &Scenario) -> f64 {
+    if scenario.cnc.force_stop { scenario.cnc.force_stop_n } else { f64::INFINITY }
 }
 
 #[inline]

@@ -1,6 +1,6 @@
 //! A run that can be advanced in slices, rewound and branched; slicing never changes its bits.
 
-use super::closed_loop::{ClosedLoop, Fault};
+use super::closed_loop::{ClosedLoop, Fault, ForceStop};
 use super::edits::Edits;
 use super::metrics::{self, Metrics};
 use super::recording::Recording;
@@ -14,6 +14,8 @@ pub enum End {
     PathDone,
     /// The time limit came first.
     TimeLimit,
+    /// An extreme force stopped the feed.
+    ForceStop(ForceStop),
     /// A signal stopped being finite.
     Fault(Fault),
 }
@@ -22,6 +24,9 @@ pub enum End {
 const SNAPSHOT_TICKS: u64 = 10_000;
 /// Most snapshots that are kept; with more, every other one goes and the distance doubles.
 const MAX_SNAPSHOTS: usize = 128;
+
+/// Feed at which a stopped drive counts as standing, mm/min.
+const STANDSTILL_MM_MIN: f64 = 0.5;
 
 #[derive(Clone, Debug)]
 struct State {
@@ -118,6 +123,10 @@ impl Run {
         self.recording.push(tick, &row);
         if row.position_mm >= self.path_mm {
             self.end = Some(End::PathDone);
+        } else if let Some(stop) = self.state.closed_loop.stop()
+            && row.feed_mm_min < STANDSTILL_MM_MIN
+        {
+            self.end = Some(End::ForceStop(stop));
         } else if tick >= self.last_tick {
             self.end = Some(End::TimeLimit);
         } else if tick.is_multiple_of(self.snapshot_ticks) {

@@ -89,7 +89,10 @@ fn variants(preset: &Scenario) -> String {
                 (0.6, "plant.force_model", Value::Text("neural".to_owned())),
                 (0.7, "plant.wear_factor", Value::Float(1.2)),
                 (0.8, "plant.force_model", Value::Text("neural_literal".to_owned())),
+                (0.75, "controller.kind", Value::Text("unks".to_owned())),
                 (0.9, "cnc.dead_time_s", Value::Float(0.033)),
+                (0.95, "controller.kind", Value::Text("mrac".to_owned())),
+                (1.05, "controller.kind", Value::Text("adjustable_pi".to_owned())),
                 (1.1, "controller.kind", Value::Text("sdnrp".to_owned())),
             ] {
                 let edit = Edit { at_s, path: path.to_owned(), value };

@@ -24,6 +24,10 @@ crate::settings! {
         override_rate_limited: bool = false, [], "", live, "Limit override rate";
         /// Fastest change of an override (chosen: no paper gives it).
         override_rate_percent_s: f64 = 500.0, [10.0, 10000.0], "%/s", live, "Override rate";
+        /// Whether extreme force stops the feed at once, past the dead time, for good.
+        force_stop: bool = false, [], "", live, "Stop on extreme force";
+        /// The force that stops the feed; 2000 N is three times the reference of Experiment 2 (chosen).
+        force_stop_n: f64 = 2000.0, [50.0, 20000.0], "N", live, "Stopping force";
         /// Dead time of the command channel (the PLC): a whole number of plant steps. Choosing a
         /// feed drive sets the dead time published with it.
         dead_time_s: f64 = 0.08, [0.0, 0.5], "s", live, "Dead time";
