@@ -32,6 +32,14 @@ crate::choice! {
     }
 }
 
+impl ControllerKind {
+    /// Whether it is one of the force controllers of 2005, which compute without force models.
+    #[must_use]
+    pub fn is_force_controller(self) -> bool {
+        !matches!(self, Self::ConstantFeed | Self::Sdnrp | Self::Tracking)
+    }
+}
+
 crate::settings! {
     /// Which controller closes the loop.
     pub struct ControllerChoice {
@@ -164,13 +172,7 @@ impl Controller {
             ControllerKind::Tracking => {
                 Self::Tracking(Box::new(tracking::Tracking::new(setup, programmed)))
             }
-            ControllerKind::Division
-            | ControllerKind::Proportional
-            | ControllerKind::AdjustablePi
-            | ControllerKind::Mrac
-            | ControllerKind::Unks => {
-                Self::Force(Box::new(force::ForceController::new(setup, 1.0, 1.0)))
-            }
+            _ => Self::Force(Box::new(force::ForceController::new(setup, 1.0, 1.0))),
         }
     }
 

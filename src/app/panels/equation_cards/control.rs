@@ -90,11 +90,7 @@ pub fn controller(belief: &GpModels, row: &Row, scenario: &Scenario) -> Vec<Live
             }
             lines
         }
-        ControllerKind::Division
-        | ControllerKind::Proportional
-        | ControllerKind::AdjustablePi
-        | ControllerKind::Mrac
-        | ControllerKind::Unks => force_law(row, scenario),
+        _ => force_law(row, scenario),
     }
 }
 

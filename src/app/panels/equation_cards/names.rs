@@ -106,6 +106,9 @@ impl Card {
     /// The models of the box by name, joined by commas; empty for a box without.
     #[must_use]
     pub fn models(&self, scenario: &Scenario) -> String {
+        if self.block == Block::Controller && scenario.controller.kind.is_force_controller() {
+            return String::new();
+        }
         let names = Names::of(scenario);
         let models = self.models.iter().map(|number| names.model(*number));
         models.collect::<Vec<String>>().join(", ")

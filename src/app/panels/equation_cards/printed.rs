@@ -63,7 +63,7 @@ const DEFLECTION: Printed = eq(
     "Combined system 2005, eq. 1: elasticity with the delay of one tooth period",
 );
 const KIENZLE: Printed = eq(
-    "dF_i = k_i h^{1 - m_i} db",
+    "dF_i = k_i h^{1 - m} db",
     "Kienzle's laws, tangential, radial and axial (constants of published tables, in part chosen)",
 );
 
