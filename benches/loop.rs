@@ -106,6 +106,7 @@ mod baseline {
             ra_target_um: target,
             force_ref_n: force_ref,
             axial_depth_mm: 2.0,
+            radial_depth_mm: 3.0,
             ..Row::default()
         };
         let last = (scenario.run.duration_s / dt).round() as u64;
