@@ -23,6 +23,12 @@ pub fn limit(x: f64, low: f64, high: f64) -> f64 {
     if x > high { high } else { x }
 }
 
+/// Least and largest of `values`; infinities the wrong way round where there are none.
+#[must_use]
+pub fn extent(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+}
+
 /// `x` where it is positive, otherwise (also for NaN and -0) exactly +0.
 #[must_use]
 #[inline]

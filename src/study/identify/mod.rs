@@ -60,11 +60,6 @@ pub fn identify(paper: PaperId, rows: &[TableRow]) -> Result<Identified, String>
     }
 }
 
-/// Least and largest value.
-fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
-}
-
 /// The model file that is shipped as `assets/models/identified_<year>.toml`.
 #[must_use]
 pub fn model_file(identified: &Identified) -> String {

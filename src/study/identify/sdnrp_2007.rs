@@ -11,7 +11,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::{Fit, Identified, range};
+use super::{Fit, Identified};
+use crate::base::math::extent;
 use crate::base::model::curve::Curve;
 use crate::base::model::gp::{FeedLaw, ForceRoughness, GpModels, ModelSet, SpeedLaw};
 use crate::base::model::gp_2007;
@@ -20,7 +21,7 @@ use crate::study::published::TableRow;
 
 /// Least-squares quadratic through points, on their range.
 fn quadratic(points: &[[f64; 2]]) -> Option<Curve> {
-    let [low, high] = range(points.iter().map(|p| p[0]));
+    let [low, high] = extent(points.iter().map(|p| p[0]));
     // Centred and scaled to -1..1: the normal equations are then well conditioned.
     let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
     let mut normal = Matrix3::zeros();

@@ -17,8 +17,8 @@
 use nalgebra::SVector;
 
 use super::least_squares::minimise;
-use super::{Fit, Identified, range};
-use crate::base::math;
+use super::{Fit, Identified};
+use crate::base::math::{self, extent};
 use crate::base::model::curve::Curve;
 use crate::base::model::exponential::Exponential;
 use crate::base::model::force_formula::ForceFormula;
@@ -109,8 +109,8 @@ pub(super) fn identify(rows: &[TableRow]) -> Result<Identified, String> {
     let start = SVector::from_fn(|i, _| START[i] / SIZES[i]);
     let mut fitted = models(&minimise(start, residuals));
     let rests: Vec<Rest> = rows.iter().map(|row| at_rest(&fitted, row.ra_desired_um)).collect();
-    let [ra_low, ra_high] = range(rows.iter().map(|row| row.ra_desired_um));
-    let [lowest, highest] = range(rests.iter().map(|rest| rest.setpoint_n));
+    let [ra_low, ra_high] = extent(rows.iter().map(|row| row.ra_desired_um));
+    let [lowest, highest] = extent(rests.iter().map(|rest| rest.setpoint_n));
     // Whole newtons outwards: a run in time comes to rest near these points, not exactly on them.
     let setpoints = [lowest.floor(), highest.ceil()];
     if let ForceRoughness::Curve(curve) = &mut fitted.roughness {

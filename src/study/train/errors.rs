@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::data::{Row, fxy_n};
+use crate::base::math;
 
 /// Errors in percent.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -65,7 +66,7 @@ pub fn of_fxy(rows: &[Row], model: impl Fn(&Row) -> f64) -> Errors {
 pub fn of_components(rows: &[Row], model: impl Fn(&Row) -> [f64; 3]) -> Errors {
     let given: Vec<[f64; 3]> = rows.iter().map(&model).collect();
     let rmse = [0, 1, 2].map(|k| {
-        let range = super::range(rows.iter().map(|row| row.forces_n[k]));
+        let range = math::extent(rows.iter().map(|row| row.forces_n[k]));
         let squares: Vec<f64> = rows
             .iter()
             .zip(&given)
@@ -96,7 +97,7 @@ mod tests {
         assert!((one.mean_percent - 1.0).abs() < 1e-9);
         assert!(one.median_percent == 0.0 && one.p95_percent == 0.0);
         let shifted = of_components(&rows, |row| row.forces_n.map(|force| force + 10.0));
-        let [low, high] = crate::study::train::range(rows.iter().map(|row| row.forces_n[2]));
+        let [low, high] = math::extent(rows.iter().map(|row| row.forces_n[2]));
         let expected = 1000.0 / (high - low);
         assert!((shifted.rmse_percent_of_range.unwrap()[2] - expected).abs() < 1e-9);
     }

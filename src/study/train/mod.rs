@@ -14,6 +14,7 @@ pub mod report;
 pub mod static_peaks;
 pub mod unks;
 
+use crate::base::math::extent;
 use crate::base::network::{Network, Provenance, ScaledNetwork, Scaling, Training, write};
 use crate::base::rng::Stream;
 
@@ -39,10 +40,6 @@ pub struct Session {
     training: Training,
 }
 
-fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
-}
-
 impl Session {
     /// A training by `recipe` on the first part of `measured`.
     ///
@@ -58,8 +55,8 @@ impl Session {
             norm: recipe.norm,
             target: recipe.target,
             ln_inputs: recipe.ln_inputs.to_vec(),
-            inputs: (0..8).map(|i| range(rows.iter().map(|row| row.cut.inputs()[i]))).collect(),
-            outputs: (0..3).map(|i| range(rows.iter().map(|row| row.forces_n[i]))).collect(),
+            inputs: (0..8).map(|i| extent(rows.iter().map(|row| row.cut.inputs()[i]))).collect(),
+            outputs: (0..3).map(|i| extent(rows.iter().map(|row| row.forces_n[i]))).collect(),
         };
         // Rounded before the first epoch, so that the file's ranges are those trained with.
         let scaling = ScaledNetwork { network: network.clone(), scaling }.as_in_file().scaling;

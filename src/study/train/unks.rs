@@ -5,7 +5,7 @@
 //! 0.16 to 0.8 s. What force came of what override H control periods later teaches NM-1 and, read
 //! the other way round, NM-2. NM-R learns F_ref / F from 4000 random pairs.
 
-use crate::base::math::{self, limit};
+use crate::base::math::{self, extent, limit};
 use crate::base::model::ball_end::{CK45, Cutter, MNCRSI5};
 use crate::base::model::feed_drive::{DriveState, ExactDrive, FeedDriveKind};
 use crate::base::model::unks::{HORIZON_BEYOND, LEAST_KN, SIZES, log_force};
@@ -14,6 +14,7 @@ use crate::base::network::{
 };
 use crate::base::rng::Stream;
 use crate::base::settings::Section;
+use crate::base::units::mm_s_from_mm_min;
 use crate::blocks::cnc::dead_time::DeadTime;
 use crate::blocks::cutting::milling::{Milling, MillingSetup};
 use crate::blocks::cutting::part::{APPROACH_MM, CutPath};
@@ -105,7 +106,7 @@ fn excited(number: u64, setup: &MillingSetup, force_ref_n: f64, draws: &mut Draw
         for _ in 0..SAMPLES {
             drive.advance(&mut state, delayed);
             let feed = math::positive(state.feed_mm_min()) * programmed;
-            x_mm += feed / 60.0 * setup.dt_s;
+            x_mm += mm_s_from_mm_min(feed) * setup.dt_s;
             let dynamic = field.update(tick, x_mm + APPROACH_MM, speed_rpm);
             let [x, y, _] = milling.update(feed, speed_rpm, x_mm, &cut, dynamic);
             peak_n = window.push(tick, [x, y]).measured_n;
@@ -169,10 +170,6 @@ pub fn process_patterns(mut advance: impl FnMut()) -> Vec<[Pattern; 2]> {
     all
 }
 
-fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
-}
-
 /// A trained network, its file and its error.
 #[derive(Clone, Debug)]
 pub struct Trained {
@@ -197,13 +194,13 @@ fn train(
     let sizes = SIZES[index];
     let stream = |label: &str| Stream::new(u64::from(SEED), &format!("{name}.{label}"));
     let network = Network::random(sizes, Activation::Arctan, true, stream("weights"))?;
-    let inputs = (0..sizes[0]).map(|i| range(patterns.iter().map(|(x, _)| x[i])));
+    let inputs = (0..sizes[0]).map(|i| extent(patterns.iter().map(|(x, _)| x[i])));
     let scaling = Scaling {
         norm: [-1.0, 1.0],
         target: [-1.0, 1.0],
         ln_inputs: vec![false; sizes[0]],
         inputs: inputs.collect(),
-        outputs: vec![range(patterns.iter().map(|(_, y)| *y))],
+        outputs: vec![extent(patterns.iter().map(|(_, y)| *y))],
     };
     let normal = patterns
         .iter()

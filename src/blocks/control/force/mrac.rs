@@ -12,7 +12,7 @@
 //!
 //! phi holds the override that was really sent, so limits do not wind it up. Five parameters are
 //! badly excited by a steady cut: the Landau form bursts now and then, dipping the feed for less
-//! than half a second. Nothing is adapted while the override stands at its upper limit.
+//! than half a second. They are not adapted while the override stands at its upper limit.
 
 use super::{Law, Sample};
 use crate::base::math::limit;
@@ -65,7 +65,7 @@ pub struct Mrac {
     theta: [f64; N],
     covariance: [[f64; N]; N],
     /// The regressors of the last periods, newest first.
-    past: [[f64; N]; DELAY + 1],
+    past: [[f64; N]; DELAY],
     model: f64,
     y_before: f64,
     gain: f64,
@@ -85,7 +85,7 @@ impl Mrac {
             settings: settings.clone(),
             theta: THETA_START,
             covariance: diagonal(COVARIANCE_START),
-            past: [[1.0, 1.0, 1.0, 1.0, 0.0]; DELAY + 1],
+            past: [[1.0, 1.0, 1.0, 1.0, 0.0]; DELAY],
             model: 1.0,
             y_before: 0.0,
             gain: 1.0,
@@ -96,7 +96,7 @@ impl Mrac {
         let MracSettings { pole, regulation: c1, forgetting, .. } = self.settings;
         if sample.entered {
             (self.model, self.y_before) = (sample.y, sample.y);
-            self.past = [[sample.sent, sample.sent, sample.sent, sample.sent, sample.y]; DELAY + 1];
+            self.past = [[sample.sent, sample.sent, sample.sent, sample.sent, sample.y]; DELAY];
         }
         // The newest regressor so far lacks the command that was sent in its period.
         self.past[0][0] = sample.sent;
