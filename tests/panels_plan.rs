@@ -1,19 +1,17 @@
 //! The screen "Plan", driven by its accessible names.
 #![cfg(feature = "app")]
 
+mod screen;
+
 use egui::accesskit::{Role, Toggled};
 use egui::{Key, Vec2, vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
+use screen::Screen;
 use steadycut::app::Console;
 use steadycut::base::settings::Value;
-use steadycut::run::edits::Edits;
 use steadycut::run::scenario::Scenario;
-use steadycut::run::{Start, presets};
 use steadycut::study::plan::PlanJob;
 use steadycut::study::plan::constraints::CONSTRAINTS;
-
-type Screen<'a> = Harness<'a, Option<Console>>;
 
 const DESKTOP: Vec2 = vec2(1280.0, 800.0);
 /// As wide as a phone, and as high as all that stands below each other.
@@ -21,24 +19,8 @@ const LONG: Vec2 = vec2(390.0, 3000.0);
 
 /// The screen after a few frames, on a scenario with these changes.
 fn open<'a>(size: Vec2, changes: &[(&str, Value)]) -> Screen<'a> {
-    let mut scenario = presets::load("first-cut").expect("shipped");
-    for (path, value) in changes {
-        scenario.set(path, value.clone()).expect("a valid setting");
-    }
-    let mut screen = Harness::builder().with_size(size).with_step_dt(0.05).build_ui_state(
-        move |ui, console: &mut Option<Console>| {
-            let console = console.get_or_insert_with(|| {
-                let start =
-                    Start { scenario: scenario.clone(), edits: Edits::none(), notice: None };
-                Console::new(ui.ctx(), start)
-            });
-            console.ui(ui);
-        },
-        None,
-    );
-    screen.run_steps(2);
-    screen.get_by_role_and_label(Role::Button, "Plan").click();
-    screen.run_steps(3);
+    let mut screen = screen::open("first-cut", size, "Plan", changes);
+    screen.run_steps(1);
     screen
 }
 

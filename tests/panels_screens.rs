@@ -1,9 +1,11 @@
 //! The screens "Block diagram" and "Papers", driven by their accessible names.
 #![cfg(feature = "app")]
 
+mod screen;
+
 use egui::accesskit::Role;
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
+use screen::Screen;
 use steadycut::app::Console;
 use steadycut::app::panels::equation_cards::CARDS;
 use steadycut::base::model::feed_drive::FeedDriveKind;
@@ -11,34 +13,12 @@ use steadycut::base::model::gp::{Calibration, ModelSet};
 use steadycut::base::settings::Value;
 use steadycut::blocks::control::ControllerKind;
 use steadycut::blocks::cutting::process::ForceModel;
-use steadycut::run::Start;
-use steadycut::run::edits::Edits;
-use steadycut::run::presets;
 use steadycut::study::errata;
 use steadycut::study::published::PaperId;
 
-type Screen<'a> = Harness<'a, Option<Console>>;
-
 /// The console on the screen with this title, at the end of a preset's cut.
 fn open<'a>(preset: &str, size: [f32; 2], title: &str, change: &[(&str, Value)]) -> Screen<'a> {
-    let mut scenario = presets::load(preset).expect("shipped");
-    for (path, value) in change {
-        scenario.set(path, value.clone()).expect("a valid setting");
-    }
-    let mut harness = Harness::builder().with_size(size).with_step_dt(0.05).build_ui_state(
-        move |ui, console: &mut Option<Console>| {
-            let console = console.get_or_insert_with(|| {
-                let start =
-                    Start { scenario: scenario.clone(), edits: Edits::none(), notice: None };
-                Console::new(ui.ctx(), start)
-            });
-            console.ui(ui);
-        },
-        None,
-    );
-    harness.run_steps(2);
-    harness.get_by_role_and_label(Role::Button, title).click();
-    harness.run_steps(2);
+    let mut harness = screen::open(preset, size.into(), title, change);
     // To the end of the cut, where the picture stands still.
     harness.key_press(egui::Key::End);
     harness.run_steps(4);

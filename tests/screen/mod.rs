@@ -1,0 +1,36 @@
+//! The console under a test's hands, for the tests of single screens.
+
+use egui::Vec2;
+use egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use steadycut::app::Console;
+use steadycut::base::settings::Value;
+use steadycut::run::edits::Edits;
+use steadycut::run::{Start, presets};
+
+/// The console, made in the first frame.
+pub type Screen<'a> = Harness<'a, Option<Console>>;
+
+/// The screen with this title two frames after it was opened, on a preset with these changes.
+pub fn open<'a>(preset: &str, size: Vec2, title: &str, changes: &[(&str, Value)]) -> Screen<'a> {
+    let mut scenario = presets::load(preset).expect("shipped");
+    for (path, value) in changes {
+        scenario.set(path, value.clone()).expect("a valid setting");
+    }
+    let mut screen = Harness::builder().with_size(size).with_step_dt(0.05).build_ui_state(
+        move |ui, console: &mut Option<Console>| {
+            let console = console.get_or_insert_with(|| {
+                let start =
+                    Start { scenario: scenario.clone(), edits: Edits::none(), notice: None };
+                Console::new(ui.ctx(), start)
+            });
+            console.ui(ui);
+        },
+        None,
+    );
+    screen.run_steps(2);
+    screen.get_by_role_and_label(Role::Button, title).click();
+    screen.run_steps(2);
+    screen
+}
