@@ -5,6 +5,7 @@ use super::edits::Edits;
 use super::metrics::{self, Metrics};
 use super::recording::Recording;
 use super::scenario::Scenario;
+use crate::base::math::limit;
 use crate::blocks::cutting::tool_path::ToolPath;
 
 /// Why a run is over.
@@ -205,6 +206,17 @@ impl Run {
     #[must_use]
     pub fn last_tick(&self) -> u64 {
         self.last_tick
+    }
+
+    /// Share of the way that is done, 0 to 1; of the time limit where that is more, and 1 at the end.
+    #[must_use]
+    pub fn share_done(&self) -> f64 {
+        if self.end.is_some() {
+            return 1.0;
+        }
+        let of_time = self.ticks() as f64 / self.last_tick as f64;
+        let of_path = self.state.closed_loop.row().position_mm / self.path_mm;
+        limit(of_path, of_time, 1.0)
     }
 
     /// The rows recorded so far.

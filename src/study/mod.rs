@@ -1,6 +1,6 @@
 //! Many runs, and what is made of them: identification, published tables against runs, exports.
 
-pub mod compare_2005;
+pub mod compare;
 pub mod errata;
 pub mod export;
 pub mod golden;

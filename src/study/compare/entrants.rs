@@ -1,0 +1,78 @@
+//! Who takes part in a comparison.
+
+use crate::blocks::control::ControllerKind;
+use crate::blocks::control::force::mrac::Adapted;
+use crate::run::presets;
+use crate::run::scenario::Scenario;
+
+/// One entrant: a name and the scenario that it runs, whatever it changes. Seed and recording are
+/// the tournament's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entrant {
+    /// Its name in tables.
+    pub name: String,
+    /// What it runs.
+    pub scenario: Scenario,
+}
+
+/// A way of control: its name, and what it changes in any scenario.
+#[derive(Clone, Copy, Debug)]
+pub struct Method {
+    /// Its name in tables.
+    pub name: &'static str,
+    /// Makes a scenario its own.
+    pub apply: fn(&mut Scenario),
+}
+
+impl Method {
+    /// The entrant that runs `base` this way.
+    #[must_use]
+    pub fn on(&self, base: &Scenario) -> Entrant {
+        let mut scenario = base.clone();
+        (self.apply)(&mut scenario);
+        Entrant { name: self.name.to_owned(), scenario }
+    }
+}
+
+/// The six methods in the order of Table 1, as shipped.
+pub const TABLE_1: [Method; 6] = [
+    Method { name: "Conventional", apply: |s| s.controller.kind = ControllerKind::ConstantFeed },
+    Method { name: "Division", apply: |s| s.controller.kind = ControllerKind::Division },
+    Method { name: "P", apply: |s| s.controller.kind = ControllerKind::Proportional },
+    Method { name: "Adjustable PI", apply: |s| s.controller.kind = ControllerKind::AdjustablePi },
+    Method { name: "MRAC", apply: |s| s.controller.kind = ControllerKind::Mrac },
+    Method { name: "UNKS", apply: |s| s.controller.kind = ControllerKind::Unks },
+];
+
+/// What Table 1 does not have: a line each.
+pub const BEYOND: [Method; 2] = [
+    Method {
+        name: "P, Smith predictor",
+        apply: |s| {
+            s.controller.kind = ControllerKind::Proportional;
+            (s.proportional.kp, s.proportional.smith) = (1.6, true);
+        },
+    },
+    Method {
+        name: "MRAC, one gain",
+        apply: |s| {
+            s.controller.kind = ControllerKind::Mrac;
+            s.mrac.adapted = Adapted::Gain;
+        },
+    },
+];
+
+/// Every method on a scenario.
+#[must_use]
+pub fn on(base: &Scenario, methods: &[Method]) -> Vec<Entrant> {
+    methods.iter().map(|method| method.on(base)).collect()
+}
+
+/// Experiment 2 of 2005, the part of Table 1.
+///
+/// # Panics
+/// Never: a test loads every preset.
+#[must_use]
+pub fn experiment_2() -> Scenario {
+    presets::load("experiment-2").expect("presets are tested")
+}

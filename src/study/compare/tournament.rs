@@ -1,0 +1,188 @@
+//! Entrants against each other over seeds: a job that front ends advance in slices.
+//!
+//! The runs go seed by seed, so the table fills evenly and can be read while it does. Seed k of
+//! every entrant is the same k: the same material, the same sensor noise.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::entrants::Entrant;
+use super::outcome::{Measure, Outcome, Spread};
+use crate::run::edits::Edits;
+use crate::run::one_run::Run;
+use crate::run::scenario::Scenario;
+
+/// An entrant's spreads so far.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Compared {
+    /// Its name.
+    pub name: String,
+    /// Runs that are done.
+    pub runs: usize,
+    /// Runs of them that extreme force stopped.
+    pub force_stops: usize,
+    /// Runs of them that came to the end of the part.
+    pub finished: usize,
+    /// Spread of each measure by its id; none where no run has given the value yet.
+    spreads: BTreeMap<&'static str, Spread>,
+}
+
+impl Compared {
+    /// The spread of a measure, if any run has given it.
+    #[must_use]
+    pub fn get(&self, measure: Measure) -> Option<Spread> {
+        self.spreads.get(measure.id()).copied()
+    }
+
+    /// The mean of a measure; NaN, which fails every comparison, where there is none.
+    #[must_use]
+    pub fn mean(&self, measure: Measure) -> f64 {
+        self.get(measure).map_or(f64::NAN, |spread| spread.mean)
+    }
+}
+
+/// All runs of a comparison.
+#[derive(Clone, Debug)]
+pub struct Tournament {
+    entrants: Vec<Entrant>,
+    seeds: u32,
+    /// Outcomes seed by seed, entrant by entrant.
+    outcomes: Vec<Outcome>,
+    running: Option<Box<Run>>,
+}
+
+impl Tournament {
+    /// A tournament over seeds 1 to `seeds` (at least one), not yet begun.
+    #[must_use]
+    pub fn new(entrants: Vec<Entrant>, seeds: u32) -> Self {
+        Self { entrants, seeds: seeds.max(1), outcomes: Vec::new(), running: None }
+    }
+
+    /// The entrants in order.
+    #[must_use]
+    pub fn entrants(&self) -> &[Entrant] {
+        &self.entrants
+    }
+
+    fn runs(&self) -> usize {
+        self.entrants.len() * self.seeds as usize
+    }
+
+    /// The scenario of run `index`.
+    fn scenario(&self, index: usize) -> Scenario {
+        let entrant = &self.entrants[index % self.entrants.len()];
+        let mut scenario = entrant.scenario.clone();
+        scenario.run.seed = 1 + (index / self.entrants.len()) as u32;
+        // A row for every control sample is what the measures need.
+        scenario.run.record_every = scenario.run.steps_per_control;
+        scenario
+    }
+
+    /// Advances by at most `budget_ticks` steps of the plant, in one run or several; `true` when
+    /// all runs are done. Slicing changes nothing.
+    pub fn advance(&mut self, budget_ticks: u64) -> bool {
+        let mut left = budget_ticks;
+        while left > 0 && self.outcomes.len() < self.runs() {
+            let mut run = match self.running.take() {
+                Some(run) => run,
+                None => Box::new(Run::new(&self.scenario(self.outcomes.len()), &Edits::none())),
+            };
+            let before = run.ticks();
+            if run.advance(left) {
+                self.outcomes.push(Outcome::of(&run));
+            }
+            // A run that is over at once still counts: the loop must end.
+            left = left.saturating_sub((run.ticks() - before).max(1));
+            self.running = run.end().is_none().then_some(run);
+        }
+        self.outcomes.len() >= self.runs()
+    }
+
+    /// Runs done, the present one by its share of the way, and all runs.
+    #[must_use]
+    pub fn progress(&self) -> (f64, usize) {
+        let part = self.running.as_ref().map_or(0.0, |run| run.share_done());
+        (self.outcomes.len() as f64 + part, self.runs())
+    }
+
+    /// Every entrant's spreads over the runs that are done, in the order of the entrants.
+    #[must_use]
+    pub fn table(&self) -> Vec<Compared> {
+        (0..self.entrants.len()).map(|index| self.compared(index)).collect()
+    }
+
+    /// The outcomes of an entrant, seed 1 first.
+    pub fn outcomes(&self, entrant: usize) -> impl Iterator<Item = &Outcome> {
+        self.outcomes.iter().skip(entrant).step_by(self.entrants.len().max(1))
+    }
+
+    fn compared(&self, entrant: usize) -> Compared {
+        let values = |measure: Measure| -> Vec<f64> {
+            self.outcomes(entrant).filter_map(|outcome| outcome.get(measure)).collect()
+        };
+        let spreads = Measure::ALL
+            .iter()
+            .filter_map(|measure| Some((measure.id(), Spread::of(&values(*measure))?)));
+        Compared {
+            name: self.entrants[entrant].name.clone(),
+            runs: self.outcomes(entrant).count(),
+            force_stops: self.outcomes(entrant).filter(|outcome| outcome.force_stop).count(),
+            finished: self.outcomes(entrant).filter(|outcome| outcome.time_s.is_some()).count(),
+            spreads: spreads.collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blocks::control::ControllerKind;
+    use crate::run::presets;
+
+    fn entrants() -> Vec<Entrant> {
+        let kinds = [ControllerKind::ConstantFeed, ControllerKind::AdjustablePi];
+        let entrant = |kind: ControllerKind| {
+            let mut scenario = presets::load("table3-5-noise").unwrap();
+            scenario.controller.kind = kind;
+            scenario.run.duration_s = 2.0;
+            Entrant { name: kind.label().to_owned(), scenario }
+        };
+        kinds.map(entrant).to_vec()
+    }
+
+    #[test]
+    fn slices_change_nothing_and_the_table_can_be_read_meanwhile() {
+        let mut whole = Tournament::new(entrants(), 3);
+        assert!(whole.advance(u64::MAX));
+        let mut sliced = Tournament::new(entrants(), 3);
+        let (mut before, mut slices) = (-1.0, 0);
+        while !sliced.advance(777) {
+            let (done, all) = sliced.progress();
+            assert!(done > before && done < all as f64, "{done} of {all} after {before}");
+            assert_eq!(sliced.table().len(), 2);
+            (before, slices) = (done, slices + 1);
+        }
+        assert_eq!(slices, 6 * 2000 / 777);
+        assert_eq!(sliced.table(), whole.table());
+        assert_eq!(sliced.progress(), (6.0, 6));
+        for compared in whole.table() {
+            assert_eq!((compared.runs, compared.force_stops, compared.finished), (3, 0, 0));
+            assert_eq!(compared.get(Measure::Time), None, "the path is longer than two seconds");
+        }
+        let pi = whole.table()[1].get(Measure::Nsn).unwrap();
+        assert!(pi.deviation > 0.0, "three seeds differ");
+        // The constant feed does not touch the override; the PI controller does.
+        let travel = |index: usize| whole.table()[index].mean(Measure::Travel);
+        assert_eq!(travel(0), 0.0);
+        assert!(travel(1) > 1.0);
+    }
+
+    #[test]
+    fn a_tournament_without_entrants_is_over() {
+        let mut empty = Tournament::new(Vec::new(), 5);
+        assert!(empty.advance(1));
+        assert_eq!(empty.progress(), (0.0, 0));
+        assert!(empty.table().is_empty());
+    }
+}
