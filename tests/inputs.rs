@@ -77,6 +77,9 @@ fn candidates(kind: &Kind) -> Vec<Value> {
     ] {
         values.push(Value::Cuts(cuts));
     }
+    for numbers in [vec![], vec![f64::NAN], vec![-1.0], vec![10.0, 5000.0], vec![100.0; 17]] {
+        values.push(Value::Numbers(numbers));
+    }
     match kind {
         Kind::Float { min, max } => {
             let inside = 0.5 * (min + max);
@@ -85,6 +88,10 @@ fn candidates(kind: &Kind) -> Vec<Value> {
         Kind::Int { min, max } => values.extend([*min, *max, max + 1, min - 1].map(Value::Int)),
         Kind::Choice { options } => {
             values.extend(options.iter().map(|option| Value::Text(option.id.to_owned())));
+        }
+        Kind::Numbers { min, max } => {
+            let around = [vec![*min, *max], vec![0.5 * (min + max), max + 1e-9], vec![min - 1e-9]];
+            values.extend(around.map(Value::Numbers));
         }
         Kind::Bool | Kind::Text { .. } | Kind::Steps { .. } | Kind::Cuts { .. } => {}
     }
@@ -166,6 +173,9 @@ proptest! {
                     vec![[0.1 + share * 20.0, share * max_depth_mm, -share * max_depth_mm]],
                     vec![[3.0, 2.0, 1.5], [*max_length_mm, (1.0 - share) * max_depth_mm, 0.0]],
                 ]),
+                Kind::Numbers { min, max } => {
+                    Value::Numbers(vec![min + share * (max - min); pick as usize % 3])
+                }
                 Kind::Bool => Value::Bool(pick % 2 == 0),
                 Kind::Text { .. } => Value::Text(format!(" {pick} \"quoted\" & = % # é\n' ")),
             };

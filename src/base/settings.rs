@@ -33,6 +33,8 @@ pub enum Value {
     Steps(Vec<DepthStep>),
     /// Straight cuts, each a list of sections.
     Cuts(Vec<Vec<Section>>),
+    /// A list of real numbers.
+    Numbers(Vec<f64>),
 }
 
 impl fmt::Display for Value {
@@ -52,6 +54,7 @@ impl fmt::Display for Value {
             }
             // Nested lists of floats are written alike in TOML, in JSON and here.
             Self::Cuts(cuts) => write!(f, "{cuts:?}"),
+            Self::Numbers(numbers) => write!(f, "{numbers:?}"),
         }
     }
 }
@@ -111,6 +114,13 @@ pub enum Kind {
         /// Largest depth allowed, in mm; walls lie between minus and plus this.
         max_depth_mm: f64,
     },
+    /// At most 16 finite real numbers within the range: one for each cut.
+    Numbers {
+        /// Least value allowed.
+        min: f64,
+        /// Largest value allowed.
+        max: f64,
+    },
 }
 
 impl Kind {
@@ -136,6 +146,9 @@ impl Kind {
                  wall mm], lengths from {MIN_SECTION_MM} to {max_length_mm}, depths from 0 to \
                  {max_depth_mm}, walls from -{max_depth_mm} to {max_depth_mm}"
             ),
+            Self::Numbers { min, max } => {
+                format!("at most {MAX_CUTS} numbers, one for each cut, from {min} to {max}{unit}")
+            }
         }
     }
 }
@@ -343,6 +356,26 @@ impl Field for Vec<Vec<Section>> {
         let cut_fits =
             |cut: &Vec<Section>| (1..=MAX_SECTIONS).contains(&cut.len()) && cut.iter().all(fits);
         (cuts.len() <= MAX_CUTS && cuts.iter().all(cut_fits)).then_some(cuts)
+    }
+}
+
+impl Field for Vec<f64> {
+    fn kind(min: f64, max: f64) -> Kind {
+        Kind::Numbers { min, max }
+    }
+    fn to_value(&self) -> Value {
+        Value::Numbers(self.clone())
+    }
+    fn from_value(value: &Value, kind: &Kind) -> Option<Self> {
+        let Kind::Numbers { min, max } = kind else { return None };
+        let numbers = match value {
+            Value::Numbers(numbers) => numbers,
+            // An empty list reads as an empty profile too.
+            Value::Steps(steps) if steps.is_empty() => return Some(Self::new()),
+            _ => return None,
+        };
+        let fit = numbers.iter().all(|x| (*min..=*max).contains(x));
+        (fit && numbers.len() <= MAX_CUTS).then(|| numbers.iter().map(|x| x + 0.0).collect())
     }
 }
 

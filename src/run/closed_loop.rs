@@ -86,6 +86,8 @@ pub struct ClosedLoop {
     // Set-up.
     dt_s: f64,
     steps_per_control: u64,
+    /// Programmed values and limits of each cut, and of the present one.
+    cuts: Vec<(FeedSpeed, Limits)>,
     programmed: FeedSpeed,
     limits: Limits,
     belief: GpModels,
@@ -122,10 +124,8 @@ impl ClosedLoop {
     #[must_use]
     pub fn new(scenario: &Scenario) -> Self {
         let dt_s = scenario.dt_s();
-        let programmed = FeedSpeed {
-            feed_mm_min: scenario.program.feed_mm_min,
-            speed_rpm: scenario.program.spindle_rpm,
-        };
+        let cuts = programmed_cuts(scenario);
+        let (programmed, limits) = cuts[0];
         let belief = GpModels::new(scenario.belief.model_set, scenario.belief.calibration);
         let ticks = scenario.ticks(scenario.cnc.dead_time_s) as usize;
         let (cnc, period_s) = (&scenario.cnc, scenario.control_period_s());
@@ -133,8 +133,9 @@ impl ClosedLoop {
         let mut this = Self {
             dt_s,
             steps_per_control: u64::from(scenario.run.steps_per_control),
+            cuts,
             programmed,
-            limits: limits(scenario),
+            limits,
             belief,
             desired_force: reference::desired_force(&scenario.target, &belief),
             target_ra_um: reference::desired_ra(&scenario.target, &belief),
@@ -185,7 +186,8 @@ impl ClosedLoop {
     pub fn reconfigure(&mut self, scenario: &Scenario) {
         let current =
             FeedSpeed { feed_mm_min: self.row.feed_mm_min, speed_rpm: self.row.spindle_rpm };
-        self.limits = limits(scenario);
+        self.cuts = programmed_cuts(scenario);
+        self.limits = self.cuts[self.path.cut()].1;
         self.stop_n = stop_n(scenario);
         self.belief = GpModels::new(scenario.belief.model_set, scenario.belief.calibration);
         self.desired_force = reference::desired_force(&scenario.target, &self.belief);
@@ -290,11 +292,12 @@ impl ClosedLoop {
     /// At the end of a cut the next one begins: at rest at the programmed values, before the part.
     fn next_cut(&mut self) {
         let Some(position_mm) = self.path.next_cut(self.position_mm) else { return };
+        (self.programmed, self.limits) = self.cuts[self.path.cut()];
         let FeedSpeed { feed_mm_min, speed_rpm } = self.programmed;
         self.position_mm = position_mm;
         self.controller.restart(self.programmed);
-        self.feed_override.restart();
-        self.spindle_override.restart();
+        self.feed_override.restart(feed_mm_min);
+        self.spindle_override.restart(speed_rpm);
         self.dead_time.restart([feed_mm_min, speed_rpm]);
         self.feed_drive.restart(feed_mm_min);
         self.process.restart();
@@ -381,6 +384,13 @@ impl ClosedLoop {
     }
 }
 
+/// Programmed values and limits of every cut; one entry where the path is one.
+fn programmed_cuts(scenario: &Scenario) -> Vec<(FeedSpeed, Limits)> {
+    let cuts = 0..scenario.workpiece.cuts.len().max(1);
+    let of = |cut| (scenario.programmed(cut), limits(scenario, cut));
+    cuts.map(of).collect()
+}
+
 /// The force that stops the feed.
 fn stop_n(scenario: &Scenario) -> f64 {
     if scenario.cnc.force_stop { scenario.cnc.force_stop_n } else { f64::INFINITY }
@@ -391,21 +401,22 @@ fn bit(on: bool, bit: u32) -> u32 {
     if on { bit } else { 0 }
 }
 
-/// Limits of the commands. An adaptive controller also stays where the force model holds: below
+/// Limits of the commands in a cut, counted from 0. An adaptive controller also stays where the force model holds: below
 /// [`FEED_MIN_MM_MIN`] the force no longer falls with the feed, and below [`SPEED_MIN_RPM`] it
 /// would stop the spindle to raise the force.
 #[must_use]
-pub fn limits(scenario: &Scenario) -> Limits {
-    let mut feed_mm_min = scenario.cnc.range(scenario.program.feed_mm_min);
-    let mut speed_rpm = scenario.cnc.range(scenario.program.spindle_rpm);
+pub fn limits(scenario: &Scenario, cut: usize) -> Limits {
+    let programmed = scenario.programmed(cut);
+    let mut feed_mm_min = scenario.cnc.range(programmed.feed_mm_min);
+    let mut speed_rpm = scenario.cnc.range(programmed.speed_rpm);
     if scenario.controller.kind != ControllerKind::ConstantFeed {
         feed_mm_min[0] = feed_mm_min[0].max(FEED_MIN_MM_MIN).min(feed_mm_min[1]);
         speed_rpm[0] = speed_rpm[0].max(SPEED_MIN_RPM).min(speed_rpm[1]);
     }
     let percent = if scenario.cnc.override_quantised { ratio_from_percent(1.0) } else { 0.0 };
     let resolution = FeedSpeed {
-        feed_mm_min: scenario.program.feed_mm_min * percent,
-        speed_rpm: scenario.program.spindle_rpm * percent,
+        feed_mm_min: programmed.feed_mm_min * percent,
+        speed_rpm: programmed.speed_rpm * percent,
     };
     Limits { feed_mm_min, speed_rpm, resolution }
 }

@@ -16,7 +16,7 @@ use crate::blocks::control::force::proportional::ProportionalSettings;
 use crate::blocks::control::force::unks::UnksSettings;
 use crate::blocks::control::sdnrp::SdnrpSettings;
 use crate::blocks::control::tracking::TrackingSettings;
-use crate::blocks::control::{Belief, ControlSetup, ControllerChoice};
+use crate::blocks::control::{Belief, ControlSetup, ControllerChoice, FeedSpeed};
 use crate::blocks::cutting::process::{ForceModel, Plant};
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::Target;
@@ -324,6 +324,17 @@ impl Scenario {
         (time_s / self.dt_s()).round() as u64
     }
 
+    /// Programmed feed and speed of a cut, counted from 0.
+    #[must_use]
+    pub fn programmed(&self, cut: usize) -> FeedSpeed {
+        // A path without cuts is programmed with one feed.
+        let cut = if self.workpiece.cuts.is_empty() { usize::MAX } else { cut };
+        FeedSpeed {
+            feed_mm_min: self.program.feed_of_cut_mm_min(cut),
+            speed_rpm: self.program.spindle_rpm,
+        }
+    }
+
     /// What the controller is set up from.
     #[must_use]
     pub fn control_setup(&self) -> ControlSetup<'_> {
@@ -381,5 +392,6 @@ pub fn parse_value(path: &str, text: &str) -> Result<Value, SettingError> {
             Value::Steps(steps)
         }
         Kind::Cuts { .. } => Value::Cuts(serde_json::from_str(text).map_err(|_| bad())?),
+        Kind::Numbers { .. } => Value::Numbers(serde_json::from_str(text).map_err(|_| bad())?),
     })
 }

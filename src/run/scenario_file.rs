@@ -88,15 +88,19 @@ fn value_from_toml(path: &str, value: &toml::Value) -> Result<Value, SettingErro
             let read = toml::Value::try_into::<Vec<Vec<[f64; 3]>>>(value.clone());
             Value::Cuts(read.map_err(|_| wrong())?)
         }
-        toml::Value::Array(pairs) => {
+        toml::Value::Array(list) => {
             let number = |value: &toml::Value| {
                 value.as_float().or_else(|| value.as_integer().map(|x| x as f64))
             };
+            if list.first().and_then(number).is_some() {
+                let numbers: Option<Vec<f64>> = list.iter().map(number).collect();
+                return numbers.map(Value::Numbers).ok_or_else(wrong);
+            }
             let pair = |value: &toml::Value| match value.as_array().map(Vec::as_slice) {
                 Some([position, depth]) => Some([number(position)?, number(depth)?]),
                 _ => None,
             };
-            let steps: Option<Vec<[f64; 2]>> = pairs.iter().map(pair).collect();
+            let steps: Option<Vec<[f64; 2]>> = list.iter().map(pair).collect();
             Value::Steps(steps.ok_or_else(wrong)?)
         }
         toml::Value::Datetime(_) | toml::Value::Table(_) => return Err(wrong()),

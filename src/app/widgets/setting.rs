@@ -62,7 +62,9 @@ pub fn setting(
             (Kind::Steps { .. }, Value::Steps(now)) => {
                 steps(ui, param, now, &mut change, said_here)
             }
-            (Kind::Cuts { .. }, Value::Cuts(_)) => cuts(ui, param, &value, &mut change, said_here),
+            (Kind::Cuts { .. }, Value::Cuts(_)) | (Kind::Numbers { .. }, Value::Numbers(_)) => {
+                cuts(ui, param, &value, &mut change, said_here)
+            }
             _ => unreachable!("the table pairs kinds with values"),
         };
         let response = response.on_hover_ui(|ui| describe(ui, param));
@@ -296,7 +298,7 @@ fn steps(
     response
 }
 
-/// Cuts as a list of lists: taken over when the field is left, faults are answered.
+/// Cuts as a list of lists, or what belongs to each of them as a list: taken over when the field is left, faults are answered.
 fn cuts(
     ui: &mut Ui,
     param: &Param,

@@ -41,6 +41,17 @@ crate::settings! {
         feed_mm_min: f64 = 430.41, [10.0, 5000.0], "mm/min", setup, "Programmed feed";
         /// Programmed spindle speed: 100 % override, and the speed at the start of the run.
         spindle_rpm: f64 = 1571.0, [100.0, 20000.0], "1/min", setup, "Programmed speed";
+        /// Programmed feed of each cut of the workpiece, for example as the plan finds them; a cut
+        /// without one is programmed with the feed above.
+        cut_feeds_mm_min: Vec<f64> = Vec::new(), [10.0, 5000.0], "mm/min", setup, "Feeds per cut";
+    }
+}
+
+impl Program {
+    /// Programmed feed of a cut, counted from 0, mm/min.
+    #[must_use]
+    pub fn feed_of_cut_mm_min(&self, cut: usize) -> f64 {
+        self.cut_feeds_mm_min.get(cut).copied().unwrap_or(self.feed_mm_min)
     }
 }
 
@@ -90,8 +101,9 @@ impl Override {
         this
     }
 
-    /// At 100 % again, as a new cut begins.
-    pub fn restart(&mut self) {
+    /// At 100 % of what is programmed for the cut that begins.
+    pub fn restart(&mut self, programmed: f64) {
+        self.programmed = programmed;
         self.ramp_percent = 100.0;
     }
 

@@ -100,6 +100,20 @@ impl ToolPath {
         (&self.cuts[self.cut], position_mm - self.began_mm - approach_mm)
     }
 
+    /// Number of the present cut, counted from 0.
+    #[must_use]
+    pub fn cut(&self) -> usize {
+        self.cut
+    }
+
+    /// Number of the cut of a workpiece in which `position_mm` lies, counted from 0.
+    #[must_use]
+    pub fn cut_of(workpiece: &Workpiece, position_mm: f64) -> usize {
+        let mut path = Self::new(workpiece);
+        while path.next_cut(position_mm).is_some() {}
+        path.cut
+    }
+
     /// The next cut, if the tool has come to the end of one and there is another: the position at
     /// which it begins. What the tool went beyond the end is not counted.
     pub fn next_cut(&mut self, position_mm: f64) -> Option<f64> {
@@ -144,6 +158,8 @@ mod tests {
         assert_eq!(path.place(second + APPROACH_MM + 21.0).axial_depth_mm, 1.0);
         assert_eq!(path.next_cut(1e9), None, "the last one ends the run");
         assert_eq!(path.depth_max_mm(), 3.0);
+        let cut_of = |position_mm| ToolPath::cut_of(&workpiece, position_mm);
+        assert_eq!([0.0, second - 0.1, second, 1e9].map(cut_of), [0, 0, 1, 1]);
     }
 
     #[test]

@@ -5,9 +5,10 @@ use super::live::Live;
 use super::models::{feed, speed};
 use crate::base::model::gp::GpModels;
 use crate::base::units::ratio_from_percent;
-use crate::blocks::control::ControllerKind;
 use crate::blocks::control::force::division::Divided;
 use crate::blocks::control::force::mrac::Adapted;
+use crate::blocks::control::{ControllerKind, FeedSpeed};
+use crate::blocks::cutting::tool_path::ToolPath;
 use crate::run::scenario::Scenario;
 use crate::run::signals::{Row, flag};
 
@@ -16,7 +17,8 @@ pub fn controller(belief: &GpModels, row: &Row, scenario: &Scenario) -> Vec<Live
     let (desired, measured) = (row.force_ref_n, row.force_measured_n);
     match scenario.controller.kind {
         ControllerKind::ConstantFeed => {
-            let program = &scenario.program;
+            let cut = ToolPath::cut_of(&scenario.workpiece, row.position_mm);
+            let program = scenario.programmed(cut);
             let settings = &scenario.constant_feed;
             let line = |symbol: &str, percent: f64, programmed: f64, unit: &str| {
                 let result = programmed * ratio_from_percent(percent);
@@ -32,7 +34,7 @@ pub fn controller(belief: &GpModels, row: &Row, scenario: &Scenario) -> Vec<Live
             };
             vec![
                 line("f", settings.feed_percent, program.feed_mm_min, "mm/min"),
-                line("n", settings.speed_percent, program.spindle_rpm, "1/min"),
+                line("n", settings.speed_percent, program.speed_rpm, "1/min"),
             ]
         }
         ControllerKind::Sdnrp => {
@@ -86,7 +88,7 @@ pub fn controller(belief: &GpModels, row: &Row, scenario: &Scenario) -> Vec<Live
                 },
             ];
             if scenario.cnc.override_quantised {
-                lines.push(rounding(scenario));
+                lines.push(rounding(row, scenario));
             }
             lines
         }
@@ -143,9 +145,11 @@ fn force_law(row: &Row, scenario: &Scenario) -> Vec<Live> {
 }
 
 /// Tracking with whole percents: what rounding takes is not lost.
-fn rounding(scenario: &Scenario) -> Live {
-    let [feed, speed] = [scenario.program.feed_mm_min, scenario.program.spindle_rpm]
-        .map(|programmed| number(programmed * ratio_from_percent(1.0)));
+fn rounding(row: &Row, scenario: &Scenario) -> Live {
+    let cut = ToolPath::cut_of(&scenario.workpiece, row.position_mm);
+    let FeedSpeed { feed_mm_min, speed_rpm } = scenario.programmed(cut);
+    let [feed, speed] =
+        [feed_mm_min, speed_rpm].map(|programmed| number(programmed * ratio_from_percent(1.0)));
     Live::everywhere(
         "what rounding to whole % takes is added to the next request: the mean is as asked",
         format!("1 % is {feed} mm/min and {speed} 1/min"),

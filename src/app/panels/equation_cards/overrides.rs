@@ -3,6 +3,7 @@
 use super::formula::number;
 use super::live::Live;
 use crate::base::units::percent_from_ratio;
+use crate::blocks::cutting::tool_path::ToolPath;
 use crate::run::closed_loop::limits;
 use crate::run::scenario::Scenario;
 use crate::run::signals::{Row, flag};
@@ -23,7 +24,8 @@ struct Channel {
 
 /// Both channels: each with its limits and, where they are switched on, whole percents and rate.
 pub fn overrides(row: &Row, scenario: &Scenario) -> Vec<Live> {
-    let (program, limits) = (&scenario.program, limits(scenario));
+    let cut = ToolPath::cut_of(&scenario.workpiece, row.position_mm);
+    let (program, limits) = (scenario.programmed(cut), limits(scenario, cut));
     let feed = Channel {
         name: "DNCFRO",
         symbol: 'f',
@@ -39,7 +41,7 @@ pub fn overrides(row: &Row, scenario: &Scenario) -> Vec<Live> {
         name: "DNCSPO",
         symbol: 'n',
         unit: "1/min",
-        programmed: program.spindle_rpm,
+        programmed: program.speed_rpm,
         range: limits.speed_rpm,
         command: row.spindle_command_rpm,
         percent: row.spindle_override_percent,
