@@ -191,3 +191,21 @@ fn bad_input_is_answered_by_name() {
     let error = refused(&["check", file.to_str().unwrap()]);
     assert!(error.contains("target.ra_um") && error.contains("-1"), "{error}");
 }
+
+#[test]
+fn the_forces_within_a_revolution_are_printed_as_csv() {
+    let output = steadycut(&["run", "experiment-2", "--revolution", "2.5"]);
+    assert!(output.status.success());
+    let text = String::from_utf8(output.stdout).unwrap();
+    let mut lines = text.lines();
+    let header = lines.next().unwrap();
+    assert_eq!(header, "time_s [s],angle_deg [deg],fx_n [N],fy_n [N],fz_n [N],fxy_n [N]");
+    let rows: Vec<Vec<f64>> =
+        lines.map(|line| line.split(',').map(|x| x.parse().unwrap()).collect()).collect();
+    assert_eq!(rows.len(), 1086, "60 s / 1591.55 at 28.8 kHz");
+    assert!(rows.iter().all(|row| row.len() == 6 && row[0] <= 2.5));
+    let refused = refused(&["run", "table3-5", "--revolution", "2.5"]);
+    assert!(refused.contains("plant.force_model"), "{refused}");
+    let refused = self::refused(&["run", "table3-5", "--revolution", "99"]);
+    assert!(refused.contains("from 0 to 15 s"), "{refused}");
+}

@@ -63,6 +63,10 @@ pub struct RunArgs {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
+    /// Print the forces within the last revolution before a time in s as CSV, a line for every plant
+    /// step; tooth by tooth only.
+    #[arg(long, value_name = "AT_S", conflicts_with_all = ["json", "out"])]
+    pub revolution: Option<f64>,
 }
 
 /// A paper whose table can be re-run.

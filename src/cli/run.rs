@@ -16,6 +16,7 @@ use crate::blocks::cutting::tool_path::ToolPath;
 use crate::run::edits::Edits;
 use crate::run::metrics::Metrics;
 use crate::run::one_run::{End, Run};
+use crate::run::revolution::revolution;
 use crate::run::scenario::{Scenario, parse_value};
 use crate::run::{presets, scenario_file};
 use crate::study::export::csv;
@@ -86,6 +87,9 @@ pub fn execute(args: &RunArgs) -> Outcome {
     for edit in edits.list() {
         checked.push(&scenario, edit.clone())?;
     }
+    if let Some(at_s) = args.revolution {
+        return print_revolution(&scenario, &checked, at_s);
+    }
     // The file is opened first: a path that cannot be written should not cost a run.
     let out = match &args.out {
         Some(path) => {
@@ -123,6 +127,28 @@ pub fn execute(args: &RunArgs) -> Outcome {
     // A fault is a failure of the run, not of the program: its own exit code.
     let failed = matches!(run.end(), Some(End::Fault(_)));
     Ok(if failed { ExitCode::from(1) } else { ExitCode::SUCCESS })
+}
+
+/// The forces within the last revolution before `at_s`, as CSV.
+fn print_revolution(scenario: &Scenario, edits: &Edits, at_s: f64) -> Outcome {
+    let mut run = Run::new(scenario, edits);
+    let refused = |problem: String| format!("--revolution {at_s}: {problem}");
+    if !(0.0..=scenario.run.duration_s).contains(&at_s) {
+        let longest = scenario.run.duration_s;
+        return Err(refused(format!("allowed is a time from 0 to {longest} s")).into());
+    }
+    let at = scenario.ticks(at_s);
+    run.advance(at);
+    if run.ticks() < at {
+        let end_s = run.ticks() as f64 * scenario.dt_s();
+        return Err(refused(format!("the run ends at {end_s:.3} s ({})", end_text(&run))).into());
+    }
+    let found = revolution(&run, at_s, 1).ok_or_else(|| {
+        let needed = "`plant.force_model = \"mechanistic\"` and plant steps of at most 0.1 ms";
+        refused(format!("the force is not simulated tooth by tooth there; that takes {needed}"))
+    })?;
+    csv::write_samples(&mut std::io::stdout().lock(), &found.samples)?;
+    Ok(ExitCode::SUCCESS)
 }
 
 fn end_text(run: &Run) -> String {

@@ -110,9 +110,10 @@ pub struct ClosedLoop {
     to_control: u64,
     position_mm: f64,
     command_flags: u32,
-    /// What the sensor is given, and whether that is a peak tooth by tooth.
+    /// What the sensor is given.
     sensed_n: f64,
-    tooth_by_tooth: bool,
+    /// F_x, F_y, F_z on the tool now, tooth by tooth; what is sensed is then their peak.
+    teeth_n: Option<[f64; 3]>,
     /// Force that stops the feed; infinite where that is switched off.
     stop_n: f64,
     stop: Option<ForceStop>,
@@ -164,7 +165,7 @@ impl ClosedLoop {
             position_mm: 0.0,
             command_flags: 0,
             sensed_n: 0.0,
-            tooth_by_tooth: false,
+            teeth_n: None,
             stop_n: stop_n(scenario),
             stop: None,
             row: Row {
@@ -227,6 +228,13 @@ impl ClosedLoop {
         &self.row
     }
 
+    /// Forces F_x, F_y, F_z on the tool in N and the spindle's turn from 0 to below 1 at the present
+    /// moment, where the force is simulated tooth by tooth.
+    #[must_use]
+    pub fn teeth(&self) -> Option<([f64; 3], f64)> {
+        self.teeth_n.zip(self.process.spindle_turn())
+    }
+
     /// One tick, in the order given at the head of this file.
     ///
     /// # Errors
@@ -256,7 +264,7 @@ impl ClosedLoop {
     fn control(&mut self) {
         let sample = self.tick / self.steps_per_control;
         // The peak of a window has its sensor noise already.
-        let force_measured_n = if self.tooth_by_tooth {
+        let force_measured_n = if self.teeth_n.is_some() {
             self.sensed_n
         } else {
             self.dynamometer.read(self.sensed_n, sample)
@@ -335,7 +343,7 @@ impl ClosedLoop {
                 time_s: self.tick as f64 * self.dt_s,
             });
         }
-        self.tooth_by_tooth = milled.is_some();
+        self.teeth_n = milled;
         self.sensed_n = sensed_n;
         let (ra, ra_dyn) = if in_air {
             (Valued::new(0.0, true), Valued::new(0.0, true))

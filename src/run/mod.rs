@@ -8,6 +8,7 @@ pub mod one_run;
 pub mod plan_settings;
 pub mod presets;
 pub mod recording;
+pub mod revolution;
 pub mod scenario;
 pub mod scenario_file;
 pub mod scenario_link;

@@ -37,6 +37,28 @@ struct State {
     next_edit: usize,
 }
 
+impl State {
+    /// One step with the edits that are due before it.
+    #[inline]
+    fn step(&mut self, edits: &Edits, edit_ticks: &[u64]) -> Result<(), Fault> {
+        let tick = self.closed_loop.tick();
+        if edit_ticks.get(self.next_edit).is_some_and(|at| *at <= tick) {
+            self.apply_edits(tick, edits, edit_ticks);
+        }
+        self.closed_loop.step()
+    }
+
+    fn apply_edits(&mut self, tick: u64, edits: &Edits, edit_ticks: &[u64]) {
+        while edit_ticks.get(self.next_edit).is_some_and(|at| *at <= tick) {
+            let edit = &edits.list()[self.next_edit];
+            // Checked when it was added to the edits; what no longer fits is skipped.
+            let _ = self.scenario.set(&edit.path, edit.value.clone());
+            self.next_edit += 1;
+        }
+        self.closed_loop.reconfigure(&self.scenario);
+    }
+}
+
 /// One run: scenario, edits, state and recording.
 #[derive(Clone, Debug)]
 pub struct Run {
@@ -109,12 +131,8 @@ impl Run {
 
     #[inline]
     fn step(&mut self) {
+        let result = self.state.step(&self.edits, &self.edit_ticks);
         let tick = self.state.closed_loop.tick();
-        if self.edit_ticks.get(self.state.next_edit).is_some_and(|at| *at <= tick) {
-            self.apply_edits(tick);
-        }
-        let result = self.state.closed_loop.step();
-        let tick = tick + 1;
         if let Err(fault) = result {
             // The faulty row is not recorded: nothing that was recorded is lost or spoilt.
             self.end = Some(End::Fault(fault));
@@ -150,17 +168,6 @@ impl Run {
         self.snapshots.push(self.state.clone());
     }
 
-    fn apply_edits(&mut self, tick: u64) {
-        let state = &mut self.state;
-        while self.edit_ticks.get(state.next_edit).is_some_and(|at| *at <= tick) {
-            let edit = &self.edits.list()[state.next_edit];
-            // Checked when it was added to the edits; what no longer fits is skipped.
-            let _ = state.scenario.set(&edit.path, edit.value.clone());
-            state.next_edit += 1;
-        }
-        state.closed_loop.reconfigure(&state.scenario);
-    }
-
     /// Goes back to the last snapshot from which the run can be repeated with `edits`, and takes
     /// them over. Both the old and the new edits must agree before `from_s`.
     pub fn branch(&mut self, from_s: f64, edits: &Edits) {
@@ -176,6 +183,26 @@ impl Run {
         self.recording.truncate(self.state.closed_loop.tick());
         self.end = None;
         self.take_edits(edits);
+    }
+
+    /// Repeats the steps to tick `to` (or to where the run stands) from the last snapshot before tick
+    /// `from`, and shows the loop at every tick of that range. The run itself stays as it is.
+    pub fn repeat(&self, from: u64, to: u64, mut see: impl FnMut(&ClosedLoop)) {
+        let to = to.min(self.ticks());
+        let known = self.snapshots.partition_point(|state| state.closed_loop.tick() <= from);
+        let Some(snapshot) = known.checked_sub(1).and_then(|last| self.snapshots.get(last)) else {
+            return;
+        };
+        let mut state = snapshot.clone();
+        loop {
+            let tick = state.closed_loop.tick();
+            if (from..=to).contains(&tick) {
+                see(&state.closed_loop);
+            }
+            if tick >= to || state.step(&self.edits, &self.edit_ticks).is_err() {
+                return;
+            }
+        }
     }
 
     /// Why the run is over, if it is.

@@ -53,6 +53,8 @@ pub struct Milling {
     history: Vec<[f64; 2]>,
     newest: usize,
     turn: f64,
+    /// The spindle's turn at the last sample.
+    sampled_turn: f64,
 }
 
 impl Milling {
@@ -71,6 +73,7 @@ impl Milling {
             history: vec![[0.0; 2]; (slowest as usize + 2).next_power_of_two()],
             newest: 0,
             turn: 0.0,
+            sampled_turn: 0.0,
         }
     }
 
@@ -85,7 +88,7 @@ impl Milling {
 
     /// Goes on where another cutter was: its angle and its last forces.
     pub fn take_over(&mut self, before: &Self) {
-        self.turn = before.turn;
+        (self.turn, self.sampled_turn) = (before.turn, before.sampled_turn);
         if self.history.len() == before.history.len() {
             self.history.clone_from(&before.history);
             self.newest = before.newest;
@@ -95,6 +98,12 @@ impl Milling {
     /// The tool has left the part: no force is left that could bend it.
     pub fn restart(&mut self) {
         self.history.fill([0.0; 2]);
+    }
+
+    /// The spindle's turn at the last sample, from 0 to below 1.
+    #[must_use]
+    pub fn spindle_turn(&self) -> f64 {
+        self.sampled_turn
     }
 
     fn before(&self, samples: usize) -> [f64; 2] {
@@ -125,6 +134,7 @@ impl Milling {
         let forces = forces.map(|force| force * (self.speed_factor * factor));
         self.newest = (self.newest + 1) & (self.history.len() - 1);
         self.history[self.newest] = [forces[0], forces[1]];
+        self.sampled_turn = self.turn;
         self.turn += rev_s_from_rpm(speed_rpm) * self.setup.dt_s;
         self.turn -= self.turn.floor();
         forces

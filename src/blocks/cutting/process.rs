@@ -177,6 +177,12 @@ impl Process {
         Some(milling.update(feed_mm_min, speed_rpm, x_mm, cut, factor))
     }
 
+    /// The spindle's turn at the last instant, from 0 to below 1, where there are teeth.
+    #[must_use]
+    pub fn spindle_turn(&self) -> Option<f64> {
+        self.milling.as_deref().map(Milling::spindle_turn)
+    }
+
     /// A new cut begins.
     pub fn restart(&mut self) {
         if let Some(milling) = &mut self.milling {

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use crate::run::recording::Recording;
+use crate::run::revolution::Sample;
 use crate::run::signals::SIGNALS;
 
 /// Writes a recording; numbers in the shortest form that reads back to the same bits.
@@ -21,6 +22,19 @@ pub fn write(out: &mut impl Write, recording: &Recording) -> io::Result<()> {
             write!(out, "{comma}{value}")?;
         }
         writeln!(out)?;
+    }
+    Ok(())
+}
+
+/// Writes the samples of a revolution, one line each.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_samples(out: &mut impl Write, samples: &[Sample]) -> io::Result<()> {
+    writeln!(out, "time_s [s],angle_deg [deg],fx_n [N],fy_n [N],fz_n [N],fxy_n [N]")?;
+    for sample in samples {
+        let Sample { time_s, angle_deg, fx_n, fy_n, fz_n } = sample;
+        writeln!(out, "{time_s},{angle_deg},{fx_n},{fy_n},{fz_n},{}", sample.fxy_n())?;
     }
     Ok(())
 }
