@@ -23,6 +23,19 @@ fn radius_mm(axial_depth_mm: f64) -> f64 {
     math::positive(depth * (diameter_mm - depth)).sqrt()
 }
 
+/// Radial depth R_D in mm of a section of an axial depth and a wall position in mm: from the wall to
+/// where the ball meets the surface.
+#[must_use]
+pub fn radial_depth_mm(axial_depth_mm: f64, wall_mm: f64) -> f64 {
+    math::positive(radius_mm(axial_depth_mm) - wall_mm)
+}
+
+/// Position in mm of the side wall that gives a radial depth in mm at an axial depth in mm.
+#[must_use]
+pub fn wall_mm(axial_depth_mm: f64, radial_depth_mm: f64) -> f64 {
+    radius_mm(axial_depth_mm) - radial_depth_mm
+}
+
 /// The tool's way.
 #[derive(Clone, Debug)]
 pub struct ToolPath {
@@ -58,7 +71,7 @@ impl ToolPath {
     /// The one path as a cut, from here on; `axial_depth_mm` is where the radial depth is counted.
     fn lay_profile(&mut self, axial_depth_mm: f64) {
         if !self.several {
-            let wall_mm = radius_mm(axial_depth_mm) - self.radial_depth_mm;
+            let wall_mm = wall_mm(axial_depth_mm, self.radial_depth_mm);
             self.cuts = vec![CutPath::open(&self.profile.sections(self.length_mm, wall_mm))];
         }
     }
@@ -79,6 +92,18 @@ impl ToolPath {
         cuts.map(|length_mm| APPROACH_MM + length_mm).sum()
     }
 
+    /// Where along the way each cut of a workpiece begins, before its approach, mm.
+    #[must_use]
+    pub fn begins_of(workpiece: &Workpiece) -> Vec<f64> {
+        let mut begins_mm = 0.0;
+        let cuts = workpiece.cuts.iter().map(|sections| {
+            let here_mm = begins_mm;
+            begins_mm += APPROACH_MM + CutPath::new(sections).length_mm();
+            here_mm
+        });
+        cuts.collect()
+    }
+
     /// The engagement at `position_mm`, which must not fall between calls.
     #[inline]
     pub fn place(&mut self, position_mm: f64) -> Place {
@@ -88,7 +113,7 @@ impl ToolPath {
         }
         let (cut, x_mm) = self.cut_at(position_mm);
         let [axial_depth_mm, wall_mm] = cut.section_at(x_mm);
-        let radial_depth_mm = math::positive(radius_mm(axial_depth_mm) - wall_mm);
+        let radial_depth_mm = radial_depth_mm(axial_depth_mm, wall_mm);
         Place { axial_depth_mm, radial_depth_mm }
     }
 
@@ -154,6 +179,7 @@ mod tests {
         assert_eq!(path.next_cut(APPROACH_MM + 9.9), None);
         let second = path.next_cut(APPROACH_MM + 10.2).unwrap();
         assert_eq!(second, APPROACH_MM + 10.0);
+        assert_eq!(ToolPath::begins_of(&workpiece), [0.0, second]);
         assert_eq!(path.cut_at(second).1, -APPROACH_MM);
         assert_eq!(path.place(second + APPROACH_MM + 21.0).axial_depth_mm, 1.0);
         assert_eq!(path.next_cut(1e9), None, "the last one ends the run");

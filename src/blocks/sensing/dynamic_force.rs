@@ -6,10 +6,11 @@
 //! F_dyn = F (1 + level (band b(t) + ripple sin(theta) + inhomogeneity w(x)))
 //! b      band-limited noise of unit variance: first-order low pass minus its own low pass
 //! theta  tooth-passing angle, theta' = 2 pi z n / 60, z = 2 teeth
-//! w      AR(1) field of unit variance along the path on a 0.1 mm grid, interpolated linearly:
-//!        a property of the workpiece, the same for every controller
+//! w      field of unit variance along the path ([`super::field`]): a property of the workpiece, the
+//!        same for every controller
 //! ```
 
+use super::field::Field;
 use crate::base::math::{self, TAU};
 use crate::base::rng::Stream;
 use crate::base::units::{ratio_from_percent, rev_s_from_rpm};
@@ -39,14 +40,12 @@ crate::settings! {
 
 /// Teeth of the cutter R216-16B20-040.
 const TEETH: f64 = 2.0;
-/// Cells of the inhomogeneity field per millimetre.
-const CELLS_PER_MM: f64 = 10.0;
 
 /// The dynamic component with its state.
 #[derive(Clone, Debug)]
 pub struct DynamicForce {
     band: Stream,
-    field: Stream,
+    field: Field,
     // Coefficients.
     pole_high: f64,
     drive_high: f64,
@@ -54,16 +53,19 @@ pub struct DynamicForce {
     band_gain: f64,
     ripple_gain: f64,
     field_gain: f64,
-    field_pole: f64,
-    field_drive: f64,
     turn_per_rpm: f64,
     // State.
     fast: f64,
     slow: f64,
     turn: f64,
-    cell: u64,
-    field_here: f64,
-    field_next: f64,
+}
+
+impl NoiseSettings {
+    /// Standard deviation of the inhomogeneity as a share of the force, all levels counted.
+    #[must_use]
+    pub fn inhomogeneity(&self) -> f64 {
+        self.level * ratio_from_percent(self.inhomogeneity_percent)
+    }
 }
 
 impl DynamicForce {
@@ -71,29 +73,22 @@ impl DynamicForce {
     #[must_use]
     pub fn new(settings: &NoiseSettings, seed: u32, dt_s: f64) -> Self {
         let band = Stream::new(u64::from(seed), "noise.band");
-        let field = Stream::new(u64::from(seed), "noise.inhomogeneity");
         let phase = Stream::new(u64::from(seed), "noise.ripple");
         let mut this = Self {
             band,
-            field,
+            field: Field::new(seed, settings.correlation_mm),
             pole_high: 0.0,
             drive_high: 0.0,
             share_low: 0.0,
             band_gain: 0.0,
             ripple_gain: 0.0,
             field_gain: 0.0,
-            field_pole: 0.0,
-            field_drive: 0.0,
             turn_per_rpm: 0.0,
             fast: band.normal(u64::MAX),
             slow: 0.0,
             turn: phase.uniform(0),
-            cell: 0,
-            field_here: field.normal(0),
-            field_next: 0.0,
         };
         this.reconfigure(settings, dt_s);
-        this.field_next = this.field_after(1, this.field_here);
         this
     }
 
@@ -110,14 +105,9 @@ impl DynamicForce {
         let deviation = (1.0 - 2.0 * covariance + slow).max(1e-12).sqrt();
         self.band_gain = settings.level * ratio_from_percent(settings.band_percent) / deviation;
         self.ripple_gain = settings.level * ratio_from_percent(settings.ripple_percent);
-        self.field_gain = settings.level * ratio_from_percent(settings.inhomogeneity_percent);
-        self.field_pole = math::exp(-1.0 / (CELLS_PER_MM * settings.correlation_mm));
-        self.field_drive = (1.0 - self.field_pole * self.field_pole).sqrt();
+        self.field_gain = settings.inhomogeneity();
+        self.field.reconfigure(settings.correlation_mm);
         self.turn_per_rpm = rev_s_from_rpm(1.0) * TEETH * dt_s;
-    }
-
-    fn field_after(&self, cell: u64, before: f64) -> f64 {
-        self.field_pole * before + self.field_drive * self.field.normal(cell)
     }
 
     /// The factor 1 + dynamic share at tick `tick`, position in mm and speed in 1/min.
@@ -129,18 +119,9 @@ impl DynamicForce {
         self.turn += speed_rpm * self.turn_per_rpm;
         self.turn -= self.turn.floor();
 
-        let place = position_mm * CELLS_PER_MM;
-        while place >= (self.cell + 1) as f64 {
-            self.cell += 1;
-            self.field_here = self.field_next;
-            self.field_next = self.field_after(self.cell + 1, self.field_here);
-        }
-        let share = place - self.cell as f64;
-        let field = self.field_here + share * (self.field_next - self.field_here);
-
         1.0 + self.band_gain * (self.fast - self.slow)
             + self.ripple_gain * math::sin(TAU * self.turn)
-            + self.field_gain * field
+            + self.field_gain * self.field.at(position_mm)
     }
 }
 

@@ -2,4 +2,5 @@
 
 pub mod dynamic_force;
 pub mod dynamometer;
+pub mod field;
 pub mod peak;
