@@ -3,6 +3,7 @@
 
 // register: module
 pub mod block_diagram;
+pub mod compare;
 pub mod console;
 pub mod equation_cards;
 pub mod papers;
@@ -37,6 +38,7 @@ pub fn panels() -> Vec<Box<dyn Panel>> {
         Box::new(console::ConsolePanel::default()),
         Box::new(block_diagram::BlockDiagramPanel::default()),
         Box::new(plan::PlanPanel::default()),
+        Box::new(compare::ComparePanel::default()),
         Box::new(papers::PapersPanel::default()),
     ]
 }

@@ -49,6 +49,19 @@ pub fn sample(ui: &mut Ui, name: &str, look: Look) -> Response {
     response
 }
 
+/// The name of marks that are always shown; `sample` paints one into a small rectangle.
+pub fn sample_of(
+    ui: &mut Ui,
+    name: &str,
+    color: Color32,
+    sample: impl FnOnce(&Painter, Rect, Color32),
+) -> Response {
+    let (rect, response) = named(ui, name, Palette::at(ui).weak, Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name));
+    sample(ui.painter(), rect.with_max_x(rect.left() + SAMPLE), color);
+    response
+}
+
 /// Writes a name with room for a sample at its left.
 fn named(ui: &mut Ui, name: &str, ink: Color32, sense: Sense) -> (Rect, Response) {
     let font = egui::TextStyle::Small.resolve(ui.style());

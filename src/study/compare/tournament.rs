@@ -59,6 +59,13 @@ impl Tournament {
         Self { entrants, seeds: seeds.max(1), outcomes: Vec::new(), running: None }
     }
 
+    /// Goes on to another number of seeds; runs that are done or on their way are never given up.
+    pub fn set_seeds(&mut self, seeds: u32) {
+        let entrants = self.entrants.len().max(1);
+        let begun = self.outcomes.len() + usize::from(self.running.is_some());
+        self.seeds = seeds.max(begun.div_ceil(entrants) as u32).max(1);
+    }
+
     /// The entrants in order.
     #[must_use]
     pub fn entrants(&self) -> &[Entrant] {

@@ -1,0 +1,82 @@
+//! Ways of control against each other: the same part, the same noise seeds; a table and box plots,
+//! the printed Table 1 of 2005 as the line to beat, and what was chosen with it in view.
+
+mod boxes;
+mod contest;
+mod controls;
+mod table;
+mod told;
+
+use egui::scroll_area::{DragScroll, ScrollSource};
+use egui::{Frame, Margin, RichText, ScrollArea, Ui};
+
+use super::{Panel, View};
+use crate::app::command::Command;
+use crate::app::theme::{self, Palette};
+use crate::app::widgets::zoom::by_touch;
+use crate::study::compare::outcome::Measure;
+use contest::Contests;
+
+/// The screen.
+pub struct ComparePanel {
+    contests: Contests,
+    /// What the box plots show.
+    measure: Measure,
+}
+
+impl Default for ComparePanel {
+    fn default() -> Self {
+        Self { contests: Contests::default(), measure: Measure::Nsn }
+    }
+}
+
+impl Panel for ComparePanel {
+    fn id(&self) -> &'static str {
+        "compare"
+    }
+
+    fn title(&self) -> &'static str {
+        "Compare"
+    }
+
+    fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        self.contests.follow(view.session.scenario());
+        if self.contests.advance(ui.input(|input| f64::from(input.unstable_dt))) {
+            ui.ctx().request_repaint();
+        }
+        let margin =
+            Frame::new().inner_margin(Margin::symmetric(if view.narrow { 8 } else { 12 }, 6));
+        let drag = if by_touch(ui) { DragScroll::Always } else { DragScroll::Never };
+        let source = ScrollSource { drag, ..ScrollSource::default() };
+        let area = ScrollArea::vertical().id_salt("compare").scroll_source(source);
+        area.auto_shrink(false).show(ui, |ui| {
+            margin.show(ui, |ui| self.page(ui, view.narrow, commands));
+        });
+    }
+}
+
+impl ComparePanel {
+    fn page(&mut self, ui: &mut Ui, narrow: bool, commands: &mut Vec<Command>) {
+        let palette = Palette::at(ui);
+        controls::show(ui, &mut self.contests);
+        let printed = self.contests.is_table_1();
+        let Some(contest) = self.contests.shown() else {
+            theme::card(palette).show(ui, |ui| {
+                ui.set_width(ui.available_width());
+                ui.label(RichText::new("Nobody takes part").strong());
+                ui.label("Choose at least one way of control above.");
+            });
+            return;
+        };
+        let compared = contest.table();
+        ui.add_space(4.0);
+        if narrow {
+            table::cards(ui, contest.tournament(), &compared, printed, commands);
+        } else {
+            table::table(ui, contest.tournament(), &compared, printed, commands);
+        }
+        ui.add_space(8.0);
+        boxes::show(ui, contest.tournament(), &compared, &mut self.measure, printed);
+        told::show(ui, &compared, printed);
+    }
+}

@@ -1,0 +1,148 @@
+//! Box plots of a measure: least and largest value, quartiles and median over the seeds, the mean
+//! as a dot, the printed figure as a diamond.
+
+use egui::{Role, Sense, Shape, Stroke, Ui, WidgetInfo};
+use egui_plot::{BoxElem, BoxPlot, BoxSpread, MarkerShape, Plot, Points};
+
+use super::table::{printed_of, title, value};
+use crate::app::theme::Palette;
+use crate::app::widgets::chart::{grid, tick};
+use crate::app::widgets::legend;
+use crate::study::compare::outcome::Measure;
+use crate::study::compare::tournament::{Compared, Tournament};
+
+/// Height of a box with its gap, and of the axis, points.
+const ROW: f32 = 34.0;
+const AXIS: f32 = 34.0;
+/// Width of a box as a share of its row.
+const WIDTH: f64 = 0.5;
+
+/// The choice of the measure and the plot.
+pub fn show(
+    ui: &mut Ui,
+    tournament: &Tournament,
+    compared: &[Compared],
+    measure: &mut Measure,
+    belongs: bool,
+) {
+    let palette = Palette::at(ui);
+    ui.horizontal_wrapped(|ui| {
+        ui.strong("Spread over the seeds:");
+        for one in Measure::ALL {
+            let response = ui.selectable_label(*measure == *one, one.label());
+            let (is, name) = (*measure == *one, format!("Spread of {}", one.label()));
+            response.widget_info(|| WidgetInfo::selected(Role::Button, true, is, name.clone()));
+            if response.clicked() {
+                *measure = *one;
+            }
+        }
+    });
+    let measure = *measure;
+    let row = |index: usize| (compared.len() - 1 - index) as f64;
+    let mut boxes = Vec::new();
+    let (mut means, mut printed): (Vec<[f64; 2]>, Vec<[f64; 2]>) = (Vec::new(), Vec::new());
+    let mut extent = [f64::INFINITY, f64::NEG_INFINITY];
+    let mut include = |x: f64| extent = [extent[0].min(x), extent[1].max(x)];
+    for (index, one) in compared.iter().enumerate() {
+        if let Some(spread) = one.get(measure) {
+            let quartiles = BoxSpread::new(
+                spread.least,
+                spread.lower_quartile,
+                spread.median,
+                spread.upper_quartile,
+                spread.largest,
+            );
+            let color = palette.produced;
+            let element = BoxElem::new(row(index), quartiles)
+                .name(&one.name)
+                .box_width(WIDTH)
+                .whisker_width(0.6 * WIDTH)
+                .fill(color.gamma_multiply(0.3))
+                .stroke(Stroke::new(1.4, color));
+            boxes.push(element);
+            means.push([spread.mean, row(index)]);
+            include(spread.least);
+            include(spread.largest);
+        }
+        let figure = printed_of(&one.name, belongs).and_then(|printed| printed.get(measure));
+        if let Some(figure) = figure {
+            printed.push([figure, row(index)]);
+            include(figure);
+        }
+    }
+    if extent[0] > extent[1] {
+        ui.weak("No values yet: run the comparison.");
+        return;
+    }
+    ui.horizontal_wrapped(|ui| {
+        legend::sample_of(ui, "mean", palette.command, |painter, rect, color| {
+            painter.circle_filled(rect.center(), 4.0, color);
+        });
+        if !printed.is_empty() {
+            let name = "printed in Table 1";
+            legend::sample_of(ui, name, palette.reference, |painter, rect, color| {
+                let turned = [(0.0, -5.0), (5.0, 0.0), (0.0, 5.0), (-5.0, 0.0)];
+                let corners = turned.map(|(x, y)| rect.center() + egui::vec2(x, y));
+                painter.add(Shape::convex_polygon(corners.to_vec(), color, Stroke::NONE));
+            });
+        }
+    });
+    let margin = 0.06 * (extent[1] - extent[0]).max(1e-3);
+    let names: Vec<String> = compared.iter().rev().map(|one| one.name.clone()).collect();
+    let rows = compared.len();
+    let width = ui.available_width();
+    let response = Plot::new("boxes")
+        .height(ROW * rows as f32 + AXIS)
+        .allow_zoom(false)
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .allow_axis_zoom_drag(false)
+        .sense(Sense::hover())
+        .y_axis_min_width(96.0)
+        .grid_color(palette.grid)
+        .grid_fade(0.0)
+        .show_y(false)
+        .x_grid_spacer(move |input| grid(input, width / 110.0))
+        .y_grid_spacer(move |_| {
+            let mark = |k: usize| egui_plot::GridMark { value: k as f64, step_size: 1.0 };
+            (0..rows).map(mark).collect()
+        })
+        .grid_spacing(egui::Rangef::new(16.0, 300.0))
+        .x_axis_label(title(measure))
+        .x_axis_formatter(|mark, _| tick(mark))
+        .y_axis_formatter(move |mark, _| {
+            names.get(mark.value.round() as usize).cloned().unwrap_or_default()
+        })
+        .show(ui, |plot| {
+            plot.set_plot_bounds_x(extent[0] - margin..=extent[1] + margin);
+            plot.set_plot_bounds_y(-0.6..=rows as f64 - 0.4);
+            let format = move |element: &BoxElem, _: &BoxPlot| {
+                let spread = &element.spread;
+                format!(
+                    "{}\nmost {}\nupper quartile {}\nmedian {}\nlower quartile {}\nleast {}",
+                    element.name,
+                    value(measure, spread.upper_whisker),
+                    value(measure, spread.quartile3),
+                    value(measure, spread.median),
+                    value(measure, spread.quartile1),
+                    value(measure, spread.lower_whisker),
+                )
+            };
+            plot.box_plot(
+                BoxPlot::new("spread", boxes).horizontal().element_formatter(Box::new(format)),
+            );
+            let dots = |name: &str, points, color, shape| {
+                Points::new(name.to_owned(), points).color(color).shape(shape).radius(4.5)
+            };
+            plot.points(dots("mean", means, palette.command, MarkerShape::Circle));
+            plot.points(dots("printed", printed, palette.reference, MarkerShape::Diamond));
+        })
+        .response;
+    let (done, all) = tournament.progress();
+    response.widget_info(|| {
+        let label = format!("Box plots of {}, {:.0} of {all} runs", title(measure), done.floor());
+        WidgetInfo::labeled(Role::Figure, true, label)
+    });
+}

@@ -1,0 +1,233 @@
+//! What is compared, and the tournaments so far: a set-up once run is kept, and more seeds go on
+//! where fewer ended.
+
+use crate::base::settings::{SettingError, Value};
+use crate::blocks::cutting::material::Material;
+use crate::run::scenario::Scenario;
+use crate::study::compare::entrants::{BEYOND, Method, TABLE_1, experiment_2, on};
+use crate::study::compare::tournament::{Compared, Tournament};
+
+/// Set-ups whose results are kept.
+const KEPT: usize = 12;
+/// Steps of the plant in a frame: at the start, at least and at most.
+const TICKS: [u64; 3] = [20_000, 5_000, 400_000];
+/// Time that a frame may take, s: the page stays usable.
+const FRAME_S: f64 = 0.04;
+
+crate::choice! {
+    /// The part that is milled.
+    pub enum Part {
+        /// Experiment 2 of 2005, five straight cuts, one programmed feed: that of Table 1.
+        Experiment2 = "experiment_2", "Experiment 2";
+        /// The scenario that is open in the console, at its start.
+        Open = "open", "Open scenario";
+    }
+}
+
+crate::choice! {
+    /// Dead time of the machine; the controllers know it.
+    pub enum DeadTime {
+        /// As the part's scenario has it.
+        AsIs = "as_is", "as it is";
+        /// None.
+        None = "none", "0 ms";
+        /// 40 ms, of the 2013 paper.
+        Short = "short", "40 ms";
+        /// 80 ms, of the 2007 paper.
+        Long = "long", "80 ms";
+    }
+}
+
+crate::choice! {
+    /// Material of the part; no controller is set anew for it.
+    pub enum Stock {
+        /// As the part's scenario has it.
+        AsIs = "as_is", "as it is";
+        /// Ck45.
+        Ck45 = "ck45", "Ck45";
+        /// 16MnCrSi5 XM.
+        MnCrSi5 = "16mncrsi5", "16MnCrSi5";
+    }
+}
+
+/// What is compared.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setup {
+    /// The part.
+    pub part: Part,
+    /// The dead time.
+    pub dead_time: DeadTime,
+    /// The material.
+    pub stock: Stock,
+    /// Who takes part, in the order of [`methods`].
+    pub chosen: Vec<bool>,
+}
+
+/// Everybody who can take part.
+pub fn methods() -> impl Iterator<Item = &'static Method> {
+    TABLE_1.iter().chain(&BEYOND)
+}
+
+impl Default for Setup {
+    fn default() -> Self {
+        let (part, dead_time, stock) = (Part::Experiment2, DeadTime::AsIs, Stock::AsIs);
+        Self { part, dead_time, stock, chosen: methods().map(|_| true).collect() }
+    }
+}
+
+impl Setup {
+    /// The part's scenario as it is milled.
+    fn base(&self, open: &Scenario) -> Result<Scenario, SettingError> {
+        let mut base = match self.part {
+            Part::Experiment2 => experiment_2(),
+            Part::Open => open.clone(),
+        };
+        let dead_time_s = match self.dead_time {
+            DeadTime::AsIs => None,
+            DeadTime::None => Some(0.0),
+            DeadTime::Short => Some(0.04),
+            DeadTime::Long => Some(0.08),
+        };
+        if let Some(dead_time_s) = dead_time_s {
+            base.set("cnc.dead_time_s", Value::Float(dead_time_s))?;
+            base.set("belief.dead_time_s", Value::Float(dead_time_s))?;
+        }
+        let material = match self.stock {
+            Stock::AsIs => None,
+            Stock::Ck45 => Some(Material::Ck45),
+            Stock::MnCrSi5 => Some(Material::MnCrSi5),
+        };
+        if let Some(material) = material {
+            base.set("plant.material", Value::Text(material.id().to_owned()))?;
+        }
+        Ok(base)
+    }
+
+    /// Whether the printed table belongs to it.
+    fn is_table_1(&self) -> bool {
+        self.part == Part::Experiment2
+            && matches!(self.dead_time, DeadTime::AsIs | DeadTime::Short)
+            && self.stock != Stock::MnCrSi5
+    }
+}
+
+/// A tournament with what it belongs to.
+pub struct Contest {
+    base: Scenario,
+    chosen: Vec<bool>,
+    tournament: Tournament,
+    /// The table, and the number of runs that it is of.
+    table: (f64, Vec<Compared>),
+}
+
+impl Contest {
+    /// The tournament.
+    pub fn tournament(&self) -> &Tournament {
+        &self.tournament
+    }
+
+    /// The table so far.
+    pub fn table(&self) -> Vec<Compared> {
+        self.table.1.clone()
+    }
+
+    fn refresh(&mut self) {
+        let done = self.tournament.progress().0.floor();
+        if self.table.0 != done || self.table.1.is_empty() {
+            self.table = (done, self.tournament.table());
+        }
+    }
+}
+
+/// See the head of this file.
+pub struct Contests {
+    /// What is compared.
+    pub setup: Setup,
+    /// Number of seeds.
+    pub seeds: u32,
+    /// Whether it runs.
+    pub running: bool,
+    kept: Vec<Contest>,
+    /// The one that is shown; none where nobody takes part or the set-up is refused.
+    shown: Option<usize>,
+    /// Why a set-up is refused.
+    pub refused: Option<String>,
+    /// What there is to say about a number of seeds that was typed.
+    pub said: Option<String>,
+    ticks: u64,
+}
+
+impl Default for Contests {
+    fn default() -> Self {
+        Self {
+            setup: Setup::default(),
+            seeds: 20,
+            running: false,
+            kept: Vec::new(),
+            shown: None,
+            refused: None,
+            said: None,
+            ticks: TICKS[0],
+        }
+    }
+}
+
+impl Contests {
+    /// Shows the tournament of the present set-up, a new one if there is none.
+    pub fn follow(&mut self, open: &Scenario) {
+        self.refused = None;
+        self.shown = None;
+        if !self.setup.chosen.contains(&true) {
+            self.running = false;
+            return;
+        }
+        let base = match self.setup.base(open) {
+            Ok(base) => base,
+            Err(error) => {
+                (self.refused, self.running) = (Some(error.to_string()), false);
+                return;
+            }
+        };
+        let same = |one: &Contest| one.chosen == self.setup.chosen && one.base == base;
+        let found = self.kept.iter().position(same).unwrap_or_else(|| {
+            if self.kept.len() >= KEPT {
+                self.kept.remove(0);
+            }
+            let chosen = methods().zip(&self.setup.chosen).filter(|(_, chosen)| **chosen);
+            let chosen: Vec<Method> = chosen.map(|(method, _)| *method).collect();
+            let tournament = Tournament::new(on(&base, &chosen), self.seeds);
+            let chosen = self.setup.chosen.clone();
+            self.kept.push(Contest { base, chosen, tournament, table: (0.0, Vec::new()) });
+            self.kept.len() - 1
+        });
+        let contest = &mut self.kept[found];
+        contest.tournament.set_seeds(self.seeds);
+        contest.refresh();
+        self.shown = Some(found);
+    }
+
+    /// The tournament that is shown.
+    pub fn shown(&self) -> Option<&Contest> {
+        self.shown.and_then(|index| self.kept.get(index))
+    }
+
+    /// Whether the printed table belongs to what is shown.
+    pub fn is_table_1(&self) -> bool {
+        self.setup.is_table_1()
+    }
+
+    /// Goes on for a frame if it runs; the last frame took `frame_s` seconds.
+    pub fn advance(&mut self, frame_s: f64) -> bool {
+        let Some(contest) = self.shown.and_then(|index| self.kept.get_mut(index)) else {
+            return false;
+        };
+        if !self.running {
+            return false;
+        }
+        let ticks = if frame_s > FRAME_S { self.ticks / 2 } else { self.ticks + self.ticks / 8 };
+        self.ticks = ticks.clamp(TICKS[1], TICKS[2]);
+        self.running = !contest.tournament.advance(self.ticks);
+        contest.refresh();
+        true
+    }
+}

@@ -1,0 +1,102 @@
+//! What is compared and how long: part, dead time, material, who takes part, seeds, run and pause.
+
+use egui::{Label, ProgressBar, RichText, Role, Ui, WidgetInfo};
+
+use super::contest::{Contests, DeadTime, Part, Stock, methods};
+use crate::app::theme::Palette;
+use crate::app::widgets::icon::{self, Icon};
+use crate::app::widgets::number::Field;
+use crate::base::settings::Choice;
+
+/// Least and most seeds.
+const SEEDS: [u32; 2] = [1, 500];
+
+/// The rows of choices above the table.
+pub fn show(ui: &mut Ui, contests: &mut Contests) {
+    let palette = Palette::at(ui);
+    let setup = &mut contests.setup;
+    choose(ui, "Part", Part::ALL, Part::OPTIONS, Part::label, &mut setup.part);
+    choose(
+        ui,
+        "Dead time",
+        DeadTime::ALL,
+        DeadTime::OPTIONS,
+        DeadTime::label,
+        &mut setup.dead_time,
+    );
+    choose(ui, "Material", Stock::ALL, Stock::OPTIONS, Stock::label, &mut setup.stock);
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Who takes part:");
+        for (method, chosen) in methods().zip(&mut setup.chosen) {
+            ui.toggle_value(chosen, method.name);
+        }
+    });
+    ui.horizontal_wrapped(|ui| {
+        let over = contests.shown().is_some_and(|contest| {
+            let (done, all) = contest.tournament().progress();
+            done >= all as f64
+        });
+        let possible = contests.shown().is_some() && !over;
+        if contests.running {
+            let help = "Stands still; what is done stays";
+            if icon::button(ui, Icon::Pause, "Pause the comparison", help, true).clicked() {
+                contests.running = false;
+            }
+        } else {
+            let help = "Runs everybody on every seed, one after the other";
+            if icon::button(ui, Icon::Play, "Run the comparison", help, possible).clicked() {
+                contests.running = true;
+            }
+        }
+        let name = ui.label("Seeds").id;
+        let field = Field {
+            name: "Seeds",
+            unit: "",
+            range: SEEDS.map(f64::from),
+            speed: 0.2,
+            decimals: 0,
+            suffix: "",
+        };
+        let mut seeds = f64::from(contests.seeds);
+        let help = "Every seed is another material and other sensor noise, the same for everybody";
+        field.show(ui, &mut seeds, &mut contests.said).labelled_by(name).on_hover_text(help);
+        contests.seeds = seeds.round() as u32;
+        if let Some(contest) = contests.shown() {
+            let (done, all) = contest.tournament().progress();
+            let share = if all == 0 { 0.0 } else { done / all as f64 };
+            ui.add(ProgressBar::new(share as f32).desired_width(120.0).desired_height(10.0));
+            let state = match (over, contests.running) {
+                (true, _) => "done".to_owned(),
+                (false, true) => format!("run {:.0} of {all}", done.floor() + 1.0),
+                (false, false) => format!("{:.0} of {all} runs done", done.floor()),
+            };
+            ui.add(Label::new(RichText::new(state).color(palette.weak)).extend());
+        }
+    });
+    for problem in contests.said.iter().chain(&contests.refused) {
+        ui.label(RichText::new(problem).color(palette.bad));
+    }
+}
+
+/// A row of choices, one of them taken.
+fn choose<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    title: &str,
+    all: &[T],
+    options: &[Choice],
+    label: fn(T) -> &'static str,
+    chosen: &mut T,
+) {
+    ui.horizontal_wrapped(|ui| {
+        ui.label(format!("{title}:"));
+        for (value, option) in all.iter().zip(options) {
+            let response = ui.selectable_label(*chosen == *value, label(*value));
+            let name = format!("{title}: {}", label(*value));
+            let is = *chosen == *value;
+            response.widget_info(|| WidgetInfo::selected(Role::Button, true, is, name.clone()));
+            if response.on_hover_text(option.doc.replace('\n', " ")).clicked() {
+                *chosen = *value;
+            }
+        }
+    });
+}

@@ -1,0 +1,205 @@
+//! The table: a grid on a desktop, a card for everybody where it is narrow. Beside each mean its
+//! deviation over the seeds, below it what is printed.
+
+use egui::{Color32, Grid, RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
+
+use crate::app::command::Command;
+use crate::app::theme::{self, Palette};
+use crate::run::edits::Edits;
+use crate::run::scenario_file;
+use crate::study::compare::outcome::Measure;
+use crate::study::compare::table_1::{Printed, printed as printed_rows};
+use crate::study::compare::tournament::{Compared, Tournament};
+
+/// Size of type of deviations and printed figures.
+const NOTE: f32 = 11.5;
+
+/// A value of a measure with its digits.
+pub fn value(measure: Measure, value: f64) -> String {
+    let decimals = match measure {
+        Measure::Nsn | Measure::Nsn20 => 3,
+        Measure::Force => 2,
+        Measure::Time | Measure::InTolerance | Measure::Travel => 1,
+        Measure::Recovery => 0,
+    };
+    format!("{value:.decimals$}")
+}
+
+/// A printed figure with the digits of the table.
+fn as_printed(measure: Measure, value: f64) -> String {
+    let decimals = if measure == Measure::Time { 0 } else { 2 };
+    format!("printed {value:.decimals$}")
+}
+
+/// A measure's name with its unit.
+pub fn title(measure: Measure) -> String {
+    match measure.unit() {
+        "" => measure.label().to_owned(),
+        unit => format!("{} [{unit}]", measure.label()),
+    }
+}
+
+/// The printed row of an entrant, if the table has one and belongs here.
+pub fn printed_of(name: &str, belongs: bool) -> Option<Printed> {
+    let row =
+        crate::study::compare::entrants::TABLE_1.iter().position(|method| method.name == name);
+    row.filter(|_| belongs).and_then(|row| printed_rows().into_iter().nth(row))
+}
+
+/// The best mean of a measure where there is anything to compare.
+fn best(compared: &[Compared], measure: Measure) -> Option<f64> {
+    let means: Vec<f64> =
+        compared.iter().filter_map(|one| one.get(measure)).map(|s| s.mean).collect();
+    let pick = if measure.more_is_better() { f64::max } else { f64::min };
+    (means.len() > 1).then(|| means.into_iter().reduce(pick)).flatten()
+}
+
+struct Figure {
+    mean: String,
+    deviation: String,
+    printed: Option<String>,
+    is_best: bool,
+}
+
+fn figure(one: &Compared, all: &[Compared], measure: Measure, printed: Option<&Printed>) -> Figure {
+    let printed = printed.and_then(|row| row.get(measure));
+    let Some(spread) = one.get(measure) else {
+        let printed = printed.map(|printed| as_printed(measure, printed));
+        return Figure { mean: "-".to_owned(), deviation: String::new(), printed, is_best: false };
+    };
+    let deviation = match spread.runs {
+        1 => String::new(),
+        _ => format!("± {}", value(measure, spread.deviation)),
+    };
+    let printed = printed.map(|printed| {
+        let off = theme::deviation(100.0 * (spread.mean / printed - 1.0));
+        format!("{}, {off}", as_printed(measure, printed))
+    });
+    let is_best = best(all, measure) == Some(spread.mean);
+    Figure { mean: value(measure, spread.mean), deviation, printed, is_best }
+}
+
+fn mean_text(figure: &Figure, palette: &Palette) -> RichText {
+    let color: Color32 = if figure.is_best { palette.good } else { palette.text };
+    RichText::new(&figure.mean).strong().color(color)
+}
+
+/// The button that loads an entrant's scenario into the console.
+fn load(ui: &mut Ui, tournament: &Tournament, index: usize, commands: &mut Vec<Command>) {
+    let entrant = &tournament.entrants()[index];
+    let button = ui.small_button("Load");
+    let name = format!("Load {}", entrant.name);
+    button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.clone()));
+    if button.on_hover_text("Opens this run in the console").clicked() {
+        let mut scenario = entrant.scenario.clone();
+        scenario.info.name = format!("{} ({})", scenario.info.name, entrant.name);
+        let text = scenario_file::write(&scenario, &Edits::none());
+        commands.push(Command::LoadText { name: entrant.name.clone(), text });
+        commands.push(Command::ShowScreen("console"));
+    }
+}
+
+/// What did not go as it should, in words.
+fn trouble(one: &Compared) -> Option<String> {
+    let unfinished = one.runs - one.finished;
+    match (one.force_stops, unfinished) {
+        (0, 0) => None,
+        (0, n) => Some(format!("{n} of {} not finished", one.runs)),
+        (n, _) => Some(format!("{n} of {} stopped by extreme force", one.runs)),
+    }
+}
+
+/// The table as a grid.
+pub fn table(
+    ui: &mut Ui,
+    tournament: &Tournament,
+    compared: &[Compared],
+    belongs: bool,
+    commands: &mut Vec<Command>,
+) {
+    let palette = Palette::at(ui);
+    ScrollArea::horizontal().id_salt("compared").show(ui, |ui| {
+        ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+        Grid::new("compared").striped(true).spacing([18.0, 6.0]).show(ui, |ui| {
+            ui.strong("Control");
+            ui.label("");
+            for measure in Measure::ALL {
+                let text = RichText::new(title(*measure)).strong();
+                ui.label(text).on_hover_text(doc(*measure));
+            }
+            ui.end_row();
+            for (index, one) in compared.iter().enumerate() {
+                let printed = printed_of(&one.name, belongs);
+                ui.vertical(|ui| {
+                    ui.strong(&one.name);
+                    if let Some(trouble) = trouble(one) {
+                        ui.label(RichText::new(trouble).size(NOTE).color(palette.bad));
+                    }
+                });
+                load(ui, tournament, index, commands);
+                for measure in Measure::ALL {
+                    let figure = figure(one, compared, *measure, printed.as_ref());
+                    ui.vertical(|ui| {
+                        ui.horizontal(|ui| {
+                            ui.spacing_mut().item_spacing.x = 4.0;
+                            ui.label(mean_text(&figure, palette));
+                            ui.label(
+                                RichText::new(&figure.deviation).size(NOTE).color(palette.weak),
+                            );
+                        });
+                        if let Some(printed) = &figure.printed {
+                            ui.label(RichText::new(printed).size(NOTE).color(palette.weak));
+                        }
+                    });
+                }
+                ui.end_row();
+            }
+        });
+    });
+    let text = "Mean and standard deviation over the seeds; the best of a column in green.";
+    ui.label(RichText::new(text).size(NOTE).color(palette.weak));
+}
+
+fn doc(measure: Measure) -> String {
+    let option = Measure::OPTIONS.iter().find(|option| option.id == measure.id());
+    option.map_or_else(String::new, |option| option.doc.replace('\n', " "))
+}
+
+/// The table as a card for everybody.
+pub fn cards(
+    ui: &mut Ui,
+    tournament: &Tournament,
+    compared: &[Compared],
+    belongs: bool,
+    commands: &mut Vec<Command>,
+) {
+    let palette = Palette::at(ui);
+    for (index, one) in compared.iter().enumerate() {
+        let printed = printed_of(&one.name, belongs);
+        theme::card(palette).show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            ui.horizontal(|ui| {
+                ui.strong(&one.name);
+                load(ui, tournament, index, commands);
+            });
+            if let Some(trouble) = trouble(one) {
+                ui.label(RichText::new(trouble).size(NOTE).color(palette.bad));
+            }
+            Grid::new(("compared", index)).num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
+                for measure in Measure::ALL {
+                    let figure = figure(one, compared, *measure, printed.as_ref());
+                    ui.label(RichText::new(title(*measure)).size(NOTE))
+                        .on_hover_text(doc(*measure));
+                    ui.horizontal(|ui| {
+                        ui.spacing_mut().item_spacing.x = 4.0;
+                        ui.label(mean_text(&figure, palette));
+                        ui.label(RichText::new(&figure.deviation).size(NOTE).color(palette.weak));
+                    });
+                    let printed = figure.printed.unwrap_or_default();
+                    ui.label(RichText::new(printed).size(NOTE).color(palette.weak));
+                    ui.end_row();
+                }
+            });
+        });
+    }
+}

@@ -1,0 +1,54 @@
+//! What the figures are worth: the bands, what was chosen with the table in view, what can't be
+//! reached and why.
+
+use egui::{RichText, Ui};
+
+use crate::app::theme::{self, Palette};
+use crate::study::compare::table_1::{BY_A_HAIR, DISCLOSED, NOT_REACHED, verdicts};
+use crate::study::compare::tournament::Compared;
+
+/// The sections below the table; the printed table belongs to it or not.
+pub fn show(ui: &mut Ui, compared: &[Compared], belongs: bool) {
+    let palette = Palette::at(ui);
+    ui.add_space(8.0);
+    if !belongs {
+        let text = "Table 1 of 2005 belongs to Experiment 2 in Ck45 at 40 ms dead time: beside \
+                    anything else its figures are not shown.";
+        ui.label(RichText::new(text).color(palette.weak));
+        return;
+    }
+    let verdicts = verdicts(compared);
+    let found = !verdicts.is_empty() && compared.iter().all(|one| one.runs > 0);
+    ui.heading("Beside Table 1 of 2005");
+    if found {
+        let met = verdicts.iter().filter(|verdict| verdict.ok).count();
+        let color = if met == verdicts.len() { palette.good } else { palette.warn };
+        let text = format!("{met} of {} bands kept", verdicts.len());
+        ui.label(RichText::new(text).strong().color(color));
+        for verdict in &verdicts {
+            let (mark, color) =
+                if verdict.ok { ("kept", palette.good) } else { ("not reached", palette.bad) };
+            ui.horizontal_wrapped(|ui| {
+                ui.label(RichText::new(mark).strong().color(color));
+                ui.label(&verdict.band);
+                ui.label(RichText::new(format!("found {}", verdict.found)).color(palette.weak));
+            });
+        }
+    } else {
+        ui.label("The bands are judged when the six methods of the table have run.");
+    }
+    ui.label(BY_A_HAIR);
+    list(ui, "Chosen with the table in view", DISCLOSED);
+    list(ui, "Not reached, and why", NOT_REACHED);
+}
+
+fn list(ui: &mut Ui, title: &str, lines: &[&str]) {
+    ui.add_space(6.0);
+    theme::card(Palette::at(ui)).show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        ui.strong(title);
+        for line in lines {
+            ui.label(format!("• {}", line.replace("um", "µm")));
+        }
+    });
+}
