@@ -3,9 +3,12 @@
 use steadycut::base::settings::Value;
 use steadycut::run::edits::Edits;
 use steadycut::run::one_run::{End, Run};
+use steadycut::run::plan_settings::PlannedSection;
 use steadycut::run::presets::load;
 use steadycut::run::scenario::{Scenario, parse_value};
 use steadycut::run::{scenario_file, scenario_link};
+use steadycut::study::plan::machine::Machine;
+use steadycut::study::plan::schedule::ScheduleJob;
 
 /// Three cuts on the formula's plant: fast, and the force of a row needs no teeth.
 fn three_cuts(controller: &str) -> Scenario {
@@ -76,4 +79,49 @@ fn feeds_per_cut_survive_file_and_link_and_wrong_ones_are_named() {
     let mut scenario = scenario;
     scenario.set(path, Value::Numbers(vec![])).unwrap();
     assert_eq!(scenario.programmed(0).feed_mm_min, 400.0);
+}
+
+fn schedule(scenario: &Scenario, sized_by: PlannedSection) -> ScheduleJob {
+    let mut job = ScheduleJob::on(scenario, &Machine::heller_bea_01(), sized_by).unwrap();
+    while !job.advance().unwrap() {}
+    job
+}
+
+#[test]
+fn the_shipped_schedule_is_what_the_plan_finds() {
+    let job = schedule(&load("experiment-2").unwrap(), PlannedSection::Lightest);
+    let shipped = load("experiment-2-per-cut").unwrap();
+    assert_eq!(job.feeds_mm_min(), shipped.program.cut_feeds_mm_min);
+    assert!(job.planned().iter().all(|cut| cut.optimum.feasible));
+    // An independent swarm over the mechanistic model found these feeds per tooth.
+    for (cut, feed_mm) in job.planned().iter().zip([0.1191, 0.1086, 0.1726, 0.1199, 0.1191]) {
+        let found = cut.optimum.feed_per_tooth_mm;
+        assert!((found / feed_mm - 1.0).abs() < 0.05, "{found} against {feed_mm}");
+    }
+    let applied = job.apply(&load("experiment-2").unwrap()).unwrap();
+    assert_eq!(applied.program, shipped.program);
+}
+
+#[test]
+fn the_heaviest_section_gives_the_slower_schedule() {
+    let scenario = load("experiment-2").unwrap();
+    let heavy = schedule(&scenario, PlannedSection::Heaviest);
+    let light = schedule(&scenario, PlannedSection::Lightest);
+    for (heavy, light) in heavy.planned().iter().zip(light.planned()) {
+        assert!(heavy.optimum.feed_mm_min < light.optimum.feed_mm_min);
+    }
+    assert_eq!(heavy.planned()[1].section, 1, "4.75 mm deep");
+}
+
+#[test]
+fn a_schedule_needs_cuts_that_cut_and_a_spindle_within_the_plan() {
+    let refusal = |path: &str, text: &str| {
+        let mut scenario = load("experiment-2").unwrap();
+        scenario.set(path, parse_value(path, text).unwrap()).unwrap();
+        let job = ScheduleJob::on(&scenario, &Machine::heller_bea_01(), PlannedSection::Lightest);
+        job.and_then(|mut job| job.advance()).unwrap_err().to_string()
+    };
+    assert!(refusal("workpiece.cuts", "[]").contains("at least one cut"));
+    assert!(refusal("program.spindle_rpm", "200").contains("796 to 2984 1/min"));
+    assert!(refusal("workpiece.cuts", "[[[10.0, 0.0, 0.0]]]").contains("axial_depth_mm"));
 }

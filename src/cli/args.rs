@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use crate::base::model::gp::Calibration;
 use crate::base::network::Activation;
 use crate::blocks::cutting::process::ForceModel;
+use crate::run::plan_settings::PlannedSection;
 use crate::study::published::PaperId;
 use crate::study::train::recipe::RecipeKind;
 
@@ -278,6 +279,10 @@ fn recipe_kind(text: &str) -> Result<RecipeKind, String> {
     one_of(RecipeKind::ALL, RecipeKind::id, text)
 }
 
+fn planned_section(text: &str) -> Result<PlannedSection, String> {
+    one_of(PlannedSection::ALL, PlannedSection::id, text)
+}
+
 fn activation(text: &str) -> Result<Activation, String> {
     one_of(Activation::ALL, Activation::id, text)
 }
@@ -311,7 +316,12 @@ pub struct PlanArgs {
     /// values are placeholders.
     #[arg(long, value_name = "FILE.toml")]
     pub machine: Option<PathBuf>,
-    /// Write the scenario with the optimum as its programmed feed and speed.
+    /// Plan the feed of every cut for its lightest or its heaviest section, the spindle as
+    /// programmed.
+    #[arg(long, value_name = "SECTION", value_parser = planned_section)]
+    pub per_cut: Option<PlannedSection>,
+    /// Write the scenario with the optimum as its programmed feed and speed, or with the feeds per
+    /// cut.
     #[arg(long, value_name = "FILE.toml")]
     pub out: Option<PathBuf>,
     /// Print one JSON object.

@@ -9,6 +9,7 @@ mod papers;
 mod papers_2005;
 mod plan;
 mod run;
+mod schedule;
 mod train;
 mod train_unks;
 

@@ -49,6 +49,9 @@ pub fn execute(args: &PlanArgs) -> Outcome {
         }
         None => Machine::heller_bea_01(),
     };
+    if let Some(sized_by) = args.per_cut {
+        return super::schedule::execute(args, &scenario, &edits, &machine, sized_by);
+    }
     let mut job = PlanJob::on(&scenario, &machine)?;
     job.advance(u32::MAX);
     let optimum = job.optimum();

@@ -51,6 +51,7 @@ presets![
     "table3-5-noise",
     "depth-step",
     "material-change",
+    "experiment-2-per-cut",
 ];
 
 /// The scenario of a preset.

@@ -6,6 +6,7 @@ use super::part::{APPROACH_MM, CutPath};
 use super::tool::R216_16B20_040;
 use super::workpiece::{DepthProfile, Workpiece};
 use crate::base::math;
+use crate::base::settings::Section;
 
 /// Engagement at the tool's axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -14,6 +15,14 @@ pub struct Place {
     pub axial_depth_mm: f64,
     /// Radial depth of cut R_D, mm.
     pub radial_depth_mm: f64,
+}
+
+impl Place {
+    /// The engagement in a section, the tool's axis well inside it.
+    #[must_use]
+    pub fn in_section(&[_, axial_depth_mm, wall_mm]: &Section) -> Self {
+        Self { axial_depth_mm, radial_depth_mm: radial_depth_mm(axial_depth_mm, wall_mm) }
+    }
 }
 
 /// Radius in mm at which the papers' ball meets the surface of a cut of an axial depth in mm.
@@ -113,8 +122,7 @@ impl ToolPath {
         }
         let (cut, x_mm) = self.cut_at(position_mm);
         let [axial_depth_mm, wall_mm] = cut.section_at(x_mm);
-        let radial_depth_mm = radial_depth_mm(axial_depth_mm, wall_mm);
-        Place { axial_depth_mm, radial_depth_mm }
+        Place::in_section(&[0.0, axial_depth_mm, wall_mm])
     }
 
     /// The cut under the tool, and where along it the tool's axis is, in mm from the part's edge.

@@ -12,6 +12,7 @@ pub mod machine;
 pub mod optimum;
 pub mod problem;
 pub mod remarks;
+pub mod schedule;
 pub mod score;
 pub mod surface;
 pub mod swarm;

@@ -1,0 +1,71 @@
+//! `steadycut plan --per-cut`: the programmed feed of every cut.
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use serde_json::json;
+
+use super::Outcome;
+use super::args::PlanArgs;
+use crate::run::edits::Edits;
+use crate::run::plan_settings::PlannedSection;
+use crate::run::scenario::Scenario;
+use crate::run::scenario_file;
+use crate::study::plan::machine::Machine;
+use crate::study::plan::schedule::ScheduleJob;
+
+/// Plans all cuts, prints their feeds and writes the scenario.
+pub fn execute(
+    args: &PlanArgs,
+    scenario: &Scenario,
+    edits: &Edits,
+    machine: &Machine,
+    sized_by: PlannedSection,
+) -> Outcome {
+    let mut job = ScheduleJob::on(scenario, machine, sized_by)?;
+    while !job.advance()? {}
+    let feasible = job.planned().iter().all(|cut| cut.optimum.feasible);
+    let mut out = std::io::stdout().lock();
+    if args.json {
+        let report = json!({
+            "scenario": scenario.info.name, "sized_by": sized_by.id(), "feasible": feasible,
+            "cut_feeds_mm_min": job.feeds_mm_min(), "cuts": job.planned(),
+        });
+        writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
+    } else {
+        writeln!(
+            out,
+            "{}: feed of every cut for its {} section, spindle as programmed\n",
+            scenario.info.name,
+            sized_by.label()
+        )?;
+        for (i, cut) in job.planned().iter().enumerate() {
+            let ([_, depth, wall], o) = (cut.section_mm, &cut.optimum);
+            writeln!(
+                out,
+                "  cut {:<3} section {:<3} depth {depth} mm, wall {wall} mm: {:.2} mm/min, {:.4} mm \
+                 per tooth, {:.0} N; {}",
+                i + 1,
+                cut.section + 1,
+                o.feed_mm_min,
+                o.feed_per_tooth_mm,
+                o.force_n,
+                o.verdict()
+            )?;
+        }
+        writeln!(out, "\nprogram.cut_feeds_mm_min = {:?}", job.feeds_mm_min())?;
+    }
+    if let Some(path) = &args.out {
+        if !feasible {
+            return Err(
+                format!("{}: not written: a cut has no feasible feed", path.display()).into()
+            );
+        }
+        let text = scenario_file::write(&job.apply(scenario)?, edits);
+        std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))?;
+        if !args.json {
+            writeln!(out, "scenario with these feeds written to {}", path.display())?;
+        }
+    }
+    Ok(if feasible { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}
