@@ -9,6 +9,7 @@ use crate::base::network::Activation;
 use crate::blocks::cutting::process::ForceModel;
 use crate::run::plan_settings::PlannedSection;
 use crate::study::published::PaperId;
+use crate::study::recommend::Engagement;
 use crate::study::train::recipe::RecipeKind;
 
 /// SteadyCut: milling that keeps its surface finish constant.
@@ -47,6 +48,8 @@ pub enum Command {
     Plan(PlanArgs),
     /// Check scenario files.
     Check(CheckArgs),
+    /// Recommend cutting speed and feed per tooth from a cutting-data table (ANFIS).
+    Recommend(RecommendArgs),
 }
 
 /// Arguments of `run`.
@@ -338,4 +341,50 @@ pub struct CheckArgs {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Arguments of `recommend`.
+#[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+pub struct RecommendArgs {
+    /// Brinell hardness of the workpiece.
+    #[arg(long, value_name = "HB", required = true)]
+    pub hb: Option<f64>,
+    /// Diameter of the cutter.
+    #[arg(long, value_name = "MM", required = true)]
+    pub diameter: Option<f64>,
+    /// Engagement: 1 slot, 2 heavy side cut, 3 light side cut, 4 finishing.
+    #[arg(long, value_name = "1|2|3|4", required = true, value_parser = engagement)]
+    pub engagement: Option<Engagement>,
+    /// Another table in the form of the shipped one, which is synthetic.
+    #[arg(long, value_name = "FILE.csv")]
+    pub table: Option<PathBuf>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+    /// What else there is to do.
+    #[command(subcommand)]
+    pub what: Option<RecommendWhat>,
+}
+
+fn engagement(text: &str) -> Result<Engagement, String> {
+    one_of(Engagement::ALL, Engagement::id, text)
+}
+
+/// What `recommend` does besides.
+#[derive(Debug, Subcommand)]
+pub enum RecommendWhat {
+    /// Make the shipped table anew from its formulas, and compare.
+    Table(RecommendTableArgs),
+}
+
+/// Arguments of `recommend table`.
+#[derive(Debug, Args)]
+pub struct RecommendTableArgs {
+    /// Where to write the table; without it, it is printed.
+    #[arg(long, value_name = "FILE.csv")]
+    pub out: Option<PathBuf>,
+    /// Exit with 1 unless the shipped table is reproduced exactly.
+    #[arg(long, conflicts_with = "out")]
+    pub check: bool,
 }

@@ -8,6 +8,7 @@ mod list;
 mod papers;
 mod papers_2005;
 mod plan;
+mod recommend;
 mod run;
 mod schedule;
 mod train;
@@ -32,6 +33,7 @@ pub fn execute(command: &Command) -> ExitCode {
         Command::List(args) => list::execute(args),
         Command::Plan(args) => plan::execute(args),
         Command::Check(args) => check::execute(args),
+        Command::Recommend(args) => recommend::execute(args),
     };
     match result {
         Ok(code) => code,

@@ -12,6 +12,7 @@ pub mod model_file;
 pub mod neural_force;
 pub mod quartic;
 pub mod spindle;
+pub mod sugeno;
 pub mod unks;
 
 /// A model's answer and whether its input lay inside the model's range of validity.

@@ -1,0 +1,147 @@
+//! `steadycut recommend`: recommended cutting conditions from a cutting-data table.
+
+use std::io::Write;
+use std::path::Path;
+use std::process::ExitCode;
+
+use serde_json::json;
+
+use super::Outcome;
+use super::args::{RecommendArgs, RecommendTableArgs, RecommendWhat};
+use crate::study::recommend::learned::{Answer, Learned};
+use crate::study::recommend::table::{NOTE as TABLE_NOTE, SHIPPED, Table, synthetic};
+use crate::study::recommend::{Advisor, NOTE, Recommendation};
+
+/// Rules with less strength are not printed; `--json` has all.
+const LEAST_SHOWN: f64 = 0.005;
+
+pub fn execute(args: &RecommendArgs) -> Outcome {
+    if let Some(RecommendWhat::Table(args)) = &args.what {
+        return make_table(args);
+    }
+    let (Some(hb), Some(diameter), Some(engagement)) = (args.hb, args.diameter, args.engagement)
+    else {
+        return Err("`--hb`, `--diameter` and `--engagement` are needed".into());
+    };
+    let (table, source) = read_table(args.table.as_deref())?;
+    let advisor = Advisor::new(&table);
+    let found = advisor.recommend(hb, diameter, engagement)?;
+    let mut out = std::io::stdout().lock();
+    if args.json {
+        let system = |learned: &Learned| {
+            json!({
+                "rows": learned.rows(), "memberships": learned.counts(),
+                "input_range": learned.input_range(),
+                "training": learned.training_errors(), "left_out": learned.left_out_errors(),
+            })
+        };
+        let report = json!({
+            "recommendation": found, "inside_table": found.inside_table(),
+            "table": source, "note": NOTE,
+            "systems": {
+                "cutting_speed_m_min": system(&advisor.speed),
+                "feed_per_tooth_mm": system(&advisor.feed),
+            },
+        });
+        writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    writeln!(out, "{hb} HB, {diameter} mm, {}: recommended", engagement.label())?;
+    print(&mut out, &found)?;
+    system(
+        &mut out,
+        "cutting speed over hardness (HB)",
+        "m/min",
+        &advisor.speed,
+        &found.cutting_speed_m_min,
+    )?;
+    system(
+        &mut out,
+        "feed per tooth over diameter (mm)",
+        "mm",
+        &advisor.feed,
+        &found.feed_per_tooth_mm,
+    )?;
+    writeln!(out, "\n{NOTE}\nThe table: {source}.")?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// A table and what it is: that of a file, or the shipped one.
+pub fn read_table(path: Option<&Path>) -> Result<(Table, String), Box<dyn std::error::Error>> {
+    let Some(path) = path else {
+        return Ok((Table::shipped(), TABLE_NOTE.to_owned()));
+    };
+    let name = path.display().to_string();
+    let text = std::fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
+    let table = Table::parse(&text).map_err(|error| format!("{name}: {error}"))?;
+    Ok((table, name))
+}
+
+/// The recommended values.
+pub fn print(out: &mut impl Write, found: &Recommendation) -> std::io::Result<()> {
+    let lines = [
+        (
+            "cutting speed",
+            format!("{:.1} m/min", found.cutting_speed_m_min.value),
+            &found.cutting_speed_m_min,
+        ),
+        (
+            "feed per tooth",
+            format!("{:.4} mm", found.feed_per_tooth_mm.value),
+            &found.feed_per_tooth_mm,
+        ),
+    ];
+    for (name, value, answer) in lines {
+        let mark = if answer.inside_table { "" } else { "  OUTSIDE THE TABLE: its edge answers" };
+        writeln!(out, "  {name:<24}{value}{mark}")?;
+    }
+    writeln!(out, "  {:<24}{:.1} 1/min", "spindle speed", found.speed_rpm)?;
+    writeln!(out, "  {:<24}{:.2} mm/min with two teeth", "feed", found.feed_mm_min)
+}
+
+fn system(
+    out: &mut impl Write,
+    name: &str,
+    unit: &str,
+    learned: &Learned,
+    answer: &Answer,
+) -> std::io::Result<()> {
+    let [first, second] = learned.counts();
+    let [low, high] = learned.input_range();
+    let rows = learned.rows();
+    writeln!(out, "\n{name}, {low} to {high}: {first} x {second} rules from {rows} rows")?;
+    for firing in answer.rules.iter().filter(|firing| firing.strength >= LEAST_SHOWN) {
+        let share = 100.0 * firing.strength;
+        let value = rounded(firing.value);
+        writeln!(out, "  {share:>5.1} %  {:<36}{value:>9} {unit}", firing.rule)?;
+    }
+    for (name, errors) in
+        [("learned", learned.training_errors()), ("left out", learned.left_out_errors())]
+    {
+        let (rms, mean, worst) = (errors.rms_percent, errors.mean_percent, errors.worst_percent);
+        writeln!(out, "  rows {name:<10}rms {rms:.1} %, mean {mean:.1} %, worst {worst:.1} %")?;
+    }
+    Ok(())
+}
+
+fn rounded(value: f64) -> String {
+    if value >= 1.0 { format!("{value:.1}") } else { format!("{value:.4}") }
+}
+
+fn make_table(args: &RecommendTableArgs) -> Outcome {
+    let text = synthetic();
+    let mut out = std::io::stdout().lock();
+    let same = text == SHIPPED;
+    match &args.out {
+        Some(path) => {
+            std::fs::write(path, &text).map_err(|error| format!("{}: {error}", path.display()))?;
+            writeln!(out, "table written to {}", path.display())?;
+        }
+        None if args.check => {
+            let word = if same { "equals" } else { "differs from" };
+            writeln!(out, "the table made from its formulas {word} the shipped one")?;
+        }
+        None => write!(out, "{text}")?,
+    }
+    Ok(if args.check && !same { ExitCode::from(1) } else { ExitCode::SUCCESS })
+}
