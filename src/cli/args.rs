@@ -50,6 +50,8 @@ pub enum Command {
     Check(CheckArgs),
     /// Recommend cutting speed and feed per tooth from a cutting-data table (ANFIS).
     Recommend(RecommendArgs),
+    /// Run the combined system of 2005: recommendation, plan and neural control in five steps.
+    Combine(CombineArgs),
 }
 
 /// Arguments of `run`.
@@ -387,4 +389,35 @@ pub struct RecommendTableArgs {
     /// Exit with 1 unless the shipped table is reproduced exactly.
     #[arg(long, conflicts_with = "out")]
     pub check: bool,
+}
+
+/// Arguments of `combine`.
+#[derive(Debug, Args)]
+pub struct CombineArgs {
+    /// A preset's name or a scenario file.
+    #[arg(long, value_name = "PRESET|FILE", default_value = "experiment-2")]
+    pub scenario: String,
+    /// Change a setting, for example `--set run.seed=2`; `steadycut list` names all.
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// The section of the part that the feed is planned for: the controller lowers the feed to
+    /// nothing but raises it by half at most, so the lightest one is the faster choice.
+    #[arg(long, default_value = PlannedSection::Lightest.id(), value_parser = section)]
+    pub section: PlannedSection,
+    /// Another cutting-data table in the form of the shipped one, which is synthetic.
+    #[arg(long, value_name = "FILE.csv")]
+    pub table: Option<PathBuf>,
+    /// Limits of another machine, in the format of the shipped file.
+    #[arg(long, value_name = "FILE.toml")]
+    pub machine: Option<PathBuf>,
+    /// Write the scenario with the planned values programmed.
+    #[arg(long, value_name = "FILE.toml")]
+    pub out: Option<PathBuf>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+fn section(text: &str) -> Result<PlannedSection, String> {
+    one_of(PlannedSection::ALL, PlannedSection::id, text)
 }

@@ -2,6 +2,7 @@
 
 pub mod args;
 mod check;
+mod combine;
 mod force;
 mod identify;
 mod list;
@@ -34,6 +35,7 @@ pub fn execute(command: &Command) -> ExitCode {
         Command::Plan(args) => plan::execute(args),
         Command::Check(args) => check::execute(args),
         Command::Recommend(args) => recommend::execute(args),
+        Command::Combine(args) => combine::execute(args),
     };
     match result {
         Ok(code) => code,

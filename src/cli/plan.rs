@@ -1,6 +1,7 @@
 //! `steadycut plan`: the best feed and speed for a scenario's cut.
 
 use std::io::Write;
+use std::path::Path;
 use std::process::ExitCode;
 
 use serde::Serialize;
@@ -41,14 +42,7 @@ struct Report<'a> {
 pub fn execute(args: &PlanArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
     apply(&mut scenario, &args.set)?;
-    let machine = match &args.machine {
-        Some(path) => {
-            let name = path.display();
-            let text = std::fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
-            Machine::parse(&text).map_err(|error| format!("{name}: {error}"))?
-        }
-        None => Machine::heller_bea_01(),
-    };
+    let machine = read_machine(args.machine.as_deref())?;
     if let Some(sized_by) = args.per_cut {
         return super::schedule::execute(args, &scenario, &edits, &machine, sized_by);
     }
@@ -87,6 +81,16 @@ pub fn execute(args: &PlanArgs) -> Outcome {
     }
     // Nothing feasible is a finding about the cut, not an error of the program.
     Ok(if optimum.feasible { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}
+
+/// The machine of a file, or the papers'.
+pub fn read_machine(path: Option<&Path>) -> Result<Machine, Box<dyn std::error::Error>> {
+    let Some(path) = path else {
+        return Ok(Machine::heller_bea_01());
+    };
+    let name = path.display();
+    let text = std::fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
+    Ok(Machine::parse(&text).map_err(|error| format!("{name}: {error}"))?)
 }
 
 fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {

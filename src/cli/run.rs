@@ -151,7 +151,8 @@ fn print_revolution(scenario: &Scenario, edits: &Edits, at_s: f64) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
-fn end_text(run: &Run) -> String {
+/// Why a run is over, for reports.
+pub fn end_text(run: &Run) -> String {
     match run.end() {
         Some(End::PathDone) => "path_done".to_owned(),
         Some(End::TimeLimit) | None => "time_limit".to_owned(),

@@ -52,6 +52,7 @@ presets![
     "depth-step",
     "material-change",
     "experiment-2-per-cut",
+    "combined-2005",
 ];
 
 /// The scenario of a preset.

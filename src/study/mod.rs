@@ -1,5 +1,6 @@
 //! Many runs, and what is made of them: identification, published tables against runs, exports.
 
+pub mod combined;
 pub mod compare;
 pub mod errata;
 pub mod export;

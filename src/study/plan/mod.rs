@@ -74,6 +74,17 @@ impl PlanJob {
         Ok(Self { problem, swarm })
     }
 
+    /// The same plan at its start, searched no further than a cutting speed in m/min and a feed per
+    /// tooth in mm; where one lies below its range, at the lower end.
+    #[must_use]
+    pub fn at_most(self, high: [f64; 2]) -> Self {
+        let mut problem = self.problem;
+        problem.narrow(high);
+        let setup = Setup { high: problem.range().map(|[_, high]| high), ..*self.swarm.setup() };
+        let swarm = Swarm::new(setup, |point| problem.score(point));
+        Self { problem, swarm }
+    }
+
     /// Goes on for at most `iterations` of the swarm; `true` when the plan is done.
     pub fn advance(&mut self, iterations: u32) -> bool {
         let problem = &self.problem;

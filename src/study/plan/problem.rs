@@ -235,6 +235,13 @@ impl Problem {
         self.range
     }
 
+    /// Takes the upper ends of the ranges searched down to `high`, not below their lower ends.
+    pub(super) fn narrow(&mut self, high: [f64; 2]) {
+        for (range, high) in self.range.iter_mut().zip(high) {
+            range[1] = math::limit(high, range[0], range[1]);
+        }
+    }
+
     /// The force surface.
     #[must_use]
     pub fn surface(&self) -> &ForceSurface {
