@@ -3,6 +3,10 @@
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
+use proptest::prelude::*;
+use steadycut::study::recommend::table::Table;
+use steadycut::study::recommend::{Advisor, Engagement};
+
 fn steadycut(args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_steadycut")).args(args).output().unwrap()
 }
@@ -56,4 +60,47 @@ fn a_faulty_table_or_question_is_refused_by_name() {
     }
     let output = steadycut(&["recommend", "--hb", "nan", "--diameter", "16", "--engagement", "2"]);
     assert!(String::from_utf8(output.stderr).unwrap().contains("hardness_hb"));
+}
+
+/// Rows of any allowed numbers.
+fn rows() -> impl Strategy<Value = Vec<(f64, f64, u8, f64, f64)>> {
+    let row = (50.0..=700.0, 0.5..=100.0, 1..=4_u8, 1.0..=2000.0, 0.0001..=5.0);
+    proptest::collection::vec(row, 1..12)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn any_table_is_refused_or_answers_with_finite_numbers(rows in rows()) {
+        let mut text = "hardness_hb,diameter_mm,engagement,cutting_speed_m_min,feed_per_tooth_mm\n"
+            .to_owned();
+        for (hardness, diameter, engagement, speed, feed) in &rows {
+            text += &format!("{hardness},{diameter},{engagement},{speed},{feed}\n");
+        }
+        let Ok(table) = Table::parse(&text) else {
+            // Draws within 1 % of each other are the rest.
+            prop_assert!(rows.len() < 4 || rows.iter().all(|row| row.2 == rows[0].2), "{}", text);
+            return Ok(());
+        };
+        let advisor = Advisor::new(&table);
+        for (hardness, diameter) in [(50.0, 0.5), (230.0, 16.0), (700.0, 100.0)] {
+            for engagement in Engagement::ALL {
+                let found = advisor.recommend(hardness, diameter, *engagement).unwrap();
+                let values = [found.cutting_speed_m_min.value, found.feed_per_tooth_mm.value];
+                prop_assert!(values.iter().all(|x| x.is_finite() && *x > 0.0), "{:?}", values);
+            }
+        }
+    }
+
+    #[test]
+    fn text_that_is_no_table_is_refused_and_never_panics(
+        text in "[0-9a-z,.#\n\"-]{0,80}",
+        at in 0..1000_usize,
+    ) {
+        prop_assert!(Table::parse(&text).is_err());
+        let mut damaged = include_str!("../assets/data/cutting_data_2005.csv").to_owned();
+        damaged.insert_str(at, &text);
+        let _ = Table::parse(&damaged);
+    }
 }

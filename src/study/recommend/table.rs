@@ -158,11 +158,12 @@ impl Table {
     }
 }
 
-/// A system over two inputs needs two different values of each.
+/// A system over two inputs needs two different values of each; closer ones than a part in a hundred
+/// say nothing of a trend.
 fn enough(what: &str, entries: &[Entry]) -> Result<(), SettingError> {
     let differ = |axis: usize| {
         let [low, high] = math::extent(entries.iter().map(|(input, _)| input[axis]));
-        low < high
+        high >= 1.01 * low && high.is_finite()
     };
     if differ(0) && differ(1) {
         return Ok(());
@@ -170,8 +171,8 @@ fn enough(what: &str, entries: &[Entry]) -> Result<(), SettingError> {
     let (count, input) =
         (entries.len(), if what == COLUMNS[SPEED].0 { HARDNESS } else { DIAMETER });
     Err(fault(format!(
-        "`{what}` is given in {count} rows; needed are at least two values of `{}` and two \
-         engagements",
+        "`{what}` is given in {count} rows; needed are at least two values of `{}`, 1 % \
+         apart, and two engagements",
         COLUMNS[input].0
     )))
 }
