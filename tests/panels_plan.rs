@@ -12,6 +12,8 @@ use steadycut::base::settings::Value;
 use steadycut::run::scenario::Scenario;
 use steadycut::study::plan::PlanJob;
 use steadycut::study::plan::constraints::CONSTRAINTS;
+use steadycut::study::recommend::table::Table;
+use steadycut::study::recommend::{Advisor, Engagement};
 
 const DESKTOP: Vec2 = vec2(1280.0, 800.0);
 /// As wide as a phone, and as high as all that stands below each other.
@@ -157,6 +159,35 @@ fn the_optimum_becomes_the_programmed_values_in_one_undoable_change() {
         screen.run_steps(2);
         assert_eq!(scenario(&screen), &before);
         assert!(!console(&screen).session().can_undo());
+    }
+}
+
+#[test]
+fn recommended_conditions_follow_the_hardness_and_can_be_programmed() {
+    let ask = |hardness_hb| {
+        let advisor = Advisor::new(&Table::shipped());
+        advisor.recommend(hardness_hb, 16.0, Engagement::Light).unwrap()
+    };
+    for (hardness_hb, said) in [(300.0, "inside the table"), (480.0, "its edge answers")] {
+        let mut screen = open(DESKTOP, &[("plant.hardness_hb", Value::Float(hardness_hb))]);
+        let before = scenario(&screen).clone();
+        screen.get_by_label("Recommended conditions").click_accesskit();
+        screen.run_steps(6);
+        let shown = texts(&screen);
+        let found = ask(hardness_hb);
+        let speed = format!("{:.1} m/min", found.cutting_speed_m_min.value);
+        for said in [said, "by R_D: light side cut", "synthetic", &speed] {
+            assert!(shown.contains(said), "{said} in {shown}");
+        }
+        screen.get_by_label("Start from it").click_accesskit();
+        screen.run_steps(3);
+        let program = &scenario(&screen).program;
+        assert_eq!(
+            [program.feed_mm_min, program.spindle_rpm],
+            [found.feed_mm_min, found.speed_rpm]
+        );
+        click(&mut screen, "Undo");
+        assert_eq!(scenario(&screen), &before);
     }
 }
 

@@ -11,6 +11,7 @@ mod marks;
 mod picture;
 mod polyline;
 mod readout;
+mod recommended;
 mod relief;
 mod search;
 mod space;
@@ -28,6 +29,7 @@ use crate::app::theme::{self, Palette};
 use crate::app::widgets::zoom::by_touch;
 use map::Map;
 use marks::Moving;
+use recommended::Recommended;
 use relief::Relief;
 use search::Search;
 
@@ -56,6 +58,8 @@ pub struct PlanPanel {
     relief: Relief,
     /// Whether the surface is shown in space.
     in_space: bool,
+    /// What a cutting-data table recommends.
+    recommended: Recommended,
     /// The constraint that is explained.
     open: Option<usize>,
 }
@@ -94,6 +98,7 @@ impl PlanPanel {
             .show(ui, |ui| {
                 ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
                     controls::show(ui, view.session, commands);
+                    self.recommended.show(ui, view.session.scenario(), commands);
                 });
             });
         SidePanel::right("plan answer")
@@ -134,6 +139,7 @@ impl PlanPanel {
                 self.pinned(ui);
                 CollapsingHeader::new("Settings of the plan").show_unindented(ui, |ui| {
                     controls::show(ui, view.session, commands);
+                    self.recommended.show(ui, view.session.scenario(), commands);
                 });
                 self.answer(ui, view, commands);
                 self.convergence(ui);

@@ -1,0 +1,91 @@
+//! Recommended conditions for the workpiece and the cutter, from the shipped cutting-data table,
+//! and their way into the programmed values.
+
+use egui::{CollapsingHeader, ComboBox, RichText, Role, Ui, WidgetInfo};
+
+use crate::app::command::Command;
+use crate::app::theme::{self, Palette};
+use crate::base::settings::Value;
+use crate::blocks::cutting::tool::R216_16B20_040;
+use crate::run::scenario::Scenario;
+use crate::study::recommend::table::{NOTE as TABLE_NOTE, Table};
+use crate::study::recommend::{Advisor, Engagement, NOTE, Recommendation};
+
+/// The section and what it keeps: what it learned when it was first opened, and the engagement
+/// chosen.
+#[derive(Default)]
+pub struct Recommended {
+    advisor: Option<Advisor>,
+    /// None: by the radial depth.
+    engagement: Option<Engagement>,
+}
+
+impl Recommended {
+    /// Folded away until it is opened.
+    pub fn show(&mut self, ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
+        let header = CollapsingHeader::new("Recommended conditions");
+        header.id_salt(("plan", "recommended")).show(ui, |ui| {
+            let tool = R216_16B20_040;
+            let radial_mm = scenario.workpiece.radial_depth_mm;
+            let by_depth = Engagement::of(radial_mm, tool.diameter_mm);
+            self.choose(ui, by_depth);
+            let engagement = self.engagement.unwrap_or(by_depth);
+            let advisor = self.advisor.get_or_insert_with(|| Advisor::new(&Table::shipped()));
+            let hardness_hb = scenario.plant.hardness_hb;
+            match advisor.recommend(hardness_hb, tool.diameter_mm, engagement) {
+                Ok(found) => answer(ui, &found, commands),
+                Err(error) => {
+                    ui.label(RichText::new(error.to_string()).color(Palette::at(ui).bad));
+                }
+            }
+        });
+    }
+
+    fn choose(&mut self, ui: &mut Ui, by_depth: Engagement) {
+        let auto = format!("by R_D: {}", by_depth.label());
+        let shown = self.engagement.map_or(auto.clone(), |one| one.label().to_owned());
+        let response = ComboBox::from_id_salt("engagement")
+            .selected_text(shown)
+            .show_ui(ui, |ui| {
+                ui.selectable_value(&mut self.engagement, None, auto);
+                for one in Engagement::ALL {
+                    ui.selectable_value(&mut self.engagement, Some(*one), one.label());
+                }
+            })
+            .response;
+        response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Engagement"));
+        response.on_hover_text("Engagement: how the cutter stands in the material");
+    }
+}
+
+fn answer(ui: &mut Ui, found: &Recommendation, commands: &mut Vec<Command>) {
+    let palette = Palette::at(ui);
+    let (speed, feed) = (&found.cutting_speed_m_min, &found.feed_per_tooth_mm);
+    let asked = format!(
+        "For {:.0} HB and a cutter of {}:",
+        found.hardness_hb,
+        theme::quantity(found.diameter_mm, "mm")
+    );
+    ui.label(RichText::new(asked).small().color(palette.weak));
+    let values = format!(
+        "{}, {} a tooth",
+        theme::quantity(speed.value, "m/min"),
+        theme::fine(feed.value, "mm")
+    );
+    ui.strong(values);
+    let (feed, rpm) = (found.feed_mm_min, found.speed_rpm);
+    ui.label(format!("{}, {}", theme::quantity(rpm, "1/min"), theme::quantity(feed, "mm/min")));
+    let (text, color) = match found.inside_table() {
+        true => ("inside the table", palette.good),
+        false => ("outside the table: its edge answers", palette.warn),
+    };
+    ui.label(RichText::new(text).small().color(color));
+    let help = "Programs these values, as a start for the plan and the cut. One step of undo.";
+    if ui.button("Start from it").on_hover_text(help).clicked() {
+        let changes = [("program.feed_mm_min", feed), ("program.spindle_rpm", rpm)];
+        let changes = changes.map(|(path, value)| (path.to_owned(), Value::Float(value)));
+        commands.push(Command::SetUp(changes.to_vec()));
+    }
+    let note = format!("{NOTE} The table: {TABLE_NOTE}.");
+    ui.label(RichText::new(note).small().color(palette.weak));
+}
