@@ -57,6 +57,13 @@ pub enum Command {
     Save,
     /// Saves all signals of the run as CSV.
     ExportCsv,
+    /// Saves a table of a part of the run as CSV.
+    SaveCsv {
+        /// What it is, for the file's name.
+        what: String,
+        /// The table.
+        text: String,
+    },
     /// Copies a link (on the desktop: its part after `#`) that holds scenario and edits.
     CopyLink,
     /// Shows the screen with this id.

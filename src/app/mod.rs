@@ -166,6 +166,9 @@ impl Console {
                 self.save(ctx, "toml", text.into_bytes());
             }
             Some(Command::ExportCsv) => self.export_csv(ctx),
+            Some(Command::SaveCsv { what, text }) => {
+                self.save(ctx, &format!("{what}.csv"), text.into_bytes());
+            }
             Some(Command::CopyLink) => self.copy_link(ctx),
             Some(other) => unreachable!("the session does not know {other:?}"),
         }

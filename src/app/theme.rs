@@ -24,6 +24,10 @@ pub const PLOT_HEIGHT_SCROLLED: f32 = 176.0;
 pub const CARD_WIDTH: f32 = 172.0;
 /// See [`CARD_WIDTH`].
 pub const CARD_WIDTH_NARROW: f32 = 116.0;
+/// Width of the content of a window over a screen at first, points; on a phone it takes the screen.
+pub const OVERLAY_WIDTH: f32 = 640.0;
+/// Height of such a window that is as high as the screen allows, points, and of a lower one.
+pub const OVERLAY_HEIGHTS: [f32; 2] = [620.0, 420.0];
 /// Share of its reference within which a force counts as held.
 pub const FORCE_BAND: f64 = 0.02;
 /// Length of the window that follow mode shows, s.
@@ -184,6 +188,8 @@ pub enum Look {
     Constraint(usize),
     /// The searched cutting speed where it is fixed.
     Searched,
+    /// A force component along the feed, across it, along the tool.
+    Axis(usize),
 }
 
 impl Look {
@@ -200,6 +206,9 @@ impl Look {
             Self::Twin => (1.2, palette.twin, LineStyle::Dashed { length: 6.0 }),
             Self::Ghost => (1.3, palette.ghost, LineStyle::Dotted { spacing: 5.0 }),
             Self::Searched => (1.2, palette.weak, LineStyle::Dashed { length: 6.0 }),
+            Self::Axis(0) => (1.4, palette.command, LineStyle::Solid),
+            Self::Axis(1) => (1.4, palette.limit, LineStyle::Dashed { length: 8.0 }),
+            Self::Axis(_) => (1.4, palette.ghost, LineStyle::Dotted { spacing: 5.0 }),
             Self::Constraint(number) => {
                 let (width, style) = match number {
                     0 => (2.0, LineStyle::Dashed { length: 16.0 }),
@@ -267,7 +276,7 @@ pub fn card(palette: &Palette) -> egui::Frame {
 /// A unit for people: the tables write it in plain letters.
 #[must_use]
 pub fn unit(unit: &str) -> String {
-    unit.replace("um", "µm").replace("cm^3", "cm³").replace("cm3", "cm³")
+    unit.replace("um", "µm").replace("cm^3", "cm³").replace("cm3", "cm³").replace("deg", "°")
 }
 
 /// A value with as many digits as its unit deserves, without the unit.
@@ -275,9 +284,9 @@ pub fn unit(unit: &str) -> String {
 pub fn number(value: f64, unit: &str) -> String {
     let decimals = match unit {
         "um" => 3,
-        "s" | "mm" | "cm^3" | "-" => 2,
+        "s" | "mm" | "ms" | "cm^3" | "-" => 2,
         "kW" => 2,
-        "N" | "%" | "min" | "m/min" | "cm3/min" => 1,
+        "N" | "%" | "deg" | "min" | "m/min" | "cm3/min" => 1,
         _ => 0,
     };
     // No negative zero.

@@ -18,6 +18,13 @@ pub fn s_from_ms(time_ms: f64) -> f64 {
     time_ms / 1000.0
 }
 
+/// Milliseconds from seconds.
+#[must_use]
+#[inline]
+pub fn ms_from_s(time_s: f64) -> f64 {
+    time_s * 1000.0
+}
+
 /// Millimetres from micrometres.
 #[must_use]
 pub fn mm_from_um(length_um: f64) -> f64 {

@@ -58,7 +58,7 @@ pub struct Axes {
     /// Range of time that was zoomed to, s.
     zoomed: Option<[f64; 2]>,
     /// Where a drag over a range of time began, points.
-    pub(super) drag: Option<f32>,
+    drag: Option<f32>,
     /// Legend entries switched off: chart and name.
     pub(super) hidden: BTreeSet<(&'static str, &'static str)>,
 }
@@ -165,7 +165,7 @@ pub fn show(
         let label = format!("{} from {from_s} to {to_s}", chart.title);
         egui::WidgetInfo::labeled(egui::Role::Figure, true, label)
     });
-    if let Some(range) = zoom(ui, &response, range, axes) {
+    if let Some(range) = zoom(ui, &response, range, &mut axes.drag) {
         axes.zoomed = Some(range);
     } else if response.response.double_clicked() {
         axes.fit();

@@ -29,6 +29,8 @@ pub enum Icon {
     Menu,
     /// A cross.
     Close,
+    /// Two sheets.
+    Copy,
 }
 
 /// A button with a sign on it, its name for screen readers, and a tooltip.
@@ -122,6 +124,13 @@ pub fn paint(painter: &Painter, icon: Icon, square: Rect, color: Color32, ground
         Icon::Close => {
             painter.line_segment([at(0.15, 0.15), at(0.85, 0.85)], stroke);
             painter.line_segment([at(0.85, 0.15), at(0.15, 0.85)], stroke);
+        }
+        Icon::Copy => {
+            let sheet =
+                |left: f32, top: f32| Rect::from_min_max(at(left, top), at(left + 0.62, top + 0.7));
+            let thin = Stroke::new(1.5, color);
+            painter.rect_stroke(sheet(0.32, 0.02), 1.5, thin, egui::StrokeKind::Inside);
+            painter.rect(sheet(0.06, 0.28), 1.5, ground, thin, egui::StrokeKind::Inside);
         }
     }
 }

@@ -8,4 +8,5 @@ pub mod number;
 mod reading;
 pub mod setting;
 pub mod target;
+pub mod window;
 pub mod zoom;

@@ -4,7 +4,6 @@
 use egui::Ui;
 
 use super::super::theme::Palette;
-use super::chart::Axes;
 
 /// Whether the last pointer was a finger rather than a mouse. A mouse shows itself by moving with
 /// no button down, which it does before every drag; until then the drags belong to the page, for
@@ -25,27 +24,27 @@ pub fn by_touch(ui: &Ui) -> bool {
     now
 }
 
-/// The range of time that the user has just zoomed to: dragged over, or zoomed with wheel or
-/// fingers.
-pub(super) fn zoom(
+/// The range of the horizontal axis that the user has just zoomed to: dragged over, or zoomed with
+/// wheel or fingers. `drag` keeps where a drag over a range began, in points.
+pub fn zoom(
     ui: &Ui,
     plot: &egui_plot::PlotResponse<()>,
     range: [f64; 2],
-    axes: &mut Axes,
+    drag: &mut Option<f32>,
 ) -> Option<[f64; 2]> {
     /// A drag over less is a click with a trembling hand, points.
     const LEAST: f32 = 6.0;
     let response = &plot.response;
     let frame = *plot.transform.frame();
     if by_touch(ui) {
-        axes.drag = None;
+        *drag = None;
     } else if response.drag_started() {
-        axes.drag = ui.input(|input| input.pointer.press_origin()).map(|at| at.x);
+        *drag = ui.input(|input| input.pointer.press_origin()).map(|at| at.x);
     }
-    if let (Some(from), Some(to)) = (axes.drag, response.interact_pointer_pos()) {
+    if let (Some(from), Some(to)) = (*drag, response.interact_pointer_pos()) {
         let ends = [from.min(to.x), from.max(to.x)].map(|x| frame.x_range().clamp(x));
         if response.drag_stopped() {
-            axes.drag = None;
+            *drag = None;
             let time = |x: f32| plot.transform.value_from_position(egui::pos2(x, frame.top())).x;
             return (ends[1] - ends[0] >= LEAST).then(|| ends.map(time));
         } else if response.dragged() {

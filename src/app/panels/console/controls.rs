@@ -3,6 +3,7 @@
 
 use egui::{CollapsingHeader, ComboBox, RichText, Role, Ui, WidgetInfo};
 
+use super::Windows;
 use crate::app::command::Command;
 use crate::app::panels::View;
 use crate::app::theme::Palette;
@@ -71,8 +72,14 @@ fn concerns(group: &str, kind: ControllerKind) -> bool {
     group.strip_prefix("controller.").is_none_or(|id| id == kind.id())
 }
 
-/// All other settings, by group.
-pub fn more(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+/// The window into a revolution, and all other settings by group.
+pub fn more(ui: &mut Ui, view: &View<'_>, windows: &mut Windows, commands: &mut Vec<Command>) {
+    let help = "The forces on the tool at 28.8 kHz over the last turns before the playhead";
+    let button = ui.button("Within a revolution\u{2026}").on_hover_text(help);
+    if button.clicked() {
+        windows.revolution.open = !windows.revolution.open;
+    }
+    ui.add_space(6.0);
     CollapsingHeader::new("More settings").id_salt("more").show_unindented(ui, |ui| {
         let scenario = view.session.current();
         for (group, title) in GROUPS {
@@ -85,6 +92,9 @@ pub fn more(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
                         && param.path != TARGET
                         && !FIRST.contains(&param.path.as_str())
                 });
+                if group == "workpiece" && ui.button("Edit cuts\u{2026}").clicked() {
+                    windows.workpiece.toggle(view);
+                }
                 for param in rest {
                     setting(ui, &param.path, scenario, Size::Small, commands);
                 }

@@ -3,9 +3,14 @@
 mod bands;
 mod controls;
 mod headline;
+mod revolution;
+mod workpiece;
 
 use egui::scroll_area::{DragScroll, ScrollSource};
 use egui::{CentralPanel, CollapsingHeader, Frame, Margin, Panel as SidePanel, ScrollArea, Ui};
+
+use revolution::RevolutionWindow;
+use workpiece::WorkpieceWindow;
 
 use super::{Panel, View};
 use crate::app::command::Command;
@@ -19,6 +24,14 @@ use crate::base::units::ratio_from_percent;
 pub struct ConsolePanel {
     axes: Axes,
     follow: bool,
+    windows: Windows,
+}
+
+/// The windows over this screen.
+#[derive(Default)]
+struct Windows {
+    revolution: RevolutionWindow,
+    workpiece: WorkpieceWindow,
 }
 
 const fn main(signal: &'static str) -> Curve {
@@ -138,6 +151,8 @@ impl Panel for ConsolePanel {
         } else {
             self.wide(ui, view, commands);
         }
+        self.windows.revolution.show(ui, view, commands);
+        self.windows.workpiece.show(ui, view, commands);
     }
 }
 
@@ -154,7 +169,7 @@ impl ConsolePanel {
                     ui.add_space(6.0);
                     controls::first(ui, view, commands);
                     ui.add_space(6.0);
-                    controls::more(ui, view, commands);
+                    controls::more(ui, view, &mut self.windows, commands);
                 });
             });
         CentralPanel::no_frame().frame(margin).show(ui, |ui| {
@@ -179,7 +194,7 @@ impl ConsolePanel {
                 ScrollArea::vertical().max_height(most).id_salt("settings").show(ui, |ui| {
                     controls::presets(ui, view, commands);
                     controls::first_but_target(ui, view, commands);
-                    controls::more(ui, view, commands);
+                    controls::more(ui, view, &mut self.windows, commands);
                 });
             });
             self.plots(ui, view, columns(ui), low);

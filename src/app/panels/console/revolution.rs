@@ -1,0 +1,192 @@
+//! The window "Within a revolution": the forces on the tool at every plant step of the last turns
+//! before the playhead, with the peak that stands for the control period.
+
+mod plot;
+
+use egui::{RichText, Ui};
+
+use super::super::View;
+use crate::app::command::Command;
+use crate::app::theme::{self, Look, Palette};
+use crate::app::widgets::legend;
+use crate::app::widgets::window::{self, Place};
+use crate::base::settings::Value;
+use crate::blocks::cutting::process::ForceModel;
+use crate::run::revolution::{Revolution, revolution};
+use crate::study::export::csv;
+
+/// Time between two pictures while the cut is playing, s: each repeats a part of the run.
+const EVERY_S: f64 = 0.25;
+/// Plant steps in a control period and rows in it where it is switched on from here: 28.8 kHz.
+const STEPS: [i64; 2] = [576, 96];
+
+/// What the horizontal axis is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Axis {
+    /// The angle of the spindle from the start of the picture's first turn.
+    #[default]
+    Angle,
+    /// The time from the first sample.
+    Time,
+}
+
+/// What a picture was made of: number of changes, control period at the playhead, turns.
+type Key = (u64, u64, u32);
+
+/// The window.
+pub struct RevolutionWindow {
+    /// Whether it is shown.
+    pub open: bool,
+    turns: u32,
+    axis: Axis,
+    hidden: [bool; 4],
+    zoomed: Option<[f64; 2]>,
+    drag: Option<f32>,
+    made: Option<(Key, f64)>,
+    shown: Option<Revolution>,
+}
+
+impl Default for RevolutionWindow {
+    fn default() -> Self {
+        Self {
+            open: false,
+            turns: 1,
+            axis: Axis::Angle,
+            hidden: [false; 4],
+            zoomed: None,
+            drag: None,
+            made: None,
+            shown: None,
+        }
+    }
+}
+
+/// The lines: name and look, in the order of the samples' values.
+const LINES: [(&str, Look); 4] = [
+    ("Fxy, across the tool", Look::Produced),
+    ("Fx, along the feed", Look::Axis(0)),
+    ("Fy, across the feed", Look::Axis(1)),
+    ("Fz, along the tool", Look::Axis(2)),
+];
+
+impl RevolutionWindow {
+    /// Shows it, if it is open.
+    pub fn show(&mut self, ui: &Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let height = theme::OVERLAY_HEIGHTS[1];
+        let place = Place { screen: ui.max_rect(), narrow: view.narrow, height };
+        let mut open = self.open;
+        window::show(ui.ctx(), "Within a revolution", place, &mut open, |ui| {
+            self.content(ui, view, commands);
+        });
+        self.open = open;
+    }
+
+    fn content(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        self.refresh(ui, view);
+        let by_teeth = view.session.current().plant.force_model == ForceModel::Mechanistic;
+        match &self.shown {
+            Some(shown) if by_teeth => {
+                let csv = csv_of(shown);
+                self.head(ui, csv, commands);
+                self.picture(ui, view);
+            }
+            _ => nothing(ui, by_teeth, commands),
+        }
+    }
+
+    /// Repeats the run for another picture where the playhead or the run has changed; while playing
+    /// at most every so often.
+    fn refresh(&mut self, ui: &Ui, view: &View<'_>) {
+        let session = view.session;
+        let run = session.chosen().run();
+        let scenario = session.scenario();
+        let playhead_s = session.playback().playhead_s;
+        let tick = scenario.ticks(playhead_s).min(run.ticks());
+        let period = (tick + 1) / u64::from(scenario.run.steps_per_control);
+        let key = (session.changes(), period, self.turns);
+        let now_s = ui.input(|input| input.time);
+        if let Some((made, at_s)) = self.made {
+            let moved_on = (made.0, made.2) == (key.0, key.2) && session.playback().playing;
+            if made == key || (moved_on && (now_s - at_s).abs() < EVERY_S) {
+                return;
+            }
+        }
+        self.made = Some((key, now_s));
+        self.shown = revolution(run, playhead_s, self.turns);
+    }
+
+    /// What can be chosen: turns, axis, lines; the samples as a file.
+    fn head(&mut self, ui: &mut Ui, csv: String, commands: &mut Vec<Command>) {
+        ui.horizontal_wrapped(|ui| {
+            let before = (self.turns, self.axis);
+            for (turns, name) in [(1, "1 turn"), (2, "2 turns")] {
+                ui.selectable_value(&mut self.turns, turns, name);
+            }
+            ui.separator();
+            ui.selectable_value(&mut self.axis, Axis::Angle, "Angle");
+            ui.selectable_value(&mut self.axis, Axis::Time, "Time");
+            ui.separator();
+            if before != (self.turns, self.axis) {
+                self.zoomed = None;
+            }
+            let help = "Save these samples as CSV: time, angle, Fx, Fy, Fz, Fxy";
+            let button = ui.button("Samples as CSV").on_hover_text(help);
+            if button.clicked() {
+                commands.push(Command::SaveCsv { what: "revolution".to_owned(), text: csv });
+            }
+        });
+        ui.scope(|ui| {
+            ui.spacing_mut().item_spacing = egui::vec2(10.0, 1.0);
+            ui.horizontal_wrapped(|ui| {
+                for ((name, look), hidden) in LINES.into_iter().zip(&mut self.hidden) {
+                    if legend::entry(ui, name, look, *hidden).clicked() {
+                        *hidden = !*hidden;
+                    }
+                }
+                legend::sample(ui, "Desired force", Look::Reference);
+            });
+        });
+    }
+}
+
+fn csv_of(shown: &Revolution) -> String {
+    let mut bytes = Vec::new();
+    // Writing into memory does not fail, and what is written is text.
+    let _ = csv::write_samples(&mut bytes, &shown.samples);
+    String::from_utf8(bytes).unwrap_or_default()
+}
+
+/// What to do where there is nothing to see.
+fn nothing(ui: &mut Ui, by_teeth: bool, commands: &mut Vec<Command>) {
+    let palette = Palette::at(ui);
+    if by_teeth {
+        ui.label("The force was not simulated tooth by tooth at this moment of the run.");
+        return;
+    }
+    ui.label(
+        RichText::new("The force of this cut is the maximum that a formula or a network gives.")
+            .strong(),
+    );
+    ui.label(
+        "To look into a revolution, the force has to be simulated tooth by tooth: the mechanistic \
+         model of the ball-end mill, at 28.8 kHz.",
+    );
+    ui.add_space(6.0);
+    ui.horizontal_wrapped(|ui| {
+        if ui.button("Simulate tooth by tooth").clicked() {
+            let [steps, rows] = STEPS;
+            let model = ForceModel::Mechanistic.id().to_owned();
+            commands.push(Command::SetUp(vec![
+                ("plant.force_model".to_owned(), Value::Text(model)),
+                ("run.steps_per_control".to_owned(), Value::Int(steps)),
+                ("run.record_every".to_owned(), Value::Int(rows)),
+            ]));
+        }
+        if ui.button("Load Experiment 2").clicked() {
+            commands.push(Command::LoadPreset("experiment-2".to_owned()));
+        }
+    });
+    let text = "Both can be undone. The first keeps this scenario and changes its plant.";
+    ui.label(RichText::new(text).small().color(palette.weak));
+    ui.add_space(theme::PLOT_HEIGHT_MIN * 0.2);
+}

@@ -1,0 +1,187 @@
+//! The picture of a revolution: forces against angle or time, the last control period shaded, its
+//! peak marked.
+
+use egui::{RichText, Role, Ui, WidgetInfo};
+use egui_plot::{
+    GridInput, GridMark, HLine, HoverPosition, Line, MarkerShape, Plot, PlotPoints, Points,
+    Polygon, VLine,
+};
+
+use super::{Axis, LINES, RevolutionWindow};
+use crate::app::panels::View;
+use crate::app::theme::{self, Look, Palette};
+use crate::app::widgets::chart::{grid, tick};
+use crate::app::widgets::zoom::{by_touch, zoom};
+use crate::base::units::ms_from_s;
+use crate::run::revolution::{Revolution, Sample};
+
+/// Distance between grid lines that is wanted, points.
+const GRID: [f32; 2] = [70.0, 30.0];
+
+/// Distances between lines of angle, degrees: whole parts of a turn.
+const ANGLES_DEG: [f64; 8] = [1.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0];
+
+/// Grid lines of the horizontal axis, about as many as asked for.
+fn lines_along(axis: Axis, input: GridInput, count: f32) -> Vec<GridMark> {
+    if axis == Axis::Time {
+        return grid(input, count);
+    }
+    let (low, high) = input.bounds;
+    let wanted = (high - low) / f64::from(count.max(1.0));
+    let step = ANGLES_DEG.into_iter().find(|step| *step >= wanted).unwrap_or(360.0);
+    let (first, last) = ((low / step).ceil() as i64, (high / step).floor() as i64);
+    (first..=last).map(|k| GridMark { value: k as f64 * step, step_size: step }).collect()
+}
+
+/// A place on the horizontal axis as its scale counts it: angles begin anew with every turn.
+fn scale(axis: Axis, place: f64) -> f64 {
+    if axis == Axis::Angle { place.rem_euclid(360.0) } else { place }
+}
+
+/// Places of the samples on the horizontal axis: degrees that go on growing, or ms.
+fn places(samples: &[Sample], axis: Axis) -> Vec<f64> {
+    let Some(first) = samples.first() else { return Vec::new() };
+    let (mut turns, mut before_deg) = (0.0, first.angle_deg);
+    let place = |sample: &Sample| match axis {
+        Axis::Time => ms_from_s(sample.time_s - first.time_s),
+        Axis::Angle => {
+            if sample.angle_deg < before_deg {
+                turns += 360.0;
+            }
+            before_deg = sample.angle_deg;
+            turns + sample.angle_deg
+        }
+    };
+    samples.iter().map(place).collect()
+}
+
+impl RevolutionWindow {
+    pub(super) fn picture(&mut self, ui: &mut Ui, view: &View<'_>) {
+        let Some(shown) = &self.shown else { return };
+        let palette = Palette::at(ui);
+        let axis = self.axis;
+        let unit = if self.axis == Axis::Angle { "deg" } else { "ms" };
+        let places = places(&shown.samples, self.axis);
+        let [Some(&from), Some(&to)] = [places.first(), places.last()] else { return };
+        let reference_n = view.session.row().force_ref_n;
+        let values: [fn(&Sample) -> f64; 4] =
+            [Sample::fxy_n, |sample| sample.fx_n, |sample| sample.fy_n, |sample| sample.fz_n];
+        let (mut low, mut high) = (0.0_f64, reference_n);
+        let mut lines = Vec::new();
+        // Across last: it is drawn on top.
+        for i in (0..LINES.len()).rev().filter(|i| !self.hidden[*i]) {
+            let points: Vec<[f64; 2]> = places
+                .iter()
+                .zip(&shown.samples)
+                .map(|(x, sample)| [*x, values[i](sample)])
+                .collect();
+            (low, high) = points.iter().fold((low, high), |(l, h), [_, y]| (l.min(*y), h.max(*y)));
+            let (stroke, style) = LINES[i].1.line(palette);
+            let line = Line::new(LINES[i].0, PlotPoints::from(points));
+            lines.push(line.stroke(stroke).style(style).allow_band(false));
+        }
+        let margin = 0.08 * (high - low).max(1.0);
+        let (low, high) = (low - margin, high + margin);
+        let range = self.zoomed.unwrap_or([from, to]);
+        let said = summary(shown);
+        ui.label(RichText::new(&said).small().color(palette.weak));
+        let window = shown.window_from.and_then(|i| places.get(i)).map(|x| {
+            let corners = vec![[*x, low], [to, low], [to, high], [*x, high]];
+            let fill = palette.accent.gamma_multiply(0.10);
+            let polygon = Polygon::new("", PlotPoints::from(corners)).allow_hover(false);
+            polygon.fill_color(fill).stroke(egui::Stroke::NONE)
+        });
+        let peak = shown.peak.map(|i| {
+            let at = vec![[places[i], shown.samples[i].fxy_n()]];
+            let marker = Points::new("Peak of the control period", PlotPoints::from(at));
+            marker.shape(MarkerShape::Diamond).radius(6.0).color(palette.bad)
+        });
+        let label = move |hover: &HoverPosition<'_>| match hover {
+            HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
+                let at = theme::quantity(scale(axis, position.x), unit);
+                Some(format!("{plot_name}: {}\n{at}", theme::quantity(position.y, "N")))
+            }
+            _ => None,
+        };
+        let size = egui::vec2(
+            ui.available_width(),
+            ui.available_height().max(theme::PLOT_HEIGHT_SCROLLED),
+        );
+        let sense = if by_touch(ui) { egui::Sense::click() } else { egui::Sense::click_and_drag() };
+        let response = Plot::new("revolution")
+            .height(size.y)
+            .allow_drag(false)
+            .allow_scroll(false)
+            .allow_zoom([true, false])
+            .allow_boxed_zoom(false)
+            .allow_double_click_reset(false)
+            .allow_axis_zoom_drag(false)
+            .sense(sense)
+            .y_axis_min_width(44.0)
+            .grid_color(palette.grid)
+            .grid_fade(0.0)
+            .x_grid_spacer(move |input| lines_along(axis, input, size.x / GRID[0]))
+            .y_grid_spacer(move |input| grid(input, size.y / GRID[1]))
+            .x_axis_formatter(move |mark, _| {
+                let value = scale(axis, mark.value);
+                format!("{} {}", tick(GridMark { value, ..mark }), theme::unit(unit))
+            })
+            .y_axis_formatter(|mark, _| format!("{} N", tick(mark)))
+            .grid_spacing(egui::Rangef::new(16.0, 300.0))
+            .label_formatter(label)
+            .show(ui, |plot| {
+                plot.set_plot_bounds_x(range[0]..=range[1]);
+                plot.set_plot_bounds_y(low..=high);
+                window.into_iter().for_each(|window| plot.polygon(window));
+                let (stroke, style) = Look::Reference.line(palette);
+                plot.hline(HLine::new("Desired force", reference_n).stroke(stroke).style(style));
+                lines.into_iter().for_each(|line| plot.line(line));
+                peak.into_iter().for_each(|peak| plot.points(peak));
+                let now = VLine::new("", to).allow_hover(false);
+                plot.vline(now.color(palette.playhead).width(1.0));
+            });
+        response.response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, said.clone()));
+        if let Some(range) = zoom(ui, &response, range, &mut self.drag) {
+            self.zoomed = Some(range);
+        } else if response.response.double_clicked() {
+            self.zoomed = None;
+        }
+    }
+}
+
+/// What is seen, in words.
+fn summary(shown: &Revolution) -> String {
+    let Some(last) = shown.samples.last() else { return String::new() };
+    let until = format!("up to {:.3} s", last.time_s);
+    let Some(peak) = shown.peak.map(|i| &shown.samples[i]) else {
+        return format!("{} samples {until}", shown.samples.len());
+    };
+    let force = theme::quantity(peak.fxy_n(), "N");
+    let angle = theme::quantity(peak.angle_deg, "deg");
+    format!(
+        "{} samples {until}. Peak of the last control period (shaded): {force} at {angle}; with \
+         the sensor's noise it is what the controller sees.",
+        shown.samples.len()
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_go_on_growing_and_times_start_at_zero() {
+        let sample = |time_s: f64, angle_deg: f64| Sample {
+            time_s,
+            angle_deg,
+            fx_n: 0.0,
+            fy_n: 0.0,
+            fz_n: 0.0,
+        };
+        let samples = [sample(1.0, 350.0), sample(1.001, 5.0), sample(1.002, 20.0)];
+        assert_eq!(places(&samples, Axis::Angle), [350.0, 365.0, 380.0]);
+        let times = places(&samples, Axis::Time);
+        assert!(times[0] == 0.0 && (times[2] - 2.0).abs() < 1e-9, "{times:?}");
+        assert!(places(&[], Axis::Time).is_empty());
+    }
+}

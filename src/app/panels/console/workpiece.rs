@@ -1,0 +1,227 @@
+//! The window "Workpiece": the cuts of the part (or its one path with a depth profile) as tables,
+//! drawn to scale with the tool where it is, and the material's inhomogeneity along them.
+
+mod material;
+mod picture;
+mod table;
+
+use egui::{RichText, Ui};
+
+use super::super::View;
+use crate::app::command::Command;
+use crate::app::theme::{self, Palette};
+use crate::app::widgets::icon::{self, Icon};
+use crate::app::widgets::setting::{Size, setting};
+use crate::app::widgets::window::{self, Place};
+use crate::base::settings::{MAX_CUTS, MAX_SECTIONS, MIN_SECTION_MM, Section, Value};
+use crate::blocks::cutting::part::APPROACH_MM;
+use crate::blocks::cutting::process::ForceModel;
+use crate::blocks::cutting::tool_path::{ToolPath, wall_mm};
+use crate::blocks::cutting::workpiece::{DepthProfile, Workpiece};
+use crate::run::presets;
+use material::Material;
+use picture::Part;
+
+const CUTS: &str = "workpiece.cuts";
+/// The parts of the papers, as shipped scenarios have them.
+const PARTS: [(&str, &str); 2] =
+    [("Experiment 1", "experiment-1"), ("Experiment 2", "experiment-2")];
+/// A section as it is added: length, axial depth, wall, mm.
+const NEW_SECTION: Section = [30.0, 2.0, 2.0];
+
+/// The window.
+#[derive(Default)]
+pub struct WorkpieceWindow {
+    open: bool,
+    /// The cut that is shown.
+    cut: usize,
+    /// What was wrong with the last number that was typed.
+    said: Option<String>,
+    material: Material,
+}
+
+/// The cut that the tool is in, and where its axis is along it, mm.
+fn tool(view: &View<'_>) -> (usize, f64) {
+    let position_mm = view.session.row().position_mm;
+    let begins_mm = ToolPath::begins_of(&view.session.current().workpiece);
+    let cut = begins_mm.partition_point(|begin_mm| *begin_mm <= position_mm).saturating_sub(1);
+    match begins_mm.get(cut) {
+        Some(begin_mm) => (cut, position_mm - begin_mm - APPROACH_MM),
+        None => (0, position_mm),
+    }
+}
+
+/// The one path as sections, as the tool meets it from the start: along a wall that stays.
+fn path_sections(workpiece: &Workpiece) -> Vec<Section> {
+    let wall_mm = wall_mm(workpiece.axial_depth_mm, workpiece.radial_depth_mm);
+    DepthProfile::new(workpiece).sections(workpiece.length_mm, wall_mm)
+}
+
+/// The same for a formula or a network, which take the radial depth as it is set.
+fn path_by_formula(workpiece: &Workpiece) -> Vec<Section> {
+    let mut sections = path_sections(workpiece);
+    for [_, axial_mm, wall] in &mut sections {
+        *wall = wall_mm(*axial_mm, workpiece.radial_depth_mm);
+    }
+    sections
+}
+
+impl WorkpieceWindow {
+    /// Opens it on the cut that the tool is in, or closes it.
+    pub fn toggle(&mut self, view: &View<'_>) {
+        self.open = !self.open;
+        self.cut = tool(view).0;
+        self.said = None;
+    }
+
+    /// Shows it, if it is open.
+    pub fn show(&mut self, ui: &Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let height = theme::OVERLAY_HEIGHTS[0];
+        let place = Place { screen: ui.max_rect(), narrow: view.narrow, height };
+        let mut open = self.open;
+        window::show(ui.ctx(), "Workpiece", place, &mut open, |ui| {
+            self.content(ui, view, commands);
+        });
+        self.open = open;
+    }
+
+    fn content(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let workpiece = &view.session.current().workpiece;
+        parts(ui, workpiece, commands);
+        ui.separator();
+        if workpiece.cuts.is_empty() {
+            self.path(ui, view, commands);
+        } else {
+            self.cuts(ui, view, commands);
+        }
+        if let Some(said) = &self.said {
+            ui.colored_label(Palette::at(ui).bad, said);
+        }
+    }
+
+    fn cuts(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let workpiece = &view.session.current().workpiece;
+        let mut cuts = workpiece.cuts.clone();
+        self.cut = self.cut.min(cuts.len() - 1);
+        let (tool_cut, tool_mm) = tool(view);
+        self.choose(ui, &mut cuts, tool_cut);
+        if let Some(sections) = workpiece.cuts.get(self.cut) {
+            let tool_mm = match tool_cut.cmp(&self.cut) {
+                std::cmp::Ordering::Less => f64::NEG_INFINITY,
+                std::cmp::Ordering::Equal => tool_mm,
+                std::cmp::Ordering::Greater => f64::INFINITY,
+            };
+            let part = Part { sections: sections.clone(), open: false, tool_mm };
+            let begin_mm = ToolPath::begins_of(workpiece)[self.cut] + APPROACH_MM;
+            self.pictures(ui, view, &part, begin_mm);
+            table::sections(ui, self.cut, &mut cuts, &mut self.said);
+        }
+        if cuts != workpiece.cuts {
+            commands.push(Command::Set { path: CUTS.to_owned(), value: Value::Cuts(cuts) });
+        }
+    }
+
+    /// The row of cuts, one of them chosen, with what can be done with them.
+    fn choose(&mut self, ui: &mut Ui, cuts: &mut Vec<Vec<Section>>, tool_cut: usize) {
+        ui.horizontal_wrapped(|ui| {
+            for number in 0..cuts.len() {
+                let name = format!("Cut {}", number + 1);
+                let mark = if number == tool_cut { format!("{name}, tool") } else { name };
+                ui.selectable_value(&mut self.cut, number, mark);
+            }
+            let room = cuts.len() < MAX_CUTS;
+            let full = format!("At most {MAX_CUTS} cuts");
+            let add = ui.add_enabled(room, egui::Button::new("Add a cut"));
+            if add.on_disabled_hover_text(&full).clicked() {
+                cuts.push(vec![NEW_SECTION]);
+                self.cut = cuts.len() - 1;
+            }
+            let name = format!("Duplicate cut {}", self.cut + 1);
+            if icon::button(ui, Icon::Copy, &name, if room { &name } else { &full }, room).clicked()
+            {
+                cuts.insert(self.cut + 1, cuts[self.cut].clone());
+                self.cut += 1;
+            }
+            let name = format!("Remove cut {}", self.cut + 1);
+            let last = "The last cut stays: `One path` goes without cuts";
+            let several = cuts.len() > 1;
+            if icon::button(ui, Icon::Close, &name, if several { &name } else { last }, several)
+                .clicked()
+            {
+                cuts.remove(self.cut);
+                self.cut = self.cut.min(cuts.len() - 1);
+            }
+        });
+    }
+
+    fn path(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let scenario = view.session.current();
+        for path in ["workpiece.length_mm", "workpiece.radial_depth_mm"] {
+            setting(ui, path, scenario, Size::Small, commands);
+        }
+        let tool_mm = view.session.row().position_mm;
+        let by_teeth = scenario.plant.force_model == ForceModel::Mechanistic;
+        let sections = if by_teeth { path_sections } else { path_by_formula };
+        let part = Part { sections: sections(&scenario.workpiece), open: true, tool_mm };
+        self.pictures(ui, view, &part, 0.0);
+        table::profile(ui, scenario, commands, &mut self.said);
+        let playback = view.session.playback();
+        if playback.playhead_s > 0.0 && !playback.at_end {
+            let text = "While the cut is running, changed depths are edits at the playhead.";
+            ui.label(RichText::new(text).small().color(Palette::at(ui).weak));
+        }
+    }
+
+    /// Side view, view from above and material on one axis.
+    fn pictures(&mut self, ui: &mut Ui, view: &View<'_>, part: &Part, begin_mm: f64) {
+        let length_mm: f64 = part.sections.iter().map(|section| section[0]).sum();
+        let place = match part.tool_mm {
+            at if at == f64::NEG_INFINITY => "still to be cut".to_owned(),
+            at if at == f64::INFINITY => "cut already".to_owned(),
+            at if at < 0.0 => "the tool comes in from the air".to_owned(),
+            at => format!("tool at {}", theme::quantity(at, "mm")),
+        };
+        let length = theme::quantity(length_mm, "mm");
+        ui.label(RichText::new(format!("{length} long, {place}")).strong());
+        let map = picture::show(ui, part);
+        self.material.show(ui, view.session.current(), &map, [begin_mm, length_mm]);
+        ui.add_space(4.0);
+    }
+}
+
+/// The shipped parts, and the way from one path to cuts and back.
+fn parts(ui: &mut Ui, workpiece: &Workpiece, commands: &mut Vec<Command>) {
+    let mut set = |cuts: Vec<Vec<Section>>| {
+        commands.push(Command::Set { path: CUTS.to_owned(), value: Value::Cuts(cuts) });
+    };
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Take the part of");
+        for (name, preset) in PARTS {
+            let help = "Takes over the cuts alone; the scenario of this name also sets controller, \
+                        noise and feed";
+            if ui.button(name).on_hover_text(help).clicked()
+                && let Ok(scenario) = presets::load(preset)
+            {
+                set(scenario.workpiece.cuts);
+            }
+        }
+        if workpiece.cuts.is_empty() {
+            let help = "One straight cut with this path's depths, the tool coming in from the air";
+            if ui.button("Make cuts of the path").on_hover_text(help).clicked() {
+                let mut sections = path_sections(workpiece);
+                sections.retain(|section| section[0] >= MIN_SECTION_MM);
+                sections.truncate(MAX_SECTIONS);
+                sections.iter_mut().for_each(|[length_mm, _, wall_mm]| {
+                    *length_mm = length_mm.min(table::limits().0);
+                    *wall_mm = wall_mm.clamp(-table::limits().1, table::limits().1);
+                });
+                set(vec![sections]);
+            }
+        } else {
+            let help = "No cuts: the path with its length, depths and depth profile";
+            if ui.button("One path").on_hover_text(help).clicked() {
+                set(Vec::new());
+            }
+        }
+    });
+}

@@ -1,0 +1,244 @@
+//! A cut from the side and from above, to scale, with the tool where it is. What is still to be cut
+//! is coloured; what remains of the part is grey.
+
+use egui::{
+    Align2, FontId, Painter, Pos2, Rangef, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo,
+};
+use egui::{RichText, pos2, vec2};
+
+use crate::app::theme::{self, Palette};
+use crate::base::math::{PI, cos, sin};
+use crate::base::settings::Section;
+use crate::blocks::cutting::tool::R216_16B20_040;
+use crate::blocks::cutting::tool_path::radial_depth_mm;
+
+/// Largest and least scale, points per mm. Long cuts are drawn with depths larger than lengths.
+const SCALE: [f32; 2] = [6.0, 2.5];
+/// What is seen above the part's surface, mm.
+const ABOVE_MM: f64 = 6.5;
+/// What is seen below the deepest cut, mm.
+const BELOW_MM: f64 = 1.6;
+/// Half of what is seen across, from above, mm.
+const ACROSS_MM: f64 = 8.6;
+/// Room before a cut that is met from the air, and at the ends of others, mm.
+const ENDS_MM: [f64; 2] = [16.5, 9.0];
+/// Least width of a section that its values are written into, points.
+const WORDS: f32 = 30.0;
+
+/// What is drawn.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Its sections: length, axial depth, wall, mm.
+    pub sections: Vec<Section>,
+    /// Whether the tool starts in the material.
+    pub open: bool,
+    /// Where the tool's axis is, mm from the part's edge; infinite before or after this cut.
+    pub tool_mm: f64,
+}
+
+/// The common axis of the pictures.
+#[derive(Clone, Copy, Debug)]
+pub struct Map {
+    /// Where it lies on the screen.
+    pub x: Rangef,
+    from_mm: f64,
+    scale: f32,
+}
+
+impl Map {
+    fn new(ui: &Ui, part: &Part, length_mm: f64) -> Self {
+        let from_mm = -ENDS_MM[usize::from(part.open)];
+        let span_mm = (length_mm + ENDS_MM[1] - from_mm) as f32;
+        let scale = (ui.available_width() / span_mm).min(SCALE[0]);
+        let left = ui.cursor().left();
+        Self { x: Rangef::new(left, left + span_mm * scale), from_mm, scale }
+    }
+
+    /// The place of a length along the cut.
+    pub fn at(&self, x_mm: f64) -> f32 {
+        self.x.min + (x_mm - self.from_mm) as f32 * self.scale
+    }
+}
+
+/// A picture with its own vertical axis.
+struct Sheet<'a> {
+    painter: Painter,
+    map: &'a Map,
+    /// Points per mm, upwards, and where zero is.
+    rise: f32,
+    zero: f32,
+    font: FontId,
+    palette: &'static Palette,
+}
+
+impl Sheet<'_> {
+    fn at(&self, x_mm: f64, y_mm: f64) -> Pos2 {
+        pos2(self.map.at(x_mm), self.zero - y_mm as f32 * self.rise)
+    }
+
+    fn fill(&self, x_mm: [f64; 2], y_mm: [f64; 2], color: egui::Color32) {
+        if x_mm[1] > x_mm[0] {
+            let rect = Rect::from_two_pos(self.at(x_mm[0], y_mm[0]), self.at(x_mm[1], y_mm[1]));
+            self.painter.rect_filled(rect, 0.0, color);
+        }
+    }
+
+    /// Writes into the middle of a section, above or around a height.
+    fn write(&self, x_mm: [f64; 2], y_mm: f64, align: Align2, text: String) {
+        if self.map.at(x_mm[1]) - self.map.at(x_mm[0]) >= WORDS {
+            let at = self.at(0.5 * (x_mm[0] + x_mm[1]), y_mm);
+            self.painter.text(at, align, text, self.font.clone(), self.palette.text);
+        }
+    }
+
+    /// What lies to either side of the tool's axis: cut already, still to be cut.
+    fn split(x_mm: [f64; 2], tool_mm: f64) -> [[f64; 2]; 2] {
+        let middle = tool_mm.clamp(x_mm[0], x_mm[1]);
+        [[x_mm[0], middle], [middle, x_mm[1]]]
+    }
+}
+
+/// Draws both views and gives back their axis.
+pub fn show(ui: &mut Ui, part: &Part) -> Map {
+    let palette = Palette::at(ui);
+    let length_mm: f64 = part.sections.iter().map(|section| section[0]).sum();
+    let depth_mm = part.sections.iter().map(|section| section[1]).fold(0.0, f64::max);
+    let map = Map::new(ui, part, length_mm);
+    let rise = map.scale.max(SCALE[1]);
+    let scale = if rise > 1.05 * map.scale {
+        format!("depths drawn {:.0} times larger than lengths", rise / map.scale)
+    } else {
+        "to scale".to_owned()
+    };
+    let title = |ui: &mut Ui, text: String| {
+        ui.label(RichText::new(text).small().color(palette.weak));
+    };
+    title(ui, format!("From the side, axial depths in mm, {scale}"));
+    let said = format!("Cut from the side: {}", listed(part, |section| section[1]));
+    let height_mm = [ABOVE_MM, depth_mm + BELOW_MM];
+    let sheet = sheet(ui, &map, rise, height_mm, said);
+    side(&sheet, part, depth_mm + BELOW_MM);
+    title(ui, "From above, radial depths in mm".to_owned());
+    let radial = listed(part, |section| radial_depth_mm(section[1], section[2]));
+    let sheet = self::sheet(ui, &map, rise, [ACROSS_MM; 2], format!("Cut from above: {radial}"));
+    above(&sheet, part);
+    map
+}
+
+fn listed(part: &Part, value: impl Fn(&Section) -> f64) -> String {
+    let values = part.sections.iter().map(|section| theme::number(value(section), "mm"));
+    format!("{} mm", values.collect::<Vec<_>>().join(", "))
+}
+
+fn sheet<'a>(
+    ui: &mut Ui,
+    map: &'a Map,
+    rise: f32,
+    [above_mm, below_mm]: [f64; 2],
+    said: String,
+) -> Sheet<'a> {
+    let height = (above_mm + below_mm) as f32 * rise;
+    let (rect, response) = ui.allocate_exact_size(vec2(map.x.span(), height), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, said.clone()));
+    Sheet {
+        painter: ui.painter().with_clip_rect(rect.intersect(ui.clip_rect())),
+        map,
+        rise,
+        zero: rect.top() + above_mm as f32 * rise,
+        font: egui::TextStyle::Small.resolve(ui.style()),
+        palette: Palette::at(ui),
+    }
+}
+
+/// The sections with their ends, mm; a part that the tool starts in reaches to the left.
+fn stretches(part: &Part) -> Vec<([f64; 2], Section)> {
+    let mut from_mm = 0.0;
+    let mut stretches = Vec::new();
+    for (i, section) in part.sections.iter().enumerate() {
+        let to_mm = from_mm + section[0];
+        let left_mm = if part.open && i == 0 { -ENDS_MM[0] } else { from_mm };
+        stretches.push(([left_mm, to_mm], *section));
+        from_mm = to_mm;
+    }
+    stretches
+}
+
+fn side(sheet: &Sheet<'_>, part: &Part, floor_mm: f64) {
+    let palette = sheet.palette;
+    let mut tip_mm = 0.0;
+    let stretches = stretches(part);
+    for (x_mm, [_, axial_mm, _]) in &stretches {
+        sheet.fill(*x_mm, [-floor_mm, -axial_mm], palette.line);
+        let [_, to_come] = Sheet::split(*x_mm, part.tool_mm);
+        sheet.fill(to_come, [-axial_mm, 0.0], palette.dynamics);
+        let edge = [sheet.at(x_mm[0], -axial_mm), sheet.at(x_mm[1], -axial_mm)];
+        sheet.painter.line_segment(edge, Stroke::new(1.5, palette.weak));
+        if (x_mm[0]..=x_mm[1]).contains(&part.tool_mm) {
+            tip_mm = -axial_mm;
+        }
+    }
+    if part.tool_mm.is_finite() {
+        if part.tool_mm < 0.0 {
+            tip_mm = stretches.first().map_or(0.0, |(_, section)| -section[1]);
+        }
+        ball_from_side(sheet, part.tool_mm, tip_mm);
+    }
+    for (x_mm, [_, axial_mm, _]) in stretches {
+        sheet.write(x_mm, 0.0, Align2::CENTER_BOTTOM, theme::number(axial_mm, "mm"));
+    }
+}
+
+/// The outline of the ball and its shank, the tip at a height in mm.
+fn ball_from_side(sheet: &Sheet<'_>, x_mm: f64, tip_mm: f64) {
+    const ARC: usize = 24;
+    let radius_mm = 0.5 * R216_16B20_040.diameter_mm;
+    let top_mm = 2.0 * radius_mm + ABOVE_MM;
+    let mut outline = vec![sheet.at(x_mm - radius_mm, top_mm)];
+    outline.extend((0..=ARC).map(|i| {
+        let angle = PI * (1.0 + i as f64 / ARC as f64);
+        let [across, up] = [cos(angle), sin(angle)].map(|share| radius_mm * share);
+        sheet.at(x_mm + across, tip_mm + radius_mm + up)
+    }));
+    outline.push(sheet.at(x_mm + radius_mm, top_mm));
+    tool_shape(sheet, outline);
+}
+
+fn tool_shape(sheet: &Sheet<'_>, outline: Vec<Pos2>) {
+    let palette = sheet.palette;
+    let fill = palette.command.gamma_multiply(0.22);
+    sheet.painter.add(Shape::convex_polygon(outline, fill, Stroke::new(1.5, palette.command)));
+}
+
+fn above(sheet: &Sheet<'_>, part: &Part) {
+    let palette = sheet.palette;
+    for (x_mm, [_, axial_mm, wall_mm]) in stretches(part) {
+        let radial_mm = radial_depth_mm(axial_mm, wall_mm);
+        let edge_mm = wall_mm + radial_mm;
+        sheet.fill(x_mm, [edge_mm, ACROSS_MM], palette.line);
+        if axial_mm > 0.0 {
+            let [_, to_come] = Sheet::split(x_mm, part.tool_mm);
+            sheet.fill(to_come, [wall_mm, edge_mm], palette.dynamics);
+            let wall = [sheet.at(x_mm[0], wall_mm), sheet.at(x_mm[1], wall_mm)];
+            sheet.painter.line_segment(wall, Stroke::new(1.5, palette.weak));
+            sheet.write(
+                x_mm,
+                0.5 * (wall_mm + edge_mm),
+                Align2::CENTER_CENTER,
+                theme::number(radial_mm, "mm"),
+            );
+        }
+    }
+    let length_mm: f64 = part.sections.iter().map(|section| section[0]).sum();
+    let ends = [sheet.at(-ENDS_MM[0], 0.0), sheet.at(length_mm + ENDS_MM[1], 0.0)];
+    let axis = Stroke::new(1.0, palette.command);
+    sheet.painter.extend(Shape::dashed_line(&ends, axis, 8.0, 5.0));
+    if part.tool_mm.is_finite() {
+        const AROUND: usize = 40;
+        let radius_mm = 0.5 * R216_16B20_040.diameter_mm;
+        let circle = (0..AROUND).map(|i| {
+            let angle = 2.0 * PI * i as f64 / AROUND as f64;
+            sheet.at(part.tool_mm + radius_mm * cos(angle), radius_mm * sin(angle))
+        });
+        tool_shape(sheet, circle.collect());
+    }
+}

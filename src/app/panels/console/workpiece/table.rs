@@ -1,0 +1,198 @@
+//! The tables of the workpiece: sections of a cut, and the depth profile of the one path.
+
+use egui::{Grid, RichText, Ui, WidgetInfo};
+
+use crate::app::command::Command;
+use crate::app::theme::{self, Palette};
+use crate::app::widgets::icon::{self, Icon};
+use crate::app::widgets::number::Field;
+use crate::base::settings::{
+    DepthStep, Kind, MAX_SECTIONS, MAX_STEPS, MIN_SECTION_MM, Section, Value,
+};
+use crate::blocks::cutting::process::ForceModel;
+use crate::blocks::cutting::tool_path::{radial_depth_mm, wall_mm};
+use crate::run::scenario::{Scenario, param};
+
+const STEPS: &str = "workpiece.depth_steps";
+/// Least distance between two steps of the profile, mm.
+const STEP_GAP_MM: f64 = 0.01;
+/// Distance behind the last step of the profile at which one is added, mm.
+const NEXT_STEP_MM: f64 = 20.0;
+
+/// Largest length of a section, and largest depth, mm.
+pub fn limits() -> (f64, f64) {
+    match param("workpiece.cuts").map(|param| &param.spec.allowed) {
+        Ok(Kind::Cuts { max_length_mm, max_depth_mm }) => (*max_length_mm, *max_depth_mm),
+        _ => unreachable!("the cuts are a setting of this kind"),
+    }
+}
+
+/// A cell with a number; whether it was changed.
+fn cell(
+    ui: &mut Ui,
+    name: &str,
+    value: &mut f64,
+    range: [f64; 2],
+    said: &mut Option<String>,
+) -> bool {
+    // Some 400 points of dragging go over a usual depth or length.
+    let speed = if range[1] > 100.0 { 0.25 } else { 0.01 };
+    let field = Field { name, unit: "mm", range, speed, decimals: 3, suffix: "" };
+    let mut now = None;
+    let response = field.show(ui, value, &mut now);
+    response.widget_info(|| WidgetInfo {
+        label: Some(name.to_owned()),
+        ..WidgetInfo::drag_value(true, *value)
+    });
+    if now.is_some() || response.changed() {
+        *said = now;
+    }
+    response.changed()
+}
+
+/// A table with these titles.
+fn table(ui: &mut Ui, id: &str, titles: &[&str], rows: impl FnOnce(&mut Ui)) {
+    let palette = Palette::at(ui);
+    ui.scope(|ui| {
+        ui.spacing_mut().interact_size.x = 56.0;
+        ui.spacing_mut().button_padding.x = 4.0;
+        Grid::new(id)
+            .num_columns(titles.len() + 2)
+            .min_col_width(0.0)
+            .spacing([6.0, 4.0])
+            .striped(true)
+            .show(ui, |ui| {
+                for title in titles {
+                    ui.label(RichText::new(*title).small().color(palette.weak));
+                }
+                ui.end_row();
+                rows(ui);
+            });
+    });
+}
+
+/// Two buttons at the end of a row: duplicate and remove.
+fn row_buttons(ui: &mut Ui, what: &str, can_copy: bool, can_remove: bool) -> [bool; 2] {
+    let [copy, remove] = [format!("Duplicate {what}"), format!("Remove {what}")];
+    [
+        icon::button(ui, Icon::Copy, &copy, &copy, can_copy).clicked(),
+        icon::button(ui, Icon::Close, &remove, &remove, can_remove).clicked(),
+    ]
+}
+
+/// The sections of cut number `cut`.
+pub fn sections(ui: &mut Ui, cut: usize, cuts: &mut [Vec<Section>], said: &mut Option<String>) {
+    let Some(sections) = cuts.get_mut(cut) else { return };
+    let (length_mm, depth_mm) = limits();
+    let room = sections.len() < MAX_SECTIONS;
+    let mut act = None;
+    let titles = ["Section", "Length mm", "Axial mm", "Wall mm", "R_D mm"];
+    table(ui, "sections", &titles, |ui| {
+        let several = sections.len() > 1;
+        for (i, [length, axial, wall]) in sections.iter_mut().enumerate() {
+            let n = i + 1;
+            ui.label(n.to_string());
+            cell(ui, &format!("Length of section {n}"), length, [MIN_SECTION_MM, length_mm], said);
+            cell(ui, &format!("Axial depth of section {n}"), axial, [0.0, depth_mm], said);
+            cell(ui, &format!("Wall of section {n}"), wall, [-depth_mm, depth_mm], said);
+            radial(ui, *axial, radial_depth_mm(*axial, *wall));
+            let [copy, remove] = row_buttons(ui, &format!("section {n}"), room, several);
+            if copy || remove {
+                act = Some((i, copy));
+            }
+            ui.end_row();
+        }
+    });
+    match act {
+        Some((i, true)) => sections.insert(i, sections[i]),
+        Some((i, false)) => drop(sections.remove(i)),
+        None => {}
+    }
+    let add = ui.add_enabled(room, egui::Button::new("Add a section"));
+    let full = format!("At most {MAX_SECTIONS} sections in a cut");
+    if add.on_disabled_hover_text(full).clicked()
+        && let Some(last) = sections.last().copied()
+    {
+        sections.push(last);
+    }
+    let text = "Wall: place of the side wall across the cut, from the tool's axis. R_D: from the wall \
+                to where the ball meets the surface at that depth.";
+    ui.label(RichText::new(text).small().color(Palette::at(ui).weak));
+}
+
+/// The radial depth as it follows.
+fn radial(ui: &mut Ui, axial_mm: f64, radial_mm: f64) {
+    let palette = Palette::at(ui);
+    if axial_mm > 0.0 && radial_mm > 0.0 {
+        ui.label(theme::number(radial_mm, "mm"));
+    } else {
+        let text = RichText::new("air").color(palette.warn);
+        ui.label(text).on_hover_text("The tool meets no material here");
+    }
+}
+
+/// The depth profile of the one path: its first row is the axial depth at the start.
+pub fn profile(
+    ui: &mut Ui,
+    scenario: &Scenario,
+    commands: &mut Vec<Command>,
+    said: &mut Option<String>,
+) {
+    let workpiece = &scenario.workpiece;
+    let Ok(Kind::Steps { max_position_mm, max_depth_mm }) =
+        param(STEPS).map(|param| &param.spec.allowed)
+    else {
+        unreachable!("the profile is a setting of this kind")
+    };
+    let (most_mm, deepest_mm) = (*max_position_mm, *max_depth_mm);
+    let wall_mm = wall_mm(workpiece.axial_depth_mm, workpiece.radial_depth_mm);
+    let by_teeth = scenario.plant.force_model == ForceModel::Mechanistic;
+    // Formula and networks take the radial depth as it is set; the teeth meet a wall that stays.
+    let radial_at = |axial_mm: f64| {
+        if by_teeth { radial_depth_mm(axial_mm, wall_mm) } else { workpiece.radial_depth_mm }
+    };
+    let mut first_mm = workpiece.axial_depth_mm;
+    let mut steps = workpiece.depth_steps.clone();
+    let room = |steps: &[DepthStep]| {
+        let last_mm = steps.last().map_or(0.0, |step| step[0]);
+        steps.len() < MAX_STEPS && last_mm + NEXT_STEP_MM <= most_mm
+    };
+    let mut act = None;
+    table(ui, "profile", &["Stretch", "From mm", "Axial mm", "R_D mm"], |ui| {
+        ui.label("1");
+        ui.label("0");
+        cell(ui, "Axial depth of stretch 1", &mut first_mm, [0.0, deepest_mm], said);
+        radial(ui, first_mm, radial_at(first_mm));
+        ui.end_row();
+        for i in 0..steps.len() {
+            let n = i + 2;
+            // Between the neighbours: positions stay in order while they are dragged.
+            let low = if i == 0 { 0.0 } else { steps[i - 1][0] + STEP_GAP_MM };
+            let high = steps.get(i + 1).map_or(most_mm, |next| next[0] - STEP_GAP_MM);
+            let [from, axial] = &mut steps[i];
+            ui.label(n.to_string());
+            cell(ui, &format!("Start of stretch {n}"), from, [low, high], said);
+            cell(ui, &format!("Axial depth of stretch {n}"), axial, [0.0, deepest_mm], said);
+            radial(ui, *axial, radial_at(*axial));
+            let name = format!("Remove stretch {n}");
+            if icon::button(ui, Icon::Close, &name, &name, true).clicked() {
+                act = Some(i);
+            }
+            ui.end_row();
+        }
+    });
+    if let Some(i) = act {
+        steps.remove(i);
+    }
+    if ui.add_enabled(room(&steps), egui::Button::new("Add a stretch")).clicked() {
+        let [last_mm, depth_mm] = steps.last().copied().unwrap_or([0.0, first_mm]);
+        steps.push([last_mm + NEXT_STEP_MM, depth_mm]);
+    }
+    let mut set = |path: &str, value| commands.push(Command::Set { path: path.to_owned(), value });
+    if first_mm != workpiece.axial_depth_mm {
+        set("workpiece.axial_depth_mm", Value::Float(first_mm));
+    }
+    if steps != workpiece.depth_steps {
+        set(STEPS, Value::Steps(steps));
+    }
+}
