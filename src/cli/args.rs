@@ -36,7 +36,7 @@ pub enum Command {
     Run(RunArgs),
     /// Re-run a paper's published table and compare.
     Papers(PapersArgs),
-    /// Identify the default models from the published tables.
+    /// Identify the default models from the published tables and from the milling simulator.
     Identify(IdentifyArgs),
     /// Train the neural force model; repeat the paper's comparison of 40 networks.
     Train(TrainArgs),
@@ -160,6 +160,8 @@ pub struct PapersArgs {
 pub enum IdentifyTarget {
     /// The models of a paper from its published table.
     Tables,
+    /// The models of the 2005 milling simulator from static peaks of its force model.
+    Milling,
 }
 
 /// Arguments of `identify`.
@@ -168,10 +170,10 @@ pub struct IdentifyArgs {
     /// What to identify.
     #[arg(value_enum)]
     pub target: IdentifyTarget,
-    /// The paper whose models are identified.
+    /// The paper whose models are identified; for `tables`.
     #[arg(long, value_enum, default_value = "2007")]
     pub paper: Paper,
-    /// Another table in the same format (CSV) in place of the shipped one.
+    /// Another table in the same format (CSV) in place of the shipped one; for `tables`.
     #[arg(long, value_name = "FILE.csv")]
     pub table: Option<PathBuf>,
     /// Where to write the model file; without it, it is compared with the shipped one.

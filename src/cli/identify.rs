@@ -1,4 +1,4 @@
-//! `steadycut identify tables`: fits the default models and writes the shipped model file.
+//! `steadycut identify`: fits the default models and writes the shipped model file.
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -7,13 +7,12 @@ use serde_json::json;
 
 use super::Outcome;
 use super::args::{IdentifyArgs, IdentifyTarget};
-use crate::study::identify::{Identified, identify, model_file};
+use crate::study::identify::{Identified, identify, identify_milling, model_file};
 use crate::study::published::{PaperId, parse_table};
 
-pub fn execute(args: &IdentifyArgs) -> Outcome {
-    let IdentifyTarget::Tables = args.target;
+/// The models of a paper from its table, or another one.
+fn from_table(args: &IdentifyArgs) -> Result<Identified, Box<dyn std::error::Error>> {
     let paper = PaperId::from(args.paper);
-    let shipped = paper.model_set().identified_file();
     let text = match &args.table {
         Some(path) => {
             std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?
@@ -22,7 +21,20 @@ pub fn execute(args: &IdentifyArgs) -> Outcome {
     };
     let source = args.table.as_ref().map_or(paper.label().to_owned(), |p| p.display().to_string());
     let rows = parse_table(&text).map_err(|error| format!("{source}: {error}"))?;
-    let identified = identify(paper, &rows).map_err(|error| format!("{source}: {error}"))?;
+    Ok(identify(paper, &rows).map_err(|error| format!("{source}: {error}"))?)
+}
+
+pub fn execute(args: &IdentifyArgs) -> Outcome {
+    let identified = match args.target {
+        IdentifyTarget::Tables => from_table(args)?,
+        IdentifyTarget::Milling => {
+            if args.table.is_some() {
+                return Err("`--table` is for `identify tables`: `milling` needs no table".into());
+            }
+            identify_milling()?
+        }
+    };
+    let shipped = identified.models.set.identified_file();
     let file = model_file(&identified);
     let mut out = std::io::stdout().lock();
     if args.json {

@@ -38,8 +38,8 @@ use crate::blocks::sensing::dynamometer::Dynamometer;
 use crate::blocks::sensing::peak::PeakWindow;
 use crate::blocks::surface::roughness;
 
-/// Peak force below which a tool that is simulated tooth by tooth counts as in the air, as a share of
-/// the desired force: 40 of 665 N in 2005.
+/// Peak force below which a tool that goes through cuts with air between them counts as in the air, as
+/// a share of the desired force: 40 of 665 N in 2005.
 const AIR_SHARE: f64 = 0.06;
 
 /// A value that stopped being finite: the run ends there, before anything spreads.
@@ -330,6 +330,12 @@ impl ClosedLoop {
             let air = peak.true_n < AIR_SHARE * self.desired_force.value;
             let now_n = (x * x + y * y).sqrt();
             (Valued::new(peak.true_n, true), now_n, peak.measured_n, air)
+        } else if self.path.is_several() {
+            // The part's inhomogeneity is part of its force, as tooth by tooth.
+            let map = self.process.update_along(feed_mm_min, speed_rpm, under);
+            let force_n = math::positive(map.value * dynamic);
+            let air = force_n < AIR_SHARE * self.desired_force.value;
+            (Valued::new(force_n, map.valid), force_n, force_n, air)
         } else {
             let force = self.process.update(feed_mm_min, speed_rpm, &place);
             let force_dyn_n = math::positive(force.value * dynamic);

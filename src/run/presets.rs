@@ -53,6 +53,7 @@ presets![
     "material-change",
     "experiment-2-per-cut",
     "combined-2005",
+    "experiment-2-neural",
 ];
 
 /// The scenario of a preset.

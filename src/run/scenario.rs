@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use super::plan_settings::PlanSettings;
+use crate::base::model::gp::ModelSet;
 use crate::base::settings::{Group, SettingError, Spec, Value};
 use crate::blocks::cnc::feed_drive::FeedDriveSettings;
 use crate::blocks::cnc::feed_override::{Cnc, Program};
@@ -166,10 +167,11 @@ pub fn param(path: &str) -> Result<&'static Param, SettingError> {
 }
 
 /// Settings that bring a companion with them.
-pub(super) const COMPANIONED: [&str; 3] = ["plant.model_set", "plant.material", "feed_drive.kind"];
+pub(super) const COMPANIONED: [&str; 4] =
+    ["plant.model_set", "plant.force_model", "plant.material", "feed_drive.kind"];
 /// Their companions, in the same order.
-pub(super) const COMPANIONS: [&str; 3] =
-    ["belief.model_set", "plant.hardness_hb", "cnc.dead_time_s"];
+pub(super) const COMPANIONS: [&str; 4] =
+    ["belief.model_set", "belief.model_set", "plant.hardness_hb", "cnc.dead_time_s"];
 
 fn refused(param: &Param, value: &Value) -> SettingError {
     let text = match value {
@@ -212,9 +214,9 @@ impl Scenario {
         })
     }
 
-    /// Sets several settings, all or none. Choosing a material, a feed drive or the plant's model
-    /// set also sets its reference hardness, its published dead time or the controller's model
-    /// set, unless that is among the changes.
+    /// Sets several settings, all or none. Choosing a material, a feed drive, the plant's model set
+    /// or its force tooth by tooth also sets its reference hardness, its published dead time or the
+    /// controller's model set, unless that is among the changes.
     ///
     /// # Errors
     /// The first setting that is unknown, outside its range, of the wrong type, or that does not
@@ -244,8 +246,13 @@ impl Scenario {
     pub(super) fn default_for_choices(&self) -> Self {
         let mut base = Self::default();
         for path in COMPANIONED {
-            let value = self.get(path).expect("a known path");
-            base.set(path, value).expect("it is allowed here, so it is there");
+            let param = param(path).expect("a known path");
+            let value = self.get_param(param);
+            if base.get_param(param) != value {
+                // Rules between settings do not matter to a base.
+                base.set_param(param, &value).expect("it is allowed here, so it is there");
+                base.set_companion(path);
+            }
         }
         base
     }
@@ -255,6 +262,13 @@ impl Scenario {
     fn set_companion(&mut self, path: &str) {
         match path {
             "plant.model_set" => self.belief.model_set = self.plant.model_set,
+            // The papers' formulas know nothing of the milling simulator's cut.
+            "plant.force_model" if self.plant.force_model == ForceModel::Mechanistic => {
+                self.belief.model_set = ModelSet::Milling2005;
+            }
+            "plant.force_model" if self.belief.model_set == ModelSet::Milling2005 => {
+                self.belief.model_set = self.plant.model_set;
+            }
             "plant.material" => self.plant.hardness_hb = self.plant.material.hardness_hb(),
             "feed_drive.kind" => {
                 self.cnc.dead_time_s = self.feed_drive.kind.published_dead_time_s();

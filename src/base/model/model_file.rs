@@ -1,9 +1,9 @@
-//! Files of identified models, as `steadycut identify tables` writes them.
+//! Files of identified models, as `steadycut identify` writes them.
 
 use super::curve::Curve;
 use super::exponential::Exponential;
 use super::force_formula::ForceFormula;
-use super::gp::{FeedLaw, ForceRoughness, GpModels, ModelSet, SpeedLaw};
+use super::gp::{Calibration, FeedLaw, ForceRoughness, GpModels, ModelSet, SpeedLaw};
 
 struct Reader {
     table: toml::Table,
@@ -51,16 +51,23 @@ pub fn parse(set: ModelSet, text: &str) -> Result<GpModels, String> {
     let name = |role: u32| format!("{}{role}", set.letter().to_ascii_lowercase());
     let speed = match set {
         ModelSet::Sdnrp2007 => SpeedLaw::Curve(reader.curve(&name(3))?),
-        ModelSet::Strategy2013 => {
+        ModelSet::Strategy2013 | ModelSet::Milling2005 => {
             let of = |field: &str| reader.number(&name(3), field);
             let law = Exponential { scale_rpm: of("scale_rpm")?, rate_per_n: of("rate_per_n")? };
             SpeedLaw::Exponential(law, [of("low")?, of("high")?])
         }
     };
+    let roughness = match set {
+        // The system of 2005 has no model of roughness: that of 2007 stands in.
+        ModelSet::Milling2005 => {
+            GpModels::new(ModelSet::Sdnrp2007, Calibration::Identified).roughness
+        }
+        _ => ForceRoughness::Curve(reader.curve(&name(1))?),
+    };
     let of = |field: &str| reader.number(&name(4), field);
     Ok(GpModels {
         set,
-        roughness: ForceRoughness::Curve(reader.curve(&name(1))?),
+        roughness,
         feed: FeedLaw::Curve(reader.curve(&name(2))?),
         speed,
         force: ForceFormula {

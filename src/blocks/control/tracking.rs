@@ -202,7 +202,8 @@ impl Tracking {
         }
         let asked_n = input.force_ref_n / self.gain;
 
-        self.setpoint_n = setpoint_for(asked_n, self.setpoint_n, input.models, &input.limits);
+        let most = SETPOINT_LEAST_MAX_N.max(SETPOINT_MAX * input.force_ref_n);
+        self.setpoint_n = setpoint_for(asked_n, most, self.setpoint_n, input.models, &input.limits);
         let speed = input.models.speed_from_force(self.setpoint_n);
         let (feed_max, near) = (input.limits.feed_mm_min[1], input.applied.feed_mm_min);
         let feed =
@@ -230,13 +231,15 @@ fn owed(asked: f64, applied: f64, resolution: f64) -> f64 {
     limit(asked - applied, -half, half)
 }
 
-/// Range of the setpoint s that is searched, N.
-const SETPOINT_RANGE_N: [f64; 2] = [0.0, 500.0];
+/// The setpoint s is searched from 0 to this, N, and to `SETPOINT_MAX` times the reference force
+/// where that is more: what overrides up to 250 % can need.
+const SETPOINT_LEAST_MAX_N: f64 = 500.0;
+const SETPOINT_MAX: f64 = 2.5;
 
-/// The s with K4(K2(s), K3(s)) = `asked_n`, commands limited; `near` is where it was last. The
+/// The s with K4(K2(s), K3(s)) = `asked_n`, at most `most`, commands limited; `near` is where it was last. The
 /// limited line is monotone but not smooth: false position (Illinois) in a bracket that grows from
 /// `near`, to a thousandth of a newton: s only chooses the speed, the feed is solved for exactly.
-fn setpoint_for(asked_n: f64, near: f64, models: &GpModels, limits: &Limits) -> f64 {
+fn setpoint_for(asked_n: f64, most: f64, near: f64, models: &GpModels, limits: &Limits) -> f64 {
     let error = |s: f64| {
         let feed = models.feed_from_force(s).value;
         let speed = models.speed_from_force(s).value;
@@ -246,7 +249,7 @@ fn setpoint_for(asked_n: f64, near: f64, models: &GpModels, limits: &Limits) -> 
         );
         force.value - asked_n
     };
-    let [least, most] = SETPOINT_RANGE_N;
+    let least = 0.0;
     let mut low = limit(near, least, most);
     let mut at_low = error(low);
     if at_low.abs() < 1e-3 {

@@ -61,36 +61,54 @@ impl NeuralCut {
     }
 }
 
-/// A network set up for one material and the depths of the moment.
+/// Most depths that are kept set up.
+const KEPT: usize = 16;
+
+/// A network in one material, set up for the depths that it has met.
 #[derive(Clone, Debug)]
 pub struct NeuralLaw {
     network: &'static NeuralForce,
     cut: NeuralCut,
-    at: NeuralForceAt,
+    /// Axial and radial depth in mm, and the network there; `last` was used last.
+    at: Vec<([f64; 2], NeuralForceAt)>,
+    last: usize,
 }
 
 impl NeuralLaw {
     /// A shipped network for a cut.
     #[must_use]
     pub fn new(kind: NeuralKind, cut: NeuralCut) -> Self {
-        let network = NeuralForce::shipped(kind);
-        Self { network, cut, at: network.at(&cut.point) }
+        let mut law = Self {
+            network: NeuralForce::shipped(kind),
+            cut,
+            at: Vec::with_capacity(KEPT),
+            last: 0,
+        };
+        law.set_up([cut.point.axial_depth_mm, cut.point.radial_depth_mm]);
+        law
     }
 
-    /// Another radial depth of cut in mm.
-    pub fn set_radial_depth(&mut self, radial_depth_mm: f64) {
-        self.cut.point.radial_depth_mm = radial_depth_mm;
-        self.at = self.network.at(&self.cut.point);
-    }
-
-    /// The peak force in N of a sharp tool; invalid where the network does not know the cut.
-    #[inline]
-    pub fn update(&mut self, feed_mm_min: f64, speed_rpm: f64, axial_depth_mm: f64) -> Valued {
-        if axial_depth_mm != self.cut.point.axial_depth_mm {
-            self.cut.point.axial_depth_mm = axial_depth_mm;
-            self.at = self.network.at(&self.cut.point);
+    fn set_up(&mut self, depths_mm: [f64; 2]) {
+        if let Some(found) = self.at.iter().position(|(depths, _)| *depths == depths_mm) {
+            self.last = found;
+            return;
         }
-        let peak = self.at.peak(feed_mm_min, speed_rpm);
+        if self.at.len() == KEPT {
+            self.at.clear();
+        }
+        [self.cut.point.axial_depth_mm, self.cut.point.radial_depth_mm] = depths_mm;
+        self.last = self.at.len();
+        self.at.push((depths_mm, self.network.at(&self.cut.point)));
+    }
+
+    /// The peak force in N of a sharp tool at axial and radial depths in mm; invalid where the
+    /// network does not know the cut.
+    #[inline]
+    pub fn update(&mut self, feed_mm_min: f64, speed_rpm: f64, depths_mm: [f64; 2]) -> Valued {
+        if depths_mm != self.at[self.last].0 {
+            self.set_up(depths_mm);
+        }
+        let peak = self.at[self.last].1.peak(feed_mm_min, speed_rpm);
         Valued::new(peak.value * self.cut.factor, peak.valid && self.cut.known)
     }
 }
@@ -111,7 +129,7 @@ mod tests {
             (Material::MnCrSi5, 180.0, true),
             (Material::Ti64, 330.0, false),
         ] {
-            let force = law(material, hardness_hb).update(320.0, 1600.0, 2.0);
+            let force = law(material, hardness_hb).update(320.0, 1600.0, [2.0, 3.0]);
             assert_eq!(force.valid, known, "{material:?} {hardness_hb}");
             assert!(force.value > 50.0 && force.value < 1000.0, "{material:?}: {force:?}");
         }
@@ -119,7 +137,7 @@ mod tests {
 
     #[test]
     fn force_goes_on_beyond_the_trained_hardness_and_other_materials_scale_it() {
-        let at = |material, hb| law(material, hb).update(320.0, 1600.0, 2.0).value;
+        let at = |material, hb| law(material, hb).update(320.0, 1600.0, [2.0, 3.0]).value;
         let ratio = at(Material::Ck45, 300.0) / at(Material::Ck45, 240.0);
         assert!((ratio - math::pow(300.0 / 240.0, 0.4)).abs() < 1e-12);
         let ratio = at(Material::Al7075, 150.0) / at(Material::Ck45, 200.0);
@@ -129,9 +147,13 @@ mod tests {
     #[test]
     fn depth_is_followed() {
         let mut law = law(Material::Ck45, 200.0);
-        let shallow = law.update(320.0, 1600.0, 1.0).value;
-        let deep = law.update(320.0, 1600.0, 3.0).value;
-        assert!(deep > 1.5 * shallow && law.update(320.0, 1600.0, 1.0).value == shallow);
-        assert_eq!(law.update(320.0, 1600.0, 0.0).value, 0.0, "in the air");
+        let shallow = law.update(320.0, 1600.0, [1.0, 3.0]).value;
+        let deep = law.update(320.0, 1600.0, [3.0, 3.0]).value;
+        assert!(deep > 1.5 * shallow && law.update(320.0, 1600.0, [1.0, 3.0]).value == shallow);
+        assert_eq!(law.update(320.0, 1600.0, [0.0, 3.0]).value, 0.0, "in the air");
+        for i in 0..40 {
+            law.update(320.0, 1600.0, [1.0 + 0.1 * f64::from(i), 3.0]);
+        }
+        assert_eq!(law.update(320.0, 1600.0, [1.0, 3.0]).value, shallow, "more than it keeps");
     }
 }

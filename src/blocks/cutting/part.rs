@@ -68,6 +68,20 @@ impl CutPath {
         }
     }
 
+    /// The sections between two places along the cut: axial depth and wall position in mm, and where
+    /// each of them begins and ends within the two, mm. Air is none of them.
+    pub fn sections_within(
+        &self,
+        [low_mm, high_mm]: [f64; 2],
+    ) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
+        let mut begin_mm = self.from_mm;
+        self.stretches.iter().filter_map(move |stretch| {
+            let [from, to] = [begin_mm.max(low_mm), stretch.to_mm.min(high_mm)];
+            begin_mm = stretch.to_mm;
+            (from < to).then_some(([stretch.axial_depth_mm, stretch.wall_mm], [from, to]))
+        })
+    }
+
     /// Axial depth in mm of the material at a contact point; 0 where there is none.
     #[must_use]
     #[inline]
@@ -87,6 +101,20 @@ impl CutPath {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sections_are_cut_to_what_is_asked_for() {
+        let cut = CutPath::new(&[[30.0, 2.6, 2.0], [10.0, 3.0, 1.5]]);
+        let within = |range| cut.sections_within(range).collect::<Vec<_>>();
+        assert_eq!(within([-5.0, 0.0]), []);
+        assert_eq!(within([-5.0, 2.0]), [([2.6, 2.0], [0.0, 2.0])]);
+        let both = [([2.6, 2.0], [28.0, 30.0]), ([3.0, 1.5], [30.0, 33.0])];
+        assert_eq!(within([28.0, 33.0]), both);
+        assert_eq!(within([39.0, 50.0]), [([3.0, 1.5], [39.0, 40.0])]);
+        let open = CutPath::open(&[[30.0, 2.6, 2.0]]);
+        let open: Vec<_> = open.sections_within([-5.0, 2.0]).collect();
+        assert_eq!(open, [([2.6, 2.0], [-5.0, 2.0])], "material behind the start too");
+    }
 
     #[test]
     fn material_is_found_by_section_and_wall_and_only_within_the_part() {

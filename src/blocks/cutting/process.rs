@@ -18,8 +18,8 @@ use super::milling::{Milling, MillingSetup};
 use super::neural::{NeuralCut, NeuralLaw};
 use super::part::CutPath;
 use super::tool::R216_16B20_040;
-use super::tool_path::Place;
-use super::workpiece::{AXIAL_DEPTH_2007_MM, RADIAL_DEPTH_2007_MM};
+use super::tool_path::{Place, radius_mm};
+use super::workpiece::AXIAL_DEPTH_2007_MM;
 use crate::base::math;
 use crate::base::model::Valued;
 use crate::base::model::ball_end::{CK45, Cutter, MNCRSI5};
@@ -47,7 +47,8 @@ crate::settings! {
     pub struct Plant {
         /// Set of the true force and roughness models; choosing one also sets the controller's.
         model_set: ModelSet = ModelSet::Sdnrp2007, [], "", live, "Model set";
-        /// What gives the true cutting force.
+        /// What gives the true cutting force; choosing it tooth by tooth also sets the controller's
+        /// models to those identified on it.
         force_model: ForceModel = ForceModel::Formula, [], "", live, "Force model";
         /// Calibration of the true force and roughness models.
         calibration: Calibration = Calibration::Identified, [], "", live, "Calibration";
@@ -82,6 +83,10 @@ impl ForceModel {
     }
 }
 
+/// Stretches ahead of the axis over which the force of a map is the mean of the sections', in parts
+/// of the ball's radius.
+const ZONES: [[f64; 2]; 2] = [[0.25, 1.0], [0.0, 0.75]];
+
 /// Rake of the papers' insert, geometry code 3, degrees.
 const RAKE_DEG: f64 = 12.0;
 
@@ -108,6 +113,13 @@ fn milling_setup(plant: &Plant, dt_s: f64) -> MillingSetup {
     }
 }
 
+/// Cross-section of the cut for each millimetre of axial depth, over that at which the formula of
+/// the set holds, 1/mm.
+fn engagement_per_mm(models: &GpModels, radial_depth_mm: f64) -> f64 {
+    let [axial_mm, radial_mm] = models.set.engagement_mm();
+    radial_depth_mm / (axial_mm * radial_mm)
+}
+
 /// The cutting process set up from plant and workpiece settings.
 #[derive(Clone, Debug)]
 pub struct Process {
@@ -131,7 +143,7 @@ impl Process {
     pub fn new(plant: &Plant, radial_depth_mm: f64, depth_max_mm: f64, dt_s: f64) -> Self {
         let mut models = GpModels::new(plant.model_set, plant.calibration);
         models.force.intercept_n += plant.force_offset_n;
-        let engagement = radial_depth_mm / (AXIAL_DEPTH_2007_MM * RADIAL_DEPTH_2007_MM);
+        let engagement = engagement_per_mm(&models, radial_depth_mm);
         let material = plant.material.force_factor(plant.hardness_hb);
         let cut =
             NeuralCut::new(plant.material, plant.hardness_hb, AXIAL_DEPTH_2007_MM, radial_depth_mm);
@@ -206,11 +218,8 @@ impl Process {
         let axial_depth_mm = place.axial_depth_mm;
         if place.radial_depth_mm != self.radial_depth_mm {
             self.radial_depth_mm = place.radial_depth_mm;
-            let engagement = place.radial_depth_mm / (AXIAL_DEPTH_2007_MM * RADIAL_DEPTH_2007_MM);
+            let engagement = engagement_per_mm(&self.models, place.radial_depth_mm);
             self.factor_per_mm = self.share * engagement;
-            if let Some(neural) = &mut self.neural {
-                neural.set_radial_depth(place.radial_depth_mm);
-            }
         }
         let in_air = !self.engaged(axial_depth_mm);
         if let Some(neural) = &mut self.neural {
@@ -218,7 +227,8 @@ impl Process {
                 // No cut, and so none that the network does not know.
                 return Valued::new(0.0, true);
             }
-            let peak = neural.update(feed_mm_min, speed_rpm, axial_depth_mm);
+            let peak =
+                neural.update(feed_mm_min, speed_rpm, [axial_depth_mm, place.radial_depth_mm]);
             if peak.value == 0.0 {
                 return peak;
             }
@@ -227,5 +237,35 @@ impl Process {
         }
         let base = self.models.force(feed_mm_min, speed_rpm);
         Valued::new(base.value * self.factor_per_mm * axial_depth_mm, base.valid)
+    }
+
+    /// The same with the tool's axis at `x_mm` along a cut of sections, which are met gradually: the
+    /// teeth cut ahead of the axis, up to the ball's radius R at the cut's largest depth.
+    ///
+    /// ```text
+    /// F = max(mean of F(section) over x + R/4 .. x + R,  the same over x .. x + 3R/4)
+    /// ```
+    ///
+    /// Entering, the tooth is loaded most where it is furthest ahead; leaving, where it is not. The
+    /// two stretches are chosen: with them the ramps lie where those of the force tooth by tooth do.
+    pub fn update_along(
+        &mut self,
+        feed_mm_min: f64,
+        speed_rpm: f64,
+        (cut, x_mm): (&CutPath, f64),
+    ) -> Valued {
+        let reach_mm = radius_mm(cut.depth_max_mm());
+        let zone = [x_mm, x_mm + reach_mm];
+        let stretches = ZONES.map(|zone| zone.map(|share| x_mm + share * reach_mm));
+        let (mut means, mut valid) = ([0.0; 2], true);
+        for (section, [from_mm, to_mm]) in cut.sections_within(zone) {
+            let force = self.update(feed_mm_min, speed_rpm, &Place::in_section(section));
+            valid &= force.valid;
+            for (mean, [low, high]) in means.iter_mut().zip(stretches) {
+                let inside = math::positive(to_mm.min(high) - from_mm.max(low));
+                *mean += force.value * (inside / (high - low));
+            }
+        }
+        Valued::new(means[0].max(means[1]), valid)
     }
 }

@@ -6,7 +6,6 @@ use super::part::{APPROACH_MM, CutPath};
 use super::tool::R216_16B20_040;
 use super::workpiece::{DepthProfile, Workpiece};
 use crate::base::math;
-use crate::base::settings::Section;
 
 /// Engagement at the tool's axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -18,15 +17,15 @@ pub struct Place {
 }
 
 impl Place {
-    /// The engagement in a section, the tool's axis well inside it.
+    /// Inside a section of an axial depth with its wall at a distance from the tool's axis, mm.
     #[must_use]
-    pub fn in_section(&[_, axial_depth_mm, wall_mm]: &Section) -> Self {
+    pub fn in_section([axial_depth_mm, wall_mm]: [f64; 2]) -> Self {
         Self { axial_depth_mm, radial_depth_mm: radial_depth_mm(axial_depth_mm, wall_mm) }
     }
 }
 
 /// Radius in mm at which the papers' ball meets the surface of a cut of an axial depth in mm.
-fn radius_mm(axial_depth_mm: f64) -> f64 {
+pub(super) fn radius_mm(axial_depth_mm: f64) -> f64 {
     let diameter_mm = R216_16B20_040.diameter_mm;
     let depth = axial_depth_mm.min(0.5 * diameter_mm);
     math::positive(depth * (diameter_mm - depth)).sqrt()
@@ -121,8 +120,13 @@ impl ToolPath {
             return Place { axial_depth_mm, radial_depth_mm: self.radial_depth_mm };
         }
         let (cut, x_mm) = self.cut_at(position_mm);
-        let [axial_depth_mm, wall_mm] = cut.section_at(x_mm);
-        Place::in_section(&[0.0, axial_depth_mm, wall_mm])
+        Place::in_section(cut.section_at(x_mm))
+    }
+
+    /// Whether the way is one of several cuts, with air between them.
+    #[must_use]
+    pub fn is_several(&self) -> bool {
+        self.several
     }
 
     /// The cut under the tool, and where along it the tool's axis is, in mm from the part's edge.

@@ -1,10 +1,14 @@
-//! Identification of the default models from the published tables (`steadycut identify tables`).
+//! Identification of the default models: from the published tables (`steadycut identify tables`)
+//! and from the mechanistic force model (`steadycut identify milling`).
 
 mod least_squares;
+mod milling_2005;
 mod sdnrp_2007;
 mod strategy_2013;
 
 use std::fmt::Write as _;
+
+pub use milling_2005::identify_milling;
 
 use super::published::{PaperId, TableRow};
 use crate::base::model::curve::Curve;
@@ -66,13 +70,14 @@ pub fn model_file(identified: &Identified) -> String {
     let models = &identified.models;
     let letter = models.set.letter();
     let (source, command) = match models.set {
-        ModelSet::Sdnrp2007 => ("SDNRP 2007, identified from its Table 3", ""),
+        ModelSet::Sdnrp2007 => ("SDNRP 2007, identified from its Table 3", "tables"),
         ModelSet::Strategy2013 => {
-            ("the 2013 control strategy, identified from its Table 1", " --paper 2013")
+            ("the 2013 control strategy, identified from its Table 1", "tables --paper 2013")
         }
+        ModelSet::Milling2005 => ("the 2005 milling simulator, identified on it", "milling"),
     };
     let mut text = format!(
-        "# Models of {source} by `steadycut identify tables{command}`.\n\
+        "# Models of {source} by `steadycut identify {command}`.\n\
          # Quadratics c0 + c1 x + c2 x^2 on low..high, continued with their end slopes.\n"
     );
     let mut section = |role: u32, doc: &str, body: String| {
@@ -83,7 +88,10 @@ pub fn model_file(identified: &Identified) -> String {
         let Curve { coefficients, low, high } = curve;
         format!("coefficients = {coefficients:?}\nlow = {low:?}\nhigh = {high:?}")
     };
-    if let ForceRoughness::Curve(curve) = &models.roughness {
+    // The milling simulator takes its roughness from the models of 2007.
+    if let ForceRoughness::Curve(curve) = &models.roughness
+        && models.set != ModelSet::Milling2005
+    {
         let doc = format!("Force in N over Ra in um; {letter}5 = {letter}6 is its exact inverse.");
         section(1, &doc, quadratic(curve));
     }
@@ -111,6 +119,9 @@ pub fn model_file(identified: &Identified) -> String {
         }
         ModelSet::Strategy2013 => {
             "Force intercept - speed n^3 - feed ln(0.039 f) / f: M4, its speed coefficient as printed."
+        }
+        ModelSet::Milling2005 => {
+            "Force intercept - speed n^3 - feed ln(0.039 f) / f at A_D 2.6 mm, wall 2 mm off the axis."
         }
     };
     let formula = models.force;

@@ -38,7 +38,8 @@ fn quadratic(points: &[[f64; 2]]) -> Option<Curve> {
     Some(Curve { coefficients, low, high })
 }
 
-fn fit(
+/// The monotone quadratic through points, with its residuals.
+pub(super) fn fit(
     model: &'static str,
     meaning: &'static str,
     unit: &'static str,
@@ -46,7 +47,7 @@ fn fit(
 ) -> Result<(Curve, Fit), String> {
     let curve = quadratic(&points)
         .filter(Curve::is_monotone)
-        .ok_or_else(|| format!("{model}: the table gives no monotone quadratic"))?;
+        .ok_or_else(|| format!("{model}: the points give no monotone quadratic"))?;
     let residuals = points.iter().map(|[x, y]| curve.at(*x).value - y).collect();
     Ok((curve, Fit { model, meaning, points, residuals, unit }))
 }

@@ -72,7 +72,7 @@ impl ScheduleJob {
 
     /// The scenario of one section alone.
     fn alone(&self, section: &Section) -> Scenario {
-        let place = Place::in_section(section);
+        let place = Place::in_section([section[1], section[2]]);
         let mut scenario = self.scenario.clone();
         let workpiece = &mut scenario.workpiece;
         workpiece.axial_depth_mm = place.axial_depth_mm;

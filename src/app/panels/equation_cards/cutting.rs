@@ -8,7 +8,6 @@ use crate::base::units::mm_from_um;
 use crate::blocks::cutting::process::{ForceModel, Process};
 use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::tool_path::Place;
-use crate::blocks::cutting::workpiece::{AXIAL_DEPTH_2007_MM, RADIAL_DEPTH_2007_MM};
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 
@@ -49,7 +48,8 @@ pub fn cutting(row: &Row, scenario: &Scenario) -> Vec<Live> {
         valid: k4.valid,
     };
     let engagement = depth * radial_depth_mm;
-    let reference = AXIAL_DEPTH_2007_MM * RADIAL_DEPTH_2007_MM;
+    let [axial_mm, radial_mm] = models.set.engagement_mm();
+    let reference = axial_mm * radial_mm;
     let product = Live::everywhere(
         format!("F = {name} · material · (A_D R_D / {} mm^2) · wear", number(reference)),
         format!(

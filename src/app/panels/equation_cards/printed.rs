@@ -111,7 +111,8 @@ impl Block {
     #[must_use]
     pub fn printed(self, scenario: &Scenario) -> Vec<Printed> {
         let set = self.using(scenario).map_or(ModelSet::Sdnrp2007, |using| using.set);
-        let of_2007 = set == ModelSet::Sdnrp2007;
+        // Those of the milling simulator have the forms of 2007.
+        let of_2007 = set != ModelSet::Strategy2013;
         let kind = scenario.feed_drive.kind;
         match self {
             Self::Reference => vec![if of_2007 { K1 } else { M1 }],
