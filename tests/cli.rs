@@ -209,3 +209,41 @@ fn the_forces_within_a_revolution_are_printed_as_csv() {
     let refused = self::refused(&["run", "table3-5", "--revolution", "99"]);
     assert!(refused.contains("from 0 to 15 s"), "{refused}");
 }
+
+#[test]
+fn networks_learned_in_passes_are_saved_and_loaded() {
+    let (first, second) = (temporary("unks-1.json"), temporary("unks-2.json"));
+    let [one, two] = [first.to_str().unwrap(), second.to_str().unwrap()];
+    let short = ["--set", "run.duration_s=6", "--json"];
+    let unks = |more: &[&str]| json(&[&["unks"], more, &short[..]].concat());
+    let both = unks(&["--cold", "--passes", "2", "--save", two]);
+    unks(&["--cold", "--passes", "1", "--save", one]);
+    let again = unks(&["--load", one, "--passes", "1", "--save", two]);
+    let error = |report: &serde_json::Value, pass: usize| {
+        report["passes"][pass]["normalized_standard_error"].as_f64().unwrap()
+    };
+    assert_eq!(error(&again, 0), error(&both, 1));
+    assert_ne!(error(&both, 0), error(&both, 1));
+    let run = |more: &[&str]| json(&[&["run", "experiment-2"], more, &short[..]].concat());
+    let loaded = run(&["--networks", one]);
+    assert_eq!(
+        loaded["normalized_standard_error"],
+        again["passes"][0]["normalized_standard_error"]
+    );
+
+    let still = unks(&["--cold", "--passes", "2", "--rate", "0"]);
+    assert_eq!(still["verdict"]["unchanged"], true);
+    for (args, named) in [
+        (["unks", "--rate", "1"], "`controller.unks.cold_rate`"),
+        (["unks", "--load", "missing.json"], "missing.json"),
+        (["unks", "--passes", "0"], "1..=50"),
+    ] {
+        let error = refused(&[&args[..], &["--cold"]].concat());
+        assert!(error.contains(named), "{args:?}: {error}");
+    }
+    let error = refused(&["run", "first-cut", "--networks", one]);
+    assert!(error.contains("`controller.kind` is sdnrp"), "{error}");
+    std::fs::write(&first, "{}").unwrap();
+    let error = refused(&["run", "experiment-2", "--networks", one]);
+    assert!(error.contains("unks-1.json") && error.contains("`version` is missing"), "{error}");
+}

@@ -2,6 +2,8 @@
 //! links. An error or a contained run; never a panic, never a NaN in a command to the machine.
 
 use proptest::prelude::*;
+use steadycut::base::model::unks::{FILES, Stored, StoredNetworks, UnksNetworks, UnksStart};
+use steadycut::base::network::{Network, parse};
 use steadycut::base::settings::{Kind, SettingError, Value};
 use steadycut::run::edits::{Edit, Edits};
 use steadycut::run::one_run::{End, Run};
@@ -93,9 +95,26 @@ fn candidates(kind: &Kind) -> Vec<Value> {
             let around = [vec![*min, *max], vec![0.5 * (min + max), max + 1e-9], vec![min - 1e-9]];
             values.extend(around.map(Value::Numbers));
         }
+        Kind::Networks => {
+            values.extend([networks(0, 0.0), networks(1, 1.0)]);
+        }
         Kind::Bool | Kind::Text { .. } | Kind::Steps { .. } | Kind::Cuts { .. } => {}
     }
     values
+}
+
+/// Networks of either start with weights of up to a million times their size.
+fn networks(pick: u32, share: f64) -> Value {
+    let start = UnksStart::ALL[pick as usize % UnksStart::ALL.len()];
+    let mut networks = UnksNetworks::at_start(start);
+    for scaled in [&mut networks.reference, &mut networks.forward, &mut networks.inverse] {
+        let old = &scaled.network;
+        let weights = old.weights().iter().map(|weight| weight * 1e6 * share).collect();
+        scaled.network =
+            Network::new(old.sizes(), old.activation(), old.linear_output(), weights).unwrap();
+    }
+    let origin = |i: usize| parse(FILES[i]).unwrap().1;
+    StoredNetworks::value_of(&Stored::new(start, &networks, [origin(0), origin(1), origin(2)]))
 }
 
 #[test]
@@ -177,6 +196,7 @@ proptest! {
                     Value::Numbers(vec![min + share * (max - min); pick as usize % 3])
                 }
                 Kind::Bool => Value::Bool(pick % 2 == 0),
+                Kind::Networks => networks(pick, share),
                 Kind::Text { .. } => Value::Text(format!(" {pick} \"quoted\" & = % # é\n' ")),
             };
             let _ = scenario.set(&param.path, value);

@@ -121,6 +121,8 @@ pub enum Kind {
         /// Largest value allowed.
         max: f64,
     },
+    /// The three networks of UNKS as text, or none.
+    Networks,
 }
 
 impl Kind {
@@ -149,6 +151,9 @@ impl Kind {
             Self::Numbers { min, max } => {
                 format!("at most {MAX_CUTS} numbers, one for each cut, from {min} to {max}{unit}")
             }
+            Self::Networks => "nothing, or the text of a file that `steadycut unks --save` \
+                               writes: finite weights of NM-R 2-12-1, NM-1 4-8-1, NM-2 4-8-1"
+                .to_owned(),
         }
     }
 }

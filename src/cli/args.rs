@@ -52,6 +52,8 @@ pub enum Command {
     Recommend(RecommendArgs),
     /// Run the combined system of 2005: recommendation, plan and neural control in five steps.
     Combine(CombineArgs),
+    /// Cut a part several times with UNKS, its networks learning from pass to pass.
+    Unks(UnksArgs),
 }
 
 /// Arguments of `run`.
@@ -63,6 +65,9 @@ pub struct RunArgs {
     /// Change a setting, for example `--set target.ra_um=0.6`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+    /// Networks that UNKS begins with: a file that `steadycut unks --save` or the console wrote.
+    #[arg(long, value_name = "FILE.json")]
+    pub networks: Option<PathBuf>,
     /// Write all signals as CSV, one column each with its unit in the header.
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
@@ -422,4 +427,33 @@ pub struct CombineArgs {
 
 fn section(text: &str) -> Result<PlannedSection, String> {
     one_of(PlannedSection::ALL, PlannedSection::id, text)
+}
+
+/// Arguments of `unks`.
+#[derive(Debug, Args)]
+pub struct UnksArgs {
+    /// A preset's name or a scenario file.
+    #[arg(value_name = "PRESET|FILE", default_value = "experiment-2")]
+    pub scenario: String,
+    /// Change a setting, for example `--set run.seed=2`; `steadycut list` names all.
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// Begin with an untrained inverse model: literal feedback-error learning.
+    #[arg(long)]
+    pub cold: bool,
+    /// How often the part is cut, the learned networks carried on.
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=50))]
+    pub passes: u32,
+    /// Learning rate from the cold start, or of NM-1 and NM-2 alike, 0 to 0.1.
+    #[arg(long)]
+    pub rate: Option<f64>,
+    /// Begin with the networks of this file.
+    #[arg(long, value_name = "FILE.json")]
+    pub load: Option<PathBuf>,
+    /// Write the networks as they are after the last pass.
+    #[arg(long, value_name = "FILE.json")]
+    pub save: Option<PathBuf>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
 }

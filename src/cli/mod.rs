@@ -14,6 +14,7 @@ mod run;
 mod schedule;
 mod train;
 mod train_unks;
+mod unks;
 
 use std::process::ExitCode;
 
@@ -36,6 +37,7 @@ pub fn execute(command: &Command) -> ExitCode {
         Command::Check(args) => check::execute(args),
         Command::Recommend(args) => recommend::execute(args),
         Command::Combine(args) => combine::execute(args),
+        Command::Unks(args) => unks::execute(args),
     };
     match result {
         Ok(code) => code,

@@ -9,9 +9,10 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 
-use super::Outcome;
 use super::args::RunArgs;
+use super::{Outcome, unks};
 use crate::base::settings::SettingError;
+use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::run::edits::Edits;
 use crate::run::metrics::Metrics;
@@ -82,6 +83,17 @@ fn complete(run: &mut Run) {
 pub fn execute(args: &RunArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
     apply(&mut scenario, &args.set)?;
+    if let Some(path) = &args.networks {
+        if scenario.controller.kind != ControllerKind::Unks {
+            let kind = scenario.controller.kind.id();
+            return Err(format!(
+                "--networks: `controller.kind` is {kind}, which has no networks; \
+                 --set controller.kind=unks chooses the one that has"
+            )
+            .into());
+        }
+        unks::load_networks(&mut scenario, path)?;
+    }
     // Edits of the file must still fit the changed scenario.
     let mut checked = Edits::none();
     for edit in edits.list() {

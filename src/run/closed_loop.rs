@@ -29,6 +29,7 @@ use crate::blocks::cnc::dead_time::DeadTime;
 use crate::blocks::cnc::feed_drive::FeedDrive;
 use crate::blocks::cnc::feed_override::Override;
 use crate::blocks::cnc::spindle_drive::SpindleDrive;
+use crate::blocks::control::force::unks::Learning;
 use crate::blocks::control::{ControlInput, Controller, ControllerKind, FeedSpeed, Limits};
 use crate::blocks::cutting::process::Process;
 use crate::blocks::cutting::tool_path::ToolPath;
@@ -233,6 +234,12 @@ impl ClosedLoop {
     #[must_use]
     pub fn teeth(&self) -> Option<([f64; 3], f64)> {
         self.teeth_n.zip(self.process.spindle_turn())
+    }
+
+    /// What can be seen of the controller's networks that learn in the cut, if it has any.
+    #[must_use]
+    pub fn learning(&self) -> Option<Learning<'_>> {
+        self.controller.learning()
     }
 
     /// One tick, in the order given at the head of this file.

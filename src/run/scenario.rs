@@ -5,7 +5,8 @@ use std::sync::LazyLock;
 
 use super::plan_settings::PlanSettings;
 use crate::base::model::gp::ModelSet;
-use crate::base::settings::{Group, SettingError, Spec, Value};
+use crate::base::model::unks::Stored;
+use crate::base::settings::{Group, Kind, SettingError, Spec, Value};
 use crate::blocks::cnc::feed_drive::FeedDriveSettings;
 use crate::blocks::cnc::feed_override::{Cnc, Program};
 use crate::blocks::cnc::spindle_drive::SpindleDriveSettings;
@@ -175,6 +176,9 @@ pub(super) const COMPANIONS: [&str; 4] =
 
 fn refused(param: &Param, value: &Value) -> SettingError {
     let text = match value {
+        Value::Text(text) if param.spec.allowed == Kind::Networks => {
+            Stored::parse(text).err().unwrap_or_default()
+        }
         Value::Text(text) => format!("{:?}", text.chars().take(60).collect::<String>()),
         // Written out, 1e300 would be cut to another number.
         Value::Float(x) if x.abs() >= 1e15 => format!("{x:e}"),
@@ -291,6 +295,18 @@ impl Scenario {
                 ),
             });
         }
+        if let Some(stored) = self.unks.networks.get()
+            && stored.start != self.unks.start
+        {
+            return Err(SettingError::Refused {
+                path: "controller.unks.networks".to_owned(),
+                value: format!("networks of the start `{}`", stored.start.id()),
+                allowed: format!(
+                    "networks of `controller.unks.start`, {}, or none; set both together",
+                    self.unks.start.id()
+                ),
+            });
+        }
         let refuse = |path: &str, value: f64, unit: &str, allowed: String| {
             let value = format!("{value}{unit}");
             Err(SettingError::Refused { path: path.to_owned(), value, allowed })
@@ -389,9 +405,8 @@ impl Scenario {
 /// # Errors
 /// An unknown path, or text that is no value of the setting's type.
 pub fn parse_value(path: &str, text: &str) -> Result<Value, SettingError> {
-    use crate::base::settings::Kind;
     let param = param(path)?;
-    if let Kind::Text { .. } = param.spec.allowed {
+    if let Kind::Text { .. } | Kind::Networks = param.spec.allowed {
         return Ok(Value::Text(text.to_owned()));
     }
     let text = text.trim();
@@ -400,7 +415,7 @@ pub fn parse_value(path: &str, text: &str) -> Result<Value, SettingError> {
         Kind::Float { .. } => Value::Float(text.parse().map_err(|_| bad())?),
         Kind::Int { .. } => Value::Int(text.parse().map_err(|_| bad())?),
         Kind::Bool => Value::Bool(text.parse().map_err(|_| bad())?),
-        Kind::Choice { .. } | Kind::Text { .. } => Value::Text(text.to_owned()),
+        Kind::Choice { .. } | Kind::Text { .. } | Kind::Networks => Value::Text(text.to_owned()),
         Kind::Steps { .. } => {
             let steps: Vec<[f64; 2]> = serde_json::from_str(text).map_err(|_| bad())?;
             Value::Steps(steps)

@@ -11,3 +11,4 @@ pub mod plan;
 pub mod published;
 pub mod recommend;
 pub mod train;
+pub mod unks_passes;

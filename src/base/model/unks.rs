@@ -10,11 +10,30 @@
 //! f_i = ln of the peak force i control periods ago in kN, a the override that the feed drive has
 //! reached, H the horizon. Forces are taken relative to a reference of 0.665 kN, that of
 //! Experiment 2, so that the networks serve every plant.
+//!
+//! The cold start has an NM-2 of its own that gives the override itself (spec: literal
+//! feedback-error learning): NM-2 (f0 - ln a_0, f0-f1, f0-f2, ln F_ref) -> ln u. Its hidden layer is
+//! random and its output layer zero, so that u = 1 before it has learned.
+
+mod stored;
+
+pub use stored::{Stored, StoredNetworks};
 
 use std::sync::LazyLock;
 
 use crate::base::math;
-use crate::base::network::{ScaledNetwork, parse};
+use crate::base::network::{Activation, Network, ScaledNetwork, Scaling, parse};
+use crate::base::rng::Stream;
+
+crate::choice! {
+    /// What the scheme begins with.
+    pub enum UnksStart {
+        /// Networks that were trained before (train unks), with the internal loop through NM-1.
+        Shipped = "shipped", "trained before";
+        /// An untrained NM-2 beside the division controller, literal feedback-error learning.
+        Cold = "cold", "cold start";
+    }
+}
 
 /// Reference force of the networks' kilonewtons.
 pub const REFERENCE_KN: f64 = 0.665;
@@ -60,6 +79,16 @@ impl UnksNetworks {
         &SHIPPED
     }
 
+    /// What a start begins with.
+    #[must_use]
+    pub fn at_start(start: UnksStart) -> Self {
+        let shipped = Self::shipped().clone();
+        match start {
+            UnksStart::Shipped => shipped,
+            UnksStart::Cold => Self { inverse: untrained(), ..shipped },
+        }
+    }
+
     /// Reads three network files in the order of [`FILES`].
     ///
     /// # Errors
@@ -86,6 +115,32 @@ impl UnksNetworks {
     }
 }
 
+/// Ranges of the inputs of NM-2 from a cold start (chosen, spec).
+const COLD_INPUTS: [[f64; 2]; 4] = [[-1.5, 1.0], [-0.5, 0.5], [-0.5, 0.5], [-1.5, 0.5]];
+/// Range of its output, ln u.
+const COLD_OUTPUT: [f64; 2] = [-1.5, 0.5];
+
+/// NM-2 before it has learned anything: u = 1 whatever it is asked.
+fn untrained() -> ScaledNetwork {
+    let sizes = SIZES[2];
+    let random = Network::random(sizes, Activation::Arctan, true, Stream::new(1, "unks.cold"));
+    let mut weights = random.expect("the sizes are allowed").weights().to_vec();
+    let outputs = weights.len() - (sizes[1] + 1);
+    weights[outputs..].fill(0.0);
+    // The bias that gives ln u = 0.
+    let [low, high] = COLD_OUTPUT;
+    *weights.last_mut().expect("it has a bias") = -(low + high) / (high - low);
+    let network = Network::new(sizes, Activation::Arctan, true, weights);
+    let scaling = Scaling {
+        norm: [-1.0, 1.0],
+        target: [-1.0, 1.0],
+        ln_inputs: vec![false; COLD_INPUTS.len()],
+        inputs: COLD_INPUTS.to_vec(),
+        outputs: vec![COLD_OUTPUT],
+    };
+    ScaledNetwork { network: network.expect("as many weights as before"), scaling }.as_in_file()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -102,6 +157,15 @@ mod tests {
         let with = |network: &ScaledNetwork, last: f64| network.predict(&[-0.4, 0.0, 0.0, last])[0];
         assert!(with(&networks.forward, 0.3) > with(&networks.forward, -0.3) + 0.2);
         assert!(with(&networks.inverse, 0.3) > with(&networks.inverse, -0.3) + 0.2);
+    }
+
+    #[test]
+    fn an_untrained_inverse_model_asks_for_the_programmed_feed() {
+        let cold = UnksNetworks::at_start(UnksStart::Cold);
+        for inputs in [[-1.0, 0.2, -0.3, -0.4], [0.7, 0.0, 0.1, 0.3]] {
+            assert!(cold.inverse.predict(&inputs)[0].abs() < 1e-12);
+        }
+        assert_eq!(cold.reference, UnksNetworks::shipped().reference);
     }
 
     #[test]

@@ -48,6 +48,18 @@ impl ScaledNetwork {
 /// The text of a network file.
 #[must_use]
 pub fn write(scaled: &ScaledNetwork, provenance: &Provenance) -> String {
+    // One field a line.
+    format!("{{\n  {}\n}}\n", fields(scaled, provenance).join(",\n  "))
+}
+
+/// The same as one line of text, for a part of another file.
+#[must_use]
+pub fn write_line(scaled: &ScaledNetwork, provenance: &Provenance) -> String {
+    format!("{{{}}}", fields(scaled, provenance).join(","))
+}
+
+/// The fields of a network file with their names, in order.
+fn fields(scaled: &ScaledNetwork, provenance: &Provenance) -> Vec<String> {
     let ScaledNetwork { network, scaling } = scaled;
     let bounds = |ranges: &[[f64; 2]], end: usize| -> Value {
         ranges.iter().map(|range| rounded(range[end])).collect()
@@ -74,10 +86,7 @@ pub fn write(scaled: &ScaledNetwork, provenance: &Provenance) -> String {
         ("ymax", bounds(&scaling.outputs, 1)),
         ("weights", network.weights.iter().map(|w| rounded(*w)).collect()),
     ];
-    // One field a line, in this order.
-    let lines: Vec<String> =
-        fields.iter().map(|(name, value)| format!("  \"{name}\": {value}")).collect();
-    format!("{{\n{}\n}}\n", lines.join(",\n"))
+    fields.iter().map(|(name, value)| format!("\"{name}\": {value}")).collect()
 }
 
 /// Takes fields out of a JSON object; what is left at the end is unknown.
@@ -134,6 +143,14 @@ pub fn parse(text: &str) -> Result<(ScaledNetwork, Provenance), String> {
         return Err(format!("longer than {MAX_BYTES} bytes"));
     }
     let map = serde_json::from_str(text).map_err(|error| format!("not a JSON object: {error}"))?;
+    from_map(map)
+}
+
+/// Reads a network from the fields of its JSON object.
+///
+/// # Errors
+/// As [`parse`].
+pub fn from_map(map: Map<String, Value>) -> Result<(ScaledNetwork, Provenance), String> {
     let mut fields = Fields(map);
     let note = |value: &Value| value.as_str().map(str::to_owned).filter(|n| n.len() <= MAX_NOTE);
     let provenance = Provenance {

@@ -12,7 +12,7 @@ mod scaling;
 
 pub use activation::Activation;
 pub use backprop::{Backprop, Learning, Training};
-pub use file::{Provenance, parse, write};
+pub use file::{Provenance, from_map, parse, write, write_line};
 pub use scaling::{ScaledNetwork, Scaling};
 
 use crate::base::rng::Stream;

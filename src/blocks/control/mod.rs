@@ -217,6 +217,15 @@ impl Controller {
         }
     }
 
+    /// What can be seen of the networks that learn in the cut; none where there are none.
+    #[must_use]
+    pub fn learning(&self) -> Option<force::unks::Learning<'_>> {
+        match self {
+            Self::Force(controller) => controller.learning(),
+            _ => None,
+        }
+    }
+
     /// One control period.
     pub fn update(&mut self, input: &ControlInput) -> ControlOutput {
         match self {

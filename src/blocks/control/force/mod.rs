@@ -24,7 +24,7 @@ use adjustable_pi::AdjustablePi;
 use division::Division;
 use mrac::Mrac;
 use proportional::Proportional;
-use unks::Unks;
+use unks::{Learning, Unks};
 
 use super::{ControlInput, ControlOutput, ControlSetup, ControllerKind, FeedSpeed};
 use crate::base::math::limit;
@@ -208,6 +208,13 @@ impl AnyLaw {
         true
     }
 
+    fn learning(&self) -> Option<Learning<'_>> {
+        match self {
+            Self::Unks(law) => Some(law.learning()),
+            _ => None,
+        }
+    }
+
     fn as_law(&mut self) -> &mut dyn Law {
         match self {
             Self::Division(law) => law,
@@ -266,6 +273,10 @@ impl ForceController {
         if let AnyLaw::Proportional(law) = &mut self.law {
             law.sum = 0.0;
         }
+    }
+
+    pub(super) fn learning(&self) -> Option<Learning<'_>> {
+        self.law.learning()
     }
 
     pub(super) fn update(&mut self, input: &ControlInput) -> ControlOutput {

@@ -1,0 +1,151 @@
+//! `steadycut unks`: the same part again and again with UNKS, its networks learning.
+
+use std::io::Write;
+use std::path::Path;
+use std::process::ExitCode;
+
+use serde_json::json;
+
+use super::Outcome;
+use super::args::UnksArgs;
+use super::run::{apply, load};
+use super::train::bar;
+use crate::base::model::unks::{Stored, UnksStart};
+use crate::base::settings::Value;
+use crate::base::units::percent_from_ratio;
+use crate::run::scenario::Scenario;
+use crate::study::unks_passes::{
+    BETTER, Pass, Passes, REFERENCE, Verdict, beginning_anew, beginning_with,
+};
+
+/// Control periods between updates of the progress bar.
+const SLICE: u64 = 500;
+/// Steps of the progress bar.
+const STEPS: f64 = 1000.0;
+/// What the figures depend on.
+const NOTE: &str = "the same part, noise and seed in every pass: what changes is learned; feedback \
+                    is the mean of |u_fb| where the override is not at a limit";
+
+/// Puts the networks of a file into a scenario.
+pub fn load_networks(
+    scenario: &mut Scenario,
+    path: &Path,
+) -> Result<(), Box<dyn std::error::Error>> {
+    let named = |problem: String| format!("{}: {problem}", path.display());
+    let text = std::fs::read_to_string(path).map_err(|error| named(error.to_string()))?;
+    let stored = Stored::parse(&text).map_err(named)?;
+    Ok(scenario.set_all(&beginning_with(&stored))?)
+}
+
+fn prepare(args: &UnksArgs) -> Result<Scenario, Box<dyn std::error::Error>> {
+    let (mut scenario, _) = load(&args.scenario)?;
+    apply(&mut scenario, &args.set)?;
+    if let Some(path) = &args.load {
+        load_networks(&mut scenario, path)?;
+        if args.cold && scenario.unks.start != UnksStart::Cold {
+            let start = scenario.unks.start.id();
+            return Err(format!(
+                "--cold: {} holds networks of the start `{start}`: leave --cold out",
+                path.display()
+            )
+            .into());
+        }
+    } else if args.cold {
+        scenario.set_all(&beginning_anew(UnksStart::Cold))?;
+    }
+    if let Some(rate) = args.rate {
+        let paths: &[&str] = match scenario.unks.start {
+            UnksStart::Cold => &["cold_rate"],
+            UnksStart::Shipped => &["forward_rate", "inverse_rate"],
+        };
+        for name in paths {
+            scenario.set(&format!("controller.unks.{name}"), Value::Float(rate))?;
+        }
+    }
+    Ok(scenario)
+}
+
+pub fn execute(args: &UnksArgs) -> Outcome {
+    let scenario = prepare(args)?;
+    let mut passes = Passes::new(&scenario, args.passes);
+    let progress = bar(STEPS as u64, "passes");
+    while !passes.advance(SLICE) {
+        progress.set_position((STEPS * passes.progress()) as u64);
+    }
+    progress.finish_and_clear();
+    let start = scenario.unks.start;
+    let mut out = std::io::stdout().lock();
+    if args.json {
+        let report = json!({
+            "scenario": scenario.info.name, "start": start.id(), "seed": scenario.run.seed,
+            "note": NOTE, "passes": passes.done(), "verdict": passes.verdict(),
+        });
+        writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
+    } else {
+        let begun = if scenario.unks.networks.get().is_some() {
+            "networks learned before"
+        } else {
+            start.label()
+        };
+        writeln!(out, "{}: UNKS, {begun}; {NOTE}\n", scenario.info.name)?;
+        print(&mut out, passes.done())?;
+        if let Some(verdict) = passes.verdict() {
+            judge(&mut out, &verdict, passes.done().len())?;
+        }
+        if args.scenario == "experiment-2" && start == UnksStart::Cold {
+            let [off, first, fifth] =
+                REFERENCE.map(|[error, time_s]| format!("{error}, {time_s} s"));
+            writeln!(
+                out,
+                "\nreference (prototype, rate 0.003): pass 1 {first}; pass 5 {fifth}; rate 0 {off}"
+            )?;
+        }
+    }
+    if let (Some(path), Some(learned)) = (&args.save, passes.learned()) {
+        let written = std::fs::write(path, learned.write());
+        written.map_err(|error| format!("{}: {error}", path.display()))?;
+        if !args.json {
+            writeln!(out, "networks written to {}", path.display())?;
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn print(out: &mut impl Write, passes: &[Pass]) -> std::io::Result<()> {
+    writeln!(
+        out,
+        "{:<6}{:>9}{:>10}{:>19}{:>11}   by quarter of the part",
+        "pass", "Nsn", "time s", "largest force kN", "feedback"
+    )?;
+    for pass in passes {
+        let error = pass.normalized_standard_error;
+        let error = error.map_or("none".to_owned(), |error| format!("{error:.4}"));
+        let quarters = pass.feedback_by_quarter.map(|share| format!("{share:.3}")).join("  ");
+        writeln!(
+            out,
+            "{:<6}{error:>9}{:>10.2}{:>19.3}{:>11.4}   {quarters}",
+            pass.number, pass.time_of_cut_s, pass.max_force_kn, pass.feedback
+        )?;
+    }
+    Ok(())
+}
+
+fn judge(out: &mut impl Write, verdict: &Verdict, passes: usize) -> std::io::Result<()> {
+    if passes < 2 {
+        return Ok(());
+    }
+    if verdict.unchanged {
+        return writeln!(out, "\nnothing is learned: every pass is the same");
+    }
+    let yes = |is: bool| if is { "yes" } else { "no" };
+    let [before, after] = verdict.feedback;
+    writeln!(
+        out,
+        "\nfeedback's share falls pass by pass: {} ({before:.3} to {after:.3})\n\
+         last pass better than the first by {:.1} % in Nsn; at least {:.0} %: {}",
+        yes(verdict.feedback_falls),
+        percent_from_ratio(verdict.error_gain),
+        percent_from_ratio(BETTER),
+        yes(verdict.error_better)
+    )
+}
