@@ -176,7 +176,7 @@ fn recommended_conditions_follow_the_hardness_and_can_be_programmed() {
         let shown = texts(&screen);
         let found = ask(hardness_hb);
         let speed = format!("{:.1} m/min", found.cutting_speed_m_min.value);
-        for said in [said, "by R_D: light side cut", "synthetic", &speed] {
+        for said in [said, "light side cut:", "synthetic", &speed] {
             assert!(shown.contains(said), "{said} in {shown}");
         }
         screen.get_by_label("Start from it").click_accesskit();

@@ -33,7 +33,7 @@ impl Recommended {
             let advisor = self.advisor.get_or_insert_with(|| Advisor::new(&Table::shipped()));
             let hardness_hb = scenario.plant.hardness_hb;
             match advisor.recommend(hardness_hb, tool.diameter_mm, engagement) {
-                Ok(found) => answer(ui, &found, commands),
+                Ok(found) => answer(ui, engagement, &found, commands),
                 Err(error) => {
                     ui.label(RichText::new(error.to_string()).color(Palette::at(ui).bad));
                 }
@@ -58,13 +58,19 @@ impl Recommended {
     }
 }
 
-fn answer(ui: &mut Ui, found: &Recommendation, commands: &mut Vec<Command>) {
+fn answer(
+    ui: &mut Ui,
+    engagement: Engagement,
+    found: &Recommendation,
+    commands: &mut Vec<Command>,
+) {
     let palette = Palette::at(ui);
     let (speed, feed) = (&found.cutting_speed_m_min, &found.feed_per_tooth_mm);
     let asked = format!(
-        "For {:.0} HB and a cutter of {}:",
+        "For {:.0} HB, a cutter of {}, {}:",
         found.hardness_hb,
-        theme::quantity(found.diameter_mm, "mm")
+        theme::quantity(found.diameter_mm, "mm"),
+        engagement.label()
     );
     ui.label(RichText::new(asked).small().color(palette.weak));
     let values = format!(
