@@ -54,6 +54,7 @@ presets![
     "experiment-2-per-cut",
     "combined-2005",
     "experiment-2-neural",
+    "experiment-1-sl",
 ];
 
 /// The scenario of a preset.
