@@ -40,6 +40,64 @@ pub fn of(paper: PaperId) -> &'static [Erratum] {
     }
 }
 
+/// The errata of the 2005 combined system: its Table 1 is a comparison, not a table of simulations
+/// that [`PaperId`] could re-run.
+pub const COMBINED_2005: &[Erratum] = errata! { "2005":
+    1, "1 / (0.001024 s^2 + 0.064 s + 1) beside \"natural frequency of 3 Hz and a settling time of \
+        0.4 s\"",
+        "its natural frequency is 4.97 Hz, critically damped; 3.2 Hz is its -3 dB bandwidth; it \
+         settles to 2 % in 0.19 s, to 0.5 % in 0.24 s",
+        "both are kept as separate drives, 2013_eq1 and measured_3hz";
+    2, "dead time",
+        "the paper has none; 2013 has 0.04 s, 2007 e^(-0.08 s)",
+        "0.04 s, two control periods; `papers --paper 2005 --robustness` shows 0, 40 and 80 ms";
+    3, "radial depth R_D: 4 mm in the English text, 3 mm in the Slovene",
+        "they differ, and so does the force: 404 against 281 N at 0.08 mm and A_D = 2 mm",
+        "presets experiment-1 with 4 mm and experiment-1-sl with 3 mm; 280 N as desired force \
+         belongs to 3 mm (`steadycut force`)";
+    4, "Experiment 1: desired force 280 N in the set-up, 650 N in the discussion",
+        "at R_D = 4 mm already the starting depth takes 404 N",
+        "650 N with R_D = 4 mm, 280 N with R_D = 3 mm";
+    5, "Experiment 2: desired force 650 N in the text, 0.665 kN in Table 1",
+        "they differ by 2 %",
+        "665 N";
+    6, "Experiment 1: \"a time saving of 40 % with one cut\"",
+        "with an override of at most 150 % no more than 33.3 % is possible, and 27 % more removal \
+         rate is 21 % of time",
+        "the gain in removal rate is judged; the time is told";
+    7, "Table 1: times of 88 to 115 s",
+        "0.08 mm, two teeth and 1591.5 1/min are 254.65 mm/min, so 115 s are a path of 488 mm and \
+         76.7 s the least at 150 %",
+        "all six times fit a constant programmed feed: the part has 488 mm";
+    8, "\"returns the cutting-force value to the desired value level within four or less iterations\"; \
+        the Slovene text adds 2 ms",
+        "0.5 ms each cannot be samples of 20 ms",
+        "read as iterations of the internal loop with NM-1 inside a control period";
+    9, "sampling time 20 ms, 28.8 kHz",
+        "576 samples hold one tooth period of 18.85 ms, so run-out makes one peak high and the \
+         next one low",
+        "kept; what is judged as a transient is the mean of four peaks";
+    10, "Fig. 5: a step of the feed from 0.05 to 2 mm/tooth",
+        "2 mm a tooth would break a cutter of 16 mm",
+        "read as 0.2 mm/tooth";
+    11, "\"the optimized feedrate would always be equal to the reference peak force\"",
+        "a feed is no force: mistranslated",
+        "read as: the right override would be 100 %";
+    12, "\"A_D\" and \"R_D\" in the English text",
+        "in another order than in the Slovene",
+        "A_D is the axial depth, R_D the radial one";
+    13, "Fig. 6: 0.07, 0.35, 2.1, 0.09, 0.37, 0.4",
+        "without names; presumably learning rates and momenta by layer",
+        "not used; the ranges of 2013 are";
+    14, "Table 1: \"optimization time\" and \"iterations\", 0.001 s / 18 to 0.012 s / 34",
+        "what was timed and what was counted is not said",
+        "beside them stand a controller's cost per update and its control periods after a load \
+         step";
+    15, "eq. 2, the normalised standard error, over n = 20 samples",
+        "which 20 is not said; the spread over seeds is some 0.02",
+        "over all samples in contact; the form with 20, evenly spaced, stands beside it";
+};
+
 const SDNRP_2007: &[Erratum] = errata! { "2007":
     1, "\"t = 8 s: time delay\"",
         "the transfer functions have e^(-0.08 s)",
