@@ -101,6 +101,14 @@ fn papers_prints_rows_named_like_the_table() {
 }
 
 #[test]
+fn papers_refuses_what_only_the_comparison_of_2005_has() {
+    let error = refused(&["papers", "--paper", "2007", "--robustness"]);
+    assert!(error.contains("only `--paper 2005`"), "{error}");
+    let error = refused(&["papers", "--paper", "2005", "--seeds", "0"]);
+    assert!(error.contains("1..=1000"), "{error}");
+}
+
+#[test]
 fn papers_2013_prints_eight_rows_and_reports_other_calibrations_as_they_are() {
     let paper = json(&["papers", "--paper", "2013", "--json"]);
     assert_eq!((&paper["paper"], &paper["plant"]), (&"2013".into(), &"formula".into()));

@@ -146,9 +146,12 @@ pub struct PapersArgs {
     /// The paper.
     #[arg(long, value_enum)]
     pub paper: ComparedPaper,
-    /// Number of noise seeds (2005 only), the same for every method.
-    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
-    pub seeds: u32,
+    /// Number of noise seeds (2005 only), the same for every method: 20, and 5 with --robustness.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub seeds: Option<u32>,
+    /// Other dead times and another steel without retuning, in place of Table 1 (2005 only).
+    #[arg(long)]
+    pub robustness: bool,
     /// Calibration of plant and controller.
     #[arg(long, value_enum, default_value = "identified")]
     pub calibration: CalibrationArg,

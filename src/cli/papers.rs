@@ -11,6 +11,9 @@ use crate::study::published::PaperId;
 use crate::study::train::data::NOTE;
 
 pub fn execute(args: &PapersArgs) -> Outcome {
+    if args.robustness && !matches!(args.paper, ComparedPaper::Combined2005) {
+        return Err("--robustness: only `--paper 2005` has conditions to change".into());
+    }
     let id = match args.paper {
         ComparedPaper::Combined2005 => return papers_2005::execute(args),
         ComparedPaper::Sdnrp2007 => PaperId::Sdnrp2007,

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::base::units::percent_from_ratio;
 use crate::run::one_run::{End, Run};
 use crate::run::signals::{Row, flag};
 
@@ -24,6 +25,9 @@ crate::choice! {
         Force = "max_force_kn", "Largest force";
         /// Share of the length in contact with the target in tolerance.
         InTolerance = "in_tolerance_percent", "In tolerance";
+        /// Share of the control samples in contact, and not at a limit of the feed, whose force lies
+        /// within 10 % of the desired one.
+        Held = "held_percent", "Held within 10 %";
         /// Longest time that the mean of four samples stayed more than 10 % above the desired
         /// force, in control periods: how long an overload lasts at worst.
         Recovery = "recovery_periods", "Longest overload";
@@ -40,7 +44,7 @@ impl Measure {
             Self::Nsn | Self::Nsn20 => "",
             Self::Time => "s",
             Self::Force => "kN",
-            Self::InTolerance => "%",
+            Self::InTolerance | Self::Held => "%",
             Self::Recovery => "periods",
             Self::Travel => "%/s",
         }
@@ -49,7 +53,7 @@ impl Measure {
     /// Whether a larger value is the better one.
     #[must_use]
     pub fn more_is_better(self) -> bool {
-        self == Self::InTolerance
+        matches!(self, Self::InTolerance | Self::Held)
     }
 }
 
@@ -66,6 +70,8 @@ pub struct Outcome {
     pub force_kn: f64,
     /// Share of the length in contact with the target in tolerance, percent.
     pub in_tolerance_percent: Option<f64>,
+    /// Share of the samples that a controller can hold within 10 %, percent; see [`Measure::Held`].
+    pub held_percent: Option<f64>,
     /// Longest overload, control periods; see [`Measure::Recovery`].
     pub recovery_periods: f64,
     /// Travel of the feed override, percent per second.
@@ -92,6 +98,7 @@ impl Outcome {
             time_s: (run.end() == Some(&End::PathDone)).then_some(metrics.time_of_cut_s),
             force_kn: metrics.max_force_n / 1000.0,
             in_tolerance_percent: metrics.in_tolerance_percent,
+            held_percent: held_percent(&samples),
             recovery_periods: longest_overload(&samples) as f64,
             override_travel_percent_s: steps.sum::<f64>() / longest_s,
             force_stop: matches!(run.end(), Some(End::ForceStop(_))),
@@ -107,6 +114,7 @@ impl Outcome {
             Measure::Time => self.time_s,
             Measure::Force => Some(self.force_kn),
             Measure::InTolerance => self.in_tolerance_percent,
+            Measure::Held => self.held_percent,
             Measure::Recovery => Some(self.recovery_periods),
             Measure::Travel => Some(self.override_travel_percent_s),
         }
@@ -115,7 +123,7 @@ impl Outcome {
 
 /// Force over desired force as running means of four control samples in contact, with the place of
 /// the last sample of each; air begins the mean anew.
-fn means(samples: &[&Row]) -> Vec<(usize, f64)> {
+pub(super) fn means(samples: &[&Row]) -> Vec<(usize, f64)> {
     let mut found = Vec::new();
     for (i, window) in samples.windows(MEAN_OF).enumerate() {
         if window.iter().all(|row| !row.has(flag::AIR)) {
@@ -124,6 +132,18 @@ fn means(samples: &[&Row]) -> Vec<(usize, f64)> {
         }
     }
     found
+}
+
+/// A sample's force follows the commands of the periods before it; a limit counts where it held in
+/// the sample itself.
+fn held_percent(samples: &[&Row]) -> Option<f64> {
+    let free = samples.iter().filter(|row| !row.has(flag::AIR | flag::FEED_SATURATED));
+    let (mut all, mut held) = (0_u32, 0_u32);
+    for row in free {
+        all += 1;
+        held += u32::from((row.force_n / row.force_ref_n - 1.0).abs() <= BAND);
+    }
+    (all > 0).then(|| percent_from_ratio(f64::from(held) / f64::from(all)))
 }
 
 fn longest_overload(samples: &[&Row]) -> usize {

@@ -1,0 +1,148 @@
+//! Experiment 2 under changed conditions, nothing retuned: other dead times (the controllers know
+//! them) and another steel (they do not), beside the figures of an independent prototype.
+
+use serde::{Deserialize, Serialize};
+
+use super::entrants::{BEYOND, Entrant, Method, TABLE_1, experiment_2};
+use super::outcome::Measure;
+use super::tournament::Compared;
+use crate::blocks::cutting::material::Material;
+use crate::run::scenario::Scenario;
+
+/// The prototype's figures.
+pub const REFERENCE: &str = include_str!("../../../assets/data/robustness_2005.csv");
+
+/// What is changed about the plant.
+#[derive(Clone, Copy, Debug)]
+pub struct Condition {
+    /// Its name in the reference table.
+    pub id: &'static str,
+    /// Its name for people.
+    pub label: &'static str,
+    apply: fn(&mut Scenario),
+}
+
+/// The conditions; the second is that of Table 1.
+pub const CONDITIONS: [Condition; 4] = [
+    Condition { id: "dead_time_0", label: "no dead time", apply: |s| set_dead_time(s, 0.0) },
+    Condition { id: "dead_time_40", label: "dead time 40 ms", apply: |s| set_dead_time(s, 0.04) },
+    Condition { id: "dead_time_80", label: "dead time 80 ms", apply: |s| set_dead_time(s, 0.08) },
+    Condition {
+        id: "16mncrsi5",
+        label: "16MnCrSi5 in place of Ck45",
+        apply: |s| {
+            s.plant.material = Material::MnCrSi5;
+            s.plant.hardness_hb = s.plant.material.hardness_hb();
+        },
+    },
+];
+
+fn set_dead_time(scenario: &mut Scenario, dead_time_s: f64) {
+    (scenario.cnc.dead_time_s, scenario.belief.dead_time_s) = (dead_time_s, dead_time_s);
+}
+
+/// The methods of Table 1, and P with the Smith predictor.
+pub fn methods() -> impl Iterator<Item = &'static Method> {
+    TABLE_1.iter().chain(BEYOND.iter().take(1))
+}
+
+/// All entrants, condition by condition.
+#[must_use]
+pub fn entrants() -> Vec<Entrant> {
+    let base = experiment_2();
+    let under = |condition: &Condition| {
+        let mut changed = base.clone();
+        (condition.apply)(&mut changed);
+        methods().map(|method| method.on(&changed)).collect::<Vec<Entrant>>()
+    };
+    CONDITIONS.iter().flat_map(under).collect()
+}
+
+/// A row of the prototype's figures.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Reference {
+    /// The condition's id.
+    pub condition: String,
+    /// The method's name.
+    pub method: String,
+    /// Normalised standard error over all samples in contact, if known.
+    pub normalized_standard_error: Option<f64>,
+    /// Time of the cut, s, if known.
+    pub time_of_cut_s: Option<f64>,
+    /// Largest force, kN, if known.
+    pub max_force_kn: Option<f64>,
+}
+
+impl Reference {
+    /// The figure of a measure, if known.
+    #[must_use]
+    pub fn get(&self, measure: Measure) -> Option<f64> {
+        match measure {
+            Measure::Nsn => self.normalized_standard_error,
+            Measure::Time => self.time_of_cut_s,
+            Measure::Force => self.max_force_kn,
+            _ => None,
+        }
+    }
+}
+
+/// The prototype's figures.
+///
+/// # Panics
+/// Never: a test reads the shipped table.
+#[must_use]
+pub fn reference() -> Vec<Reference> {
+    let mut reader =
+        csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(REFERENCE.as_bytes());
+    let rows: Result<Vec<Reference>, csv::Error> = reader.deserialize().collect();
+    rows.expect("the shipped table is checked by a test")
+}
+
+/// One method under one condition.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// The condition's id.
+    pub condition: &'static str,
+    /// The condition's name for people.
+    pub label: &'static str,
+    /// What the runs gave.
+    pub found: Compared,
+    /// What the prototype had, if anything.
+    pub reference: Option<Reference>,
+}
+
+/// The table of a tournament over [`entrants`], with the prototype's figures.
+#[must_use]
+pub fn rows(table: Vec<Compared>) -> Vec<Row> {
+    let known = reference();
+    let each = methods().count();
+    let row = |(index, found): (usize, Compared)| {
+        let condition = &CONDITIONS[(index / each).min(CONDITIONS.len() - 1)];
+        let same = |row: &&Reference| row.condition == condition.id && row.method == found.name;
+        let reference = known.iter().find(same).cloned();
+        Row { condition: condition.id, label: condition.label, found, reference }
+    };
+    table.into_iter().enumerate().map(row).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::compare::tournament::Tournament;
+
+    #[test]
+    fn every_reference_finds_its_row_and_conditions_change_only_the_plant_and_what_is_known() {
+        let tournament = Tournament::new(entrants(), 1);
+        let rows = rows(tournament.table());
+        assert_eq!(rows.len(), 4 * 7);
+        assert_eq!(rows.iter().filter(|row| row.reference.is_some()).count(), reference().len());
+        for (row, entrant) in rows.iter().zip(tournament.entrants()) {
+            let s = &entrant.scenario;
+            assert_eq!(row.found.name, entrant.name);
+            assert_eq!(s.cnc.dead_time_s, s.belief.dead_time_s, "{row:?}");
+            let steel = s.plant.material == Material::MnCrSi5;
+            assert_eq!(steel, row.condition == "16mncrsi5");
+            assert_eq!(s.plant.hardness_hb, if steel { 180.0 } else { 200.0 });
+        }
+    }
+}
