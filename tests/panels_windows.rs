@@ -203,6 +203,20 @@ fn the_one_path_has_its_profile_as_a_table_and_becomes_cuts() {
     assert!(workpiece(&screen).cuts.is_empty());
 }
 
+#[test]
+fn the_windows_fit_odd_screens() {
+    for size in [[320.0, 420.0], [844.0, 390.0], [900.0, 600.0], [3840.0, 2160.0]] {
+        let mut screen = at("depth-step", DESKTOP, None, 0);
+        open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");
+        open(&mut screen, "Within a revolution\u{2026}");
+        screen.set_size(size.into());
+        screen.run_steps(5);
+        for name in ["Add a stretch", "Simulate tooth by tooth"] {
+            assert!(screen.query_by_label(name).is_some(), "{name} in {size:?}");
+        }
+    }
+}
+
 /// Pictures of both windows. `UPDATE_SNAPSHOTS=1` renews them.
 #[test]
 fn the_windows_look_as_their_pictures() {

@@ -4,7 +4,7 @@ use steadycut::base::settings::Value;
 use steadycut::run::edits::{Edit, Edits};
 use steadycut::run::one_run::Run;
 use steadycut::run::presets::load;
-use steadycut::run::revolution::revolution;
+use steadycut::run::revolution::{RevolutionJob, revolution};
 use steadycut::run::scenario::Scenario;
 
 /// Some seconds of a cut at constant feed, with the noise of the preset.
@@ -93,4 +93,19 @@ fn what_is_not_tooth_by_tooth_has_no_revolution_and_no_time_is_too_odd() {
     }
     let found = revolution(&run, f64::INFINITY, u32::MAX).unwrap();
     assert_eq!(found.samples.first().unwrap().time_s, 0.0);
+}
+
+#[test]
+fn slices_and_going_on_from_the_last_picture_change_nothing() {
+    let scenario = short_cut();
+    let run = Run::complete(&scenario, &edited(&scenario));
+    let mut before = None;
+    for at_s in [3.0, 3.01, 3.3, 2.0, 6.1] {
+        let mut job = RevolutionJob::new(&run, at_s, 2, before.take());
+        while !job.advance(&run, 777) {}
+        assert!(job.advance(&run, 777), "done stays done");
+        let (found, repeat) = job.finish();
+        assert_eq!(found, revolution(&run, at_s, 2), "at {at_s} s");
+        before = Some(repeat);
+    }
 }

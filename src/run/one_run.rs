@@ -59,6 +59,32 @@ impl State {
     }
 }
 
+/// A part of a run that is being repeated; the run itself stays as it is.
+#[derive(Clone, Debug)]
+pub struct Repeat {
+    state: State,
+}
+
+impl Repeat {
+    /// The loop where the repeat has come to.
+    #[must_use]
+    pub fn closed_loop(&self) -> &ClosedLoop {
+        &self.state.closed_loop
+    }
+
+    fn tick(&self) -> u64 {
+        self.state.closed_loop.tick()
+    }
+
+    /// One step more of `run`, of which this is a repeat.
+    ///
+    /// # Errors
+    /// The fault that ended the run.
+    pub fn step(&mut self, run: &Run) -> Result<(), Fault> {
+        self.state.step(&run.edits, &run.edit_ticks)
+    }
+}
+
 /// One run: scenario, edits, state and recording.
 #[derive(Clone, Debug)]
 pub struct Run {
@@ -185,24 +211,17 @@ impl Run {
         self.take_edits(edits);
     }
 
-    /// Repeats the steps to tick `to` (or to where the run stands) from the last snapshot before tick
-    /// `from`, and shows the loop at every tick of that range. The run itself stays as it is.
-    pub fn repeat(&self, from: u64, to: u64, mut see: impl FnMut(&ClosedLoop)) {
-        let to = to.min(self.ticks());
+    /// A repeat of this run that is to show ticks from `from` on: it begins at the last snapshot before
+    /// them, or goes on with `before`, a repeat of this run with these edits, where that is nearer.
+    #[must_use]
+    pub fn repeat(&self, from: u64, before: Option<Repeat>) -> Repeat {
         let known = self.snapshots.partition_point(|state| state.closed_loop.tick() <= from);
-        let Some(snapshot) = known.checked_sub(1).and_then(|last| self.snapshots.get(last)) else {
-            return;
-        };
-        let mut state = snapshot.clone();
-        loop {
-            let tick = state.closed_loop.tick();
-            if (from..=to).contains(&tick) {
-                see(&state.closed_loop);
-            }
-            if tick >= to || state.step(&self.edits, &self.edit_ticks).is_err() {
-                return;
-            }
-        }
+        // The first snapshot is that of tick 0.
+        let snapshot = &self.snapshots[known.saturating_sub(1)];
+        let near = snapshot.closed_loop.tick()..=from;
+        before
+            .filter(|repeat| near.contains(&repeat.tick()))
+            .unwrap_or_else(|| Repeat { state: snapshot.clone() })
     }
 
     /// Why the run is over, if it is.

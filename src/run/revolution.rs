@@ -3,7 +3,7 @@
 //! by repeating the run from its last snapshot, so they are the very forces that the run met.
 
 use super::closed_loop::ClosedLoop;
-use super::one_run::Run;
+use super::one_run::{Repeat, Run};
 use crate::base::units::rev_s_from_rpm;
 
 /// Slowest spindle that a turn is counted of, 1/min; a slower one shows a part of its turn.
@@ -52,35 +52,87 @@ pub struct Revolution {
     pub peak: Option<usize>,
 }
 
-/// The last `turns` turns (1 to [`MAX_TURNS`]) of the spindle up to the control period whose peak
-/// force holds at `at_s`. `None` where the run is not tooth by tooth there.
+/// A revolution that is being repeated, in slices: the way from the last snapshot may be long.
+#[derive(Clone, Debug)]
+pub struct RevolutionJob {
+    repeat: Repeat,
+    from: u64,
+    to: u64,
+    /// Samples of a control period, where one is whole.
+    control: Option<usize>,
+    samples: Vec<Sample>,
+    done: bool,
+}
+
+impl RevolutionJob {
+    /// The last `turns` turns (1 to [`MAX_TURNS`]) of the spindle up to the control period whose peak
+    /// force holds at `at_s`. `before` is the repeat that another job of the same run with the same
+    /// edits has left.
+    #[must_use]
+    pub fn new(run: &Run, at_s: f64, turns: u32, before: Option<Repeat>) -> Self {
+        let scenario = run.scenario();
+        let at = scenario.ticks(at_s.max(0.0)).min(run.ticks());
+        // Windows begin with the sample of tick 0.
+        let control = u64::from(scenario.run.steps_per_control);
+        let whole = (at + 1) / control;
+        let to = if whole > 0 { whole * control - 1 } else { at };
+        let recording = run.recording();
+        let row = recording.rows()[recording.index_at(to as f64 * scenario.dt_s())];
+        let turn_s = 1.0 / rev_s_from_rpm(row.spindle_rpm.max(SLOWEST_RPM));
+        let turns = f64::from(turns.clamp(1, MAX_TURNS));
+        let count = (turns * turn_s / scenario.dt_s()).round() as u64;
+        // The window whose peak is marked is always in the picture.
+        let count = if whole > 0 { count.max(control) } else { count };
+        let from = (to + 1).saturating_sub(count);
+        Self {
+            repeat: run.repeat(from, before),
+            from,
+            to,
+            control: (whole > 0).then_some(control as usize),
+            samples: Vec::with_capacity(count as usize),
+            done: false,
+        }
+    }
+
+    /// Repeats at most `ticks` steps more of `run`; whether all are done.
+    pub fn advance(&mut self, run: &Run, ticks: u64) -> bool {
+        for _ in 0..ticks {
+            if self.done {
+                break;
+            }
+            let closed_loop = self.repeat.closed_loop();
+            let tick = closed_loop.tick();
+            if tick >= self.from {
+                match Sample::of(closed_loop) {
+                    Some(sample) => self.samples.push(sample),
+                    // What lies before another force model is not of these turns.
+                    None => self.samples.clear(),
+                }
+            }
+            self.done = tick >= self.to || self.repeat.step(run).is_err();
+        }
+        self.done
+    }
+
+    /// What was found, and the repeat for a job that goes on from here. Nothing is found where the
+    /// run is not tooth by tooth.
+    #[must_use]
+    pub fn finish(self) -> (Option<Revolution>, Repeat) {
+        let samples = self.samples;
+        let window_from = self.control.and_then(|control| samples.len().checked_sub(control));
+        let peak = window_from.and_then(|from| {
+            let across_n = |i: &usize| samples[*i].fxy_n();
+            (from..samples.len()).max_by(|a, b| across_n(a).total_cmp(&across_n(b)))
+        });
+        let found = !samples.is_empty();
+        (found.then_some(Revolution { samples, window_from, peak }), self.repeat)
+    }
+}
+
+/// The revolution at once; see [`RevolutionJob::new`]. `None` where the run is not tooth by tooth.
 #[must_use]
 pub fn revolution(run: &Run, at_s: f64, turns: u32) -> Option<Revolution> {
-    let scenario = run.scenario();
-    let at = scenario.ticks(at_s.max(0.0)).min(run.ticks());
-    // Windows begin with the sample of tick 0.
-    let control = u64::from(scenario.run.steps_per_control);
-    let whole = (at + 1) / control;
-    let to = if whole > 0 { whole * control - 1 } else { at };
-    let recording = run.recording();
-    let row = recording.rows().get(recording.index_at(to as f64 * scenario.dt_s()))?;
-    let turn_s = 1.0 / rev_s_from_rpm(row.spindle_rpm.max(SLOWEST_RPM));
-    let count = (f64::from(turns.clamp(1, MAX_TURNS)) * turn_s / scenario.dt_s()).round() as u64;
-    // The window whose peak is marked is always in the picture.
-    let count = if whole > 0 { count.max(control) } else { count };
-    let mut samples = Vec::with_capacity(count as usize);
-    run.repeat((to + 1).saturating_sub(count), to, |closed_loop| {
-        match Sample::of(closed_loop) {
-            Some(sample) => samples.push(sample),
-            // What lies before another force model is not of these turns.
-            None => samples.clear(),
-        }
-    });
-    samples.last()?;
-    let window_from = (whole > 0).then(|| samples.len().checked_sub(control as usize)).flatten();
-    let peak = window_from.and_then(|from| {
-        let window = from..samples.len();
-        window.max_by(|a, b| samples[*a].fxy_n().total_cmp(&samples[*b].fxy_n()))
-    });
-    Some(Revolution { samples, window_from, peak })
+    let mut job = RevolutionJob::new(run, at_s, turns, None);
+    job.advance(run, u64::MAX);
+    job.finish().0
 }

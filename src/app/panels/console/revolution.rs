@@ -12,11 +12,14 @@ use crate::app::widgets::legend;
 use crate::app::widgets::window::{self, Place};
 use crate::base::settings::Value;
 use crate::blocks::cutting::process::ForceModel;
-use crate::run::revolution::{Revolution, revolution};
+use crate::run::one_run::Repeat;
+use crate::run::revolution::{Revolution, RevolutionJob};
 use crate::study::export::csv;
 
 /// Time between two pictures while the cut is playing, s: each repeats a part of the run.
 const EVERY_S: f64 = 0.25;
+/// Plant steps that are repeated in a frame: some milliseconds of work.
+const TICKS_PER_FRAME: u64 = 8_000;
 /// Plant steps in a control period and rows in it where it is switched on from here: 28.8 kHz.
 const STEPS: [i64; 2] = [576, 96];
 
@@ -42,7 +45,11 @@ pub struct RevolutionWindow {
     hidden: [bool; 4],
     zoomed: Option<[f64; 2]>,
     drag: Option<f32>,
+    /// What the last job was begun for, and when.
     made: Option<(Key, f64)>,
+    job: Option<RevolutionJob>,
+    /// Where the last job has come to, and the number of changes that it belongs to.
+    repeat: Option<(u64, Repeat)>,
     shown: Option<Revolution>,
 }
 
@@ -56,6 +63,8 @@ impl Default for RevolutionWindow {
             zoomed: None,
             drag: None,
             made: None,
+            job: None,
+            repeat: None,
             shown: None,
         }
     }
@@ -99,20 +108,30 @@ impl RevolutionWindow {
     fn refresh(&mut self, ui: &Ui, view: &View<'_>) {
         let session = view.session;
         let run = session.chosen().run();
-        let scenario = session.scenario();
         let playhead_s = session.playback().playhead_s;
-        let tick = scenario.ticks(playhead_s).min(run.ticks());
-        let period = (tick + 1) / u64::from(scenario.run.steps_per_control);
+        let tick = session.scenario().ticks(playhead_s).min(run.ticks());
+        let period = (tick + 1) / u64::from(session.scenario().run.steps_per_control);
         let key = (session.changes(), period, self.turns);
         let now_s = ui.input(|input| input.time);
-        if let Some((made, at_s)) = self.made {
+        let due = self.made.is_none_or(|(made, at_s)| {
             let moved_on = (made.0, made.2) == (key.0, key.2) && session.playback().playing;
-            if made == key || (moved_on && (now_s - at_s).abs() < EVERY_S) {
-                return;
-            }
+            made != key && !(moved_on && (self.job.is_some() || (now_s - at_s).abs() < EVERY_S))
+        });
+        if due {
+            self.made = Some((key, now_s));
+            // A job that is not done leaves nothing; the last one that was does.
+            let repeat = self.repeat.clone().filter(|(changes, _)| *changes == key.0);
+            let before = repeat.map(|(_, repeat)| repeat);
+            self.job = Some(RevolutionJob::new(run, playhead_s, self.turns, before));
         }
-        self.made = Some((key, now_s));
-        self.shown = revolution(run, playhead_s, self.turns);
+        let Some(mut job) = self.job.take() else { return };
+        if job.advance(run, TICKS_PER_FRAME) {
+            let (found, repeat) = job.finish();
+            (self.shown, self.repeat) = (found, Some((key.0, repeat)));
+        } else {
+            self.job = Some(job);
+            ui.ctx().request_repaint();
+        }
     }
 
     /// What can be chosen: turns, axis, lines; the samples as a file.

@@ -184,7 +184,8 @@ impl WorkpieceWindow {
         let length = theme::quantity(length_mm, "mm");
         ui.label(RichText::new(format!("{length} long, {place}")).strong());
         let map = picture::show(ui, part);
-        self.material.show(ui, view.session.current(), &map, [begin_mm, length_mm]);
+        let place_mm = [begin_mm, length_mm];
+        self.material.show(ui, view.session.current(), &map, place_mm, part.tool_mm);
         ui.add_space(4.0);
     }
 }

@@ -1,7 +1,7 @@
 //! The inhomogeneity of the material along a cut: how much more or less force it asks for than even
 //! material, from the very field that the loop meets.
 
-use egui::{Rect, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+use egui::{Align2, Rect, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use super::picture::Map;
 use crate::app::theme::{self, Palette};
@@ -11,6 +11,8 @@ use crate::run::scenario::Scenario;
 
 /// Height of the picture, points.
 const HEIGHT: f32 = 46.0;
+/// Room that the numbers at its end need, points.
+const WORDS: f32 = 28.0;
 /// Most points of the line.
 const POINTS: f64 = 2000.0;
 /// Least distance between them, mm: the field's own cells.
@@ -49,8 +51,15 @@ impl Source {
 
 impl Material {
     /// The line under the pictures of a cut: `place_mm` is where along the way its material begins,
-    /// and its length.
-    pub fn show(&mut self, ui: &mut Ui, scenario: &Scenario, map: &Map, place_mm: [f64; 2]) {
+    /// and its length; the tool's axis is at `tool_mm`.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        scenario: &Scenario,
+        map: &Map,
+        place_mm: [f64; 2],
+        tool_mm: f64,
+    ) {
         let palette = Palette::at(ui);
         let weak = |text: String| RichText::new(text).small().color(palette.weak);
         let noise = &scenario.noise;
@@ -91,6 +100,18 @@ impl Material {
         painter.line_segment(zero, Stroke::new(1.0, palette.line));
         let points = line.iter().map(|[x_mm, percent]| pos2(map.at(*x_mm), y(*percent)));
         painter.add(Shape::line(points.collect(), Stroke::new(1.3, palette.produced)));
+        if (0.0..=place_mm[1]).contains(&tool_mm) {
+            painter.vline(map.at(tool_mm), strip.y_range(), Stroke::new(1.5, palette.command));
+        }
+        if map.x.max - strip.right() >= WORDS {
+            let font = egui::TextStyle::Small.resolve(ui.style());
+            let ends = [(most, Align2::LEFT_TOP), (-most, Align2::LEFT_BOTTOM)];
+            for (percent, align) in ends {
+                let at = pos2(strip.right() + 3.0, y(percent));
+                let text = format!("{percent:+.0} %");
+                painter.text(at, align, text, font.clone(), palette.weak);
+            }
+        }
         if let Some(at) = response.hover_pos() {
             let near = line
                 .iter()
