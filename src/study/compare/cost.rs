@@ -57,7 +57,7 @@ impl Replay {
     #[must_use]
     pub fn pass(&self) -> f64 {
         let mut controller = Controller::new(&self.scenario.control_setup(), self.programmed);
-        let limits = limits(&self.scenario);
+        let limits = limits(&self.scenario, 0);
         let update = |(force_measured_n, applied): &(f64, FeedSpeed)| {
             let output = controller.update(&ControlInput {
                 force_measured_n: *force_measured_n,

@@ -19,7 +19,7 @@ pub fn value(measure: Measure, value: f64) -> String {
     let decimals = match measure {
         Measure::Nsn | Measure::Nsn20 => 3,
         Measure::Force => 2,
-        Measure::Time | Measure::InTolerance | Measure::Travel => 1,
+        Measure::Time | Measure::InTolerance | Measure::Held | Measure::Travel => 1,
         Measure::Recovery => 0,
     };
     format!("{value:.decimals$}")
