@@ -64,6 +64,17 @@ pub enum Command {
         /// The table.
         text: String,
     },
+    /// Asks for a file of UNKS networks and begins with them.
+    OpenNetworks,
+    /// Begins with the networks of a file's text, UNKS chosen.
+    LoadNetworks {
+        /// Where it came from, for messages.
+        name: String,
+        /// The file's text.
+        text: String,
+    },
+    /// Saves the networks as they are at the end of the cut.
+    SaveNetworks,
     /// Copies a link (on the desktop: its part after `#`) that holds scenario and edits.
     CopyLink,
     /// Shows the screen with this id.

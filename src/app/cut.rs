@@ -1,5 +1,6 @@
-//! A run with the min-max pyramids of its signals, kept in step.
+//! A run with the min-max pyramids of its signals and what its networks learned, kept in step.
 
+use super::history::LearningHistory;
 use super::trace::Traces;
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
@@ -10,6 +11,7 @@ use crate::run::scenario::Scenario;
 pub struct Cut {
     run: Run,
     traces: Traces,
+    learning: LearningHistory,
 }
 
 /// What a run was before a change: drawn from the change on.
@@ -27,7 +29,8 @@ impl Cut {
     pub fn new(scenario: &Scenario, edits: &Edits) -> Self {
         let run = Run::new(scenario, edits);
         let traces = Traces::new(run.recording().row_s());
-        let mut cut = Self { run, traces };
+        let learning = LearningHistory::new(&run);
+        let mut cut = Self { run, traces, learning };
         cut.advance(0);
         cut
     }
@@ -39,13 +42,20 @@ impl Cut {
         } else if let Some(from_s) = first_difference(self.run.edits(), edits) {
             self.run.branch(from_s, edits);
             self.traces.truncate(self.run.recording().rows().len());
+            self.learning.truncate(&self.run);
             self.advance(0);
         }
     }
 
     /// Simulates at most `ticks` steps more.
     pub fn advance(&mut self, ticks: u64) {
-        self.run.advance(ticks);
+        let mut left = ticks;
+        while left > 0 && !self.is_over() {
+            let slice = self.learning.due(&self.run).min(left);
+            self.run.advance(slice);
+            self.learning.note(&self.run);
+            left -= slice;
+        }
         self.traces.extend(self.run.recording().rows());
     }
 
@@ -59,6 +69,12 @@ impl Cut {
     #[must_use]
     pub fn traces(&self) -> &Traces {
         &self.traces
+    }
+
+    /// What its networks learned.
+    #[must_use]
+    pub fn learning(&self) -> &LearningHistory {
+        &self.learning
     }
 
     /// Whether it is simulated to its end.

@@ -46,8 +46,17 @@ impl Files {
 
     /// Asks for a scenario file.
     pub fn open(&self, ctx: &egui::Context) {
+        self.ask(ctx, "SteadyCut scenario", "toml");
+    }
+
+    /// Asks for a file of UNKS networks.
+    pub fn open_networks(&self, ctx: &egui::Context) {
+        self.ask(ctx, "UNKS networks", NETWORKS);
+    }
+
+    fn ask(&self, ctx: &egui::Context, what: &str, extension: &str) {
         let answer = self.answer(ctx);
-        let dialog = rfd::AsyncFileDialog::new().add_filter("SteadyCut scenario", &["toml"]);
+        let dialog = rfd::AsyncFileDialog::new().add_filter(what, &[extension]);
         #[cfg(not(target_arch = "wasm32"))]
         let opened = fallback::Opened::now();
         let picked = dialog.pick_file();
@@ -131,10 +140,18 @@ impl Files {
     }
 }
 
+/// Extension of files of networks; all others are scenarios.
+const NETWORKS: &str = "json";
+
+fn is_networks(name: &str) -> bool {
+    name.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case(NETWORKS))
+}
+
 /// The command for a file that was read.
 #[must_use]
 pub fn loaded(name: String, bytes: &[u8]) -> Command {
     match std::str::from_utf8(bytes) {
+        Ok(text) if is_networks(&name) => Command::LoadNetworks { name, text: text.to_owned() },
         Ok(text) => Command::LoadText { name, text: text.to_owned() },
         Err(_) => Command::Notify(format!("{name}: not a scenario file: it is not UTF-8 text")),
     }
@@ -189,5 +206,7 @@ mod tests {
     #[test]
     fn bytes_that_are_no_text_become_a_message() {
         assert!(matches!(loaded("x.toml".to_owned(), &[0xff, 0xfe]), Command::Notify(_)));
+        assert!(matches!(loaded("x.toml".to_owned(), b"x"), Command::LoadText { .. }));
+        assert!(matches!(loaded("x.JSON".to_owned(), b"x"), Command::LoadNetworks { .. }));
     }
 }

@@ -5,6 +5,7 @@ mod bar;
 pub mod command;
 pub mod cut;
 mod files;
+pub mod history;
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 pub mod panels;
@@ -23,6 +24,7 @@ use egui::{CentralPanel, Frame, Margin, Panel as SidePanel, Ui};
 
 use crate::run::{Start, scenario_file, scenario_link};
 use crate::study::export;
+use crate::study::unks_passes::learned;
 use bar::Tab;
 use command::Command;
 use files::Files;
@@ -169,6 +171,8 @@ impl Console {
             Some(Command::SaveCsv { what, text }) => {
                 self.save(ctx, &format!("{what}.csv"), text.into_bytes());
             }
+            Some(Command::OpenNetworks) => self.files.open_networks(ctx),
+            Some(Command::SaveNetworks) => self.save_networks(ctx),
             Some(Command::CopyLink) => self.copy_link(ctx),
             Some(other) => unreachable!("the session does not know {other:?}"),
         }
@@ -184,6 +188,14 @@ impl Console {
         match export::csv::write(&mut bytes, self.session.chosen().run().recording()) {
             Ok(()) => self.save(ctx, "csv", bytes),
             Err(error) => self.session.notify(format!("CSV: {error}")),
+        }
+    }
+
+    /// Saves what the networks have learned at the end of the cut.
+    fn save_networks(&mut self, ctx: &egui::Context) {
+        match learned(self.session.chosen().run(), 1) {
+            Some(stored) => self.save(ctx, "json", stored.write().into_bytes()),
+            None => self.session.notify("The chosen controller has no networks that learn."),
         }
     }
 

@@ -69,6 +69,7 @@ impl Means {
 #[derive(Clone, Debug)]
 pub struct Passes {
     scenario: Scenario,
+    from_scratch: bool,
     wanted: u32,
     length_mm: f64,
     run: Run,
@@ -89,7 +90,9 @@ impl Passes {
         scenario.controller.kind = ControllerKind::Unks;
         // A row for every control sample is what the figures need.
         scenario.run.record_every = scenario.run.steps_per_control;
+        let unks = &scenario.unks;
         Self {
+            from_scratch: unks.start == UnksStart::Cold && unks.networks.get().is_none(),
             wanted: passes.clamp(1, MAX_PASSES),
             length_mm: ToolPath::length_of(&scenario.workpiece),
             run: Run::new(&scenario, &Edits::none()),
@@ -194,6 +197,7 @@ impl Passes {
             error_gain: 1.0 - after / before,
             error_better: after <= (1.0 - BETTER) * before,
             unchanged: after == before && first.time_of_cut_s == last.time_of_cut_s,
+            from_scratch: self.from_scratch,
         })
     }
 }
@@ -209,6 +213,8 @@ pub struct Verdict {
     pub error_gain: f64,
     /// Whether that is at least [`BETTER`].
     pub error_better: bool,
+    /// Whether the passes began untrained: networks that are trained already have less to learn.
+    pub from_scratch: bool,
     /// Whether error and time are the same in both, as they are where nothing is learned.
     pub unchanged: bool,
 }

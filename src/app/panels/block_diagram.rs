@@ -12,8 +12,10 @@ mod wires;
 use egui::{Frame, Margin, Rect, ScrollArea, UiBuilder, pos2};
 
 use super::equation_cards::Block;
+use super::learning::LearningView;
 use super::{Panel, View};
 use crate::app::command::Command;
+use crate::blocks::control::ControllerKind;
 use moment::Now;
 use wires::{RA, Wire};
 
@@ -37,11 +39,21 @@ pub struct BlockDiagramPanel {
     last: Last,
     /// Whether the card also explains itself in words.
     explain: bool,
+    learning: LearningView,
+    /// Whether the networks are shown in the place of the diagram.
+    watching: bool,
 }
 
 impl Default for BlockDiagramPanel {
     fn default() -> Self {
-        Self { wire: RA, block: Block::Cutting, last: Last::Block, explain: false }
+        Self {
+            wire: RA,
+            block: Block::Cutting,
+            last: Last::Block,
+            explain: false,
+            learning: LearningView::default(),
+            watching: false,
+        }
     }
 }
 
@@ -54,13 +66,32 @@ impl Panel for BlockDiagramPanel {
         "Block diagram"
     }
 
-    fn ui(&mut self, ui: &mut egui::Ui, view: &View<'_>, _commands: &mut Vec<Command>) {
+    fn ui(&mut self, ui: &mut egui::Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let side = if view.narrow { 4 } else { 12 };
-        Frame::new().inner_margin(Margin::symmetric(side, 6)).show(ui, |ui| self.screen(ui, view));
+        Frame::new().inner_margin(Margin::symmetric(side, 6)).show(ui, |ui| {
+            let learns = view.session.current().controller.kind == ControllerKind::Unks;
+            if learns {
+                self.choose(ui);
+            }
+            if learns && self.watching {
+                self.learning.show(ui, view, commands);
+            } else {
+                self.screen(ui, view);
+            }
+        });
     }
 }
 
 impl BlockDiagramPanel {
+    /// Diagram or networks, where there are networks that learn.
+    fn choose(&mut self, ui: &mut egui::Ui) {
+        ui.horizontal(|ui| {
+            ui.selectable_value(&mut self.watching, false, "Closed loop");
+            ui.selectable_value(&mut self.watching, true, "Networks that learn")
+                .on_hover_text("NM-1 and NM-2 at the playhead, learning curves, several passes");
+        });
+    }
+
     fn screen(&mut self, ui: &mut egui::Ui, view: &View<'_>) {
         let now = Now::of(view.session);
         let area = ui.available_rect_before_wrap();

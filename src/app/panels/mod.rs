@@ -6,6 +6,7 @@ pub mod block_diagram;
 pub mod compare;
 pub mod console;
 pub mod equation_cards;
+pub mod learning;
 pub mod papers;
 pub mod plan;
 

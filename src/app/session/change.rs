@@ -3,10 +3,13 @@
 use super::{Command, HAIR_S, MAX_UNDO, Plan, Session, TICKS_PER_FRAME};
 use crate::app::cut::{Ghost, first_difference};
 use crate::app::twin;
+use crate::base::model::unks::Stored;
 use crate::base::settings::{SettingError, Value};
+use crate::blocks::control::ControllerKind;
 use crate::run::edits::{Edit, Edits};
 use crate::run::scenario::param;
 use crate::run::{presets, scenario_file};
+use crate::study::unks_passes::beginning_with;
 
 /// Values of one drag are kept at this distance at least, s: a link must not grow with the frame
 /// rate.
@@ -34,6 +37,11 @@ impl Session {
                 let named =
                     |e: SettingError| SettingError::Format { what: name, problem: e.to_string() };
                 self.load(scenario_file::parse(&text).map_err(named));
+            }
+            Command::LoadNetworks { name, text } => {
+                if let Err(error) = self.load_networks(&text) {
+                    self.notify(format!("{name}: {error}"));
+                }
             }
             Command::Notify(text) => self.notify(text),
             Command::Dismiss(number) => self.notices.retain(|notice| notice.number != number),
@@ -141,6 +149,14 @@ impl Session {
         // Another gesture than one on the same setting at the playhead.
         self.take(plan, &format!("set up {}", paths.join(" ")));
         Ok(())
+    }
+
+    /// Begins with the networks of a file, with the controller that has networks.
+    fn load_networks(&mut self, text: &str) -> Result<(), String> {
+        let mut changes = beginning_with(&Stored::parse(text)?);
+        let unks = Value::Text(ControllerKind::Unks.id().to_owned());
+        changes.push(("controller.kind".to_owned(), unks));
+        self.set_up(&changes).map_err(|error| error.to_string())
     }
 
     /// Goes over to another plan, as a part of the gesture of this name.

@@ -58,6 +58,7 @@ pub fn setting(
                 response
             }
             (Kind::Choice { .. }, Value::Text(now)) => choice(ui, param, now, size, &mut change),
+            (Kind::Networks, Value::Text(now)) => networks(ui, param, now, &mut change),
             (Kind::Text { .. }, Value::Text(now)) => text(ui, param, now, &mut change),
             (Kind::Steps { .. }, Value::Steps(now)) => {
                 steps(ui, param, now, &mut change, said_here)
@@ -242,6 +243,23 @@ fn text(ui: &mut Ui, param: &Param, now: &str, change: &mut dyn FnMut(Value)) ->
         ui.data_mut(|data| data.remove::<String>(id));
     }
     response
+}
+
+/// Whether there are networks, and a button that removes them; files bring them.
+fn networks(ui: &mut Ui, param: &Param, now: &str, change: &mut dyn FnMut(Value)) -> Response {
+    let (label, _) = labelled(ui, param, |ui| {
+        if now.is_empty() {
+            return ui.label("none");
+        }
+        let response = ui.button("Remove").on_hover_text("Begin with those of the start again");
+        let name = format!("Remove: {}", param.spec.label);
+        response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, name.clone()));
+        if response.clicked() {
+            change(Value::Text(String::new()));
+        }
+        response
+    });
+    label
 }
 
 fn steps(

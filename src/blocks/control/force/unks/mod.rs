@@ -99,24 +99,32 @@ pub struct Trace {
     pub feedback_mean: f64,
     /// Mean of |prediction_error| over as many.
     pub error_mean: f64,
+    /// Samples in the two means.
+    counts: [u32; 2],
 }
 
-/// Share of a new sample in the means.
+/// Share of a new sample in the means, once there are as many as that makes.
 const SHARE: f64 = 0.02;
+
+/// Takes the size of a value into a mean of so many.
+fn average(mean: &mut f64, count: &mut u32, value: f64) {
+    *count = count.saturating_add(1);
+    *mean += SHARE.max(1.0 / f64::from(*count)) * (value.abs() - *mean);
+}
 
 impl Trace {
     fn note(&mut self, feed_forward: f64, feedback: f64, iterations: u32, free: bool) {
         (self.feed_forward, self.feedback) = (feed_forward, feedback);
         (self.iterations, self.free) = (iterations, free);
         if free {
-            self.feedback_mean += SHARE * (feedback.abs() - self.feedback_mean);
+            average(&mut self.feedback_mean, &mut self.counts[0], feedback);
         }
         self.samples = self.samples.saturating_add(1);
     }
 
     fn note_error(&mut self, error: f64) {
         self.prediction_error = error;
-        self.error_mean += SHARE * (error.abs() - self.error_mean);
+        average(&mut self.error_mean, &mut self.counts[1], error);
     }
 }
 

@@ -1,0 +1,64 @@
+//! What can be done with the networks: how the cut begins, learning rates, files.
+
+use egui::{RichText, Ui};
+
+use crate::app::command::Command;
+use crate::app::panels::View;
+use crate::app::theme::Palette;
+use crate::app::widgets::setting::{Size, setting};
+use crate::base::model::unks::UnksStart;
+use crate::study::unks_passes::{beginning_anew, beginning_with, learned};
+
+/// The controls.
+pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+    let palette = Palette::at(ui);
+    let settings = &view.session.scenario().unks;
+    let stored = settings.networks.get();
+    ui.label(RichText::new("The cut begins with networks").strong());
+    ui.horizontal_wrapped(|ui| {
+        for (start, option) in UnksStart::ALL.iter().zip(UnksStart::OPTIONS) {
+            let chosen = stored.is_none() && settings.start == *start;
+            let button = ui.selectable_label(chosen, option.label);
+            if button.on_hover_text(option.doc.replace('\n', " ")).clicked() {
+                commands.push(Command::SetUp(beginning_anew(*start)));
+            }
+        }
+        if stored.is_some() {
+            let _ = ui.selectable_label(true, "learned before");
+        }
+    });
+    if let Some(stored) = stored {
+        let note = &stored.origins[2].note;
+        let text = format!("{note}; {}", settings.start.label());
+        ui.label(RichText::new(text).small().color(palette.weak));
+    }
+    let rates: &[&str] = match settings.start {
+        UnksStart::Shipped => &["forward_rate", "inverse_rate"],
+        UnksStart::Cold => &["cold_rate"],
+    };
+    for name in rates {
+        let path = format!("controller.unks.{name}");
+        setting(ui, &path, view.session.current(), Size::Small, commands);
+    }
+    ui.add_space(4.0);
+    ui.horizontal_wrapped(|ui| {
+        let over = view.session.chosen().is_over();
+        let help = "Begin the same cut with what has been learned at its end";
+        let again = ui.add_enabled(over, egui::Button::new("Cut again with what was learned"));
+        if again.on_hover_text(help).clicked()
+            && let Some(stored) = learned(view.session.chosen().run(), 1)
+        {
+            commands.push(Command::SetUp(beginning_with(&stored)));
+            commands.push(Command::Restart);
+        }
+        let help = "Save NM-R, NM-1 and NM-2 as they are at the end of the cut";
+        let save = ui.add_enabled(over, egui::Button::new("Save networks"));
+        if save.on_hover_text(help).clicked() {
+            commands.push(Command::SaveNetworks);
+        }
+        let help = "Begin with the networks of a file; one can also be dropped here";
+        if ui.button("Load networks").on_hover_text(help).clicked() {
+            commands.push(Command::OpenNetworks);
+        }
+    });
+}

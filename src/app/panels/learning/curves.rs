@@ -1,0 +1,106 @@
+//! Learning curves up to the playhead: the feedback's share of the override, and NM-1's error.
+
+use egui::{RichText, Ui};
+use egui_plot::{Line, Plot, PlotPoints, VLine};
+
+use super::BESIDE_FROM;
+use crate::app::history::LearningSample;
+use crate::app::panels::View;
+use crate::app::theme::{Look, Palette};
+use crate::app::widgets::chart::{grid, tick};
+use crate::base::model::unks::UnksStart;
+use crate::base::units::percent_from_ratio;
+
+/// Least height of the range of values, in percent.
+const LEAST_SPAN: f64 = 5.0;
+
+/// The curves, each `height` points high with its title.
+pub fn show(ui: &mut Ui, view: &View<'_>, samples: &[LearningSample], height: f32) {
+    let Some(last) = samples.last() else { return };
+    let points = |of: fn(&LearningSample) -> f64| -> Vec<[f64; 2]> {
+        // Before the first sample there is no mean.
+        let known = samples.iter().map(|sample| [sample.time_s, percent_from_ratio(of(sample))]);
+        known.filter(|[_, percent]| *percent > 0.0).collect()
+    };
+    let feedback = |ui: &mut Ui| {
+        let points = points(|sample| sample.feedback);
+        plot(ui, view, "Feedback's share of the override [%]", points, Look::Command, height);
+    };
+    let error = |ui: &mut Ui| {
+        let points = points(|sample| sample.error);
+        plot(ui, view, "Error of NM-1's prediction [%]", points, Look::Produced, height);
+    };
+    match (last.start, ui.available_width() < BESIDE_FROM) {
+        (UnksStart::Cold, _) => feedback(ui),
+        (UnksStart::Shipped, true) => {
+            feedback(ui);
+            error(ui);
+        }
+        (UnksStart::Shipped, false) => ui.columns_const(|[left, right]| {
+            error(left);
+            feedback(right);
+        }),
+    }
+    if last.start == UnksStart::Shipped {
+        let iterations: u32 = samples.iter().map(|sample| sample.iterations).sum();
+        let mean = f64::from(iterations) / samples.len() as f64;
+        let now = last.iterations;
+        ui.label(format!("Internal loop: {now} iterations now, {mean:.1} on average so far"));
+    }
+    let note = match last.start {
+        UnksStart::Shipped => {
+            "Means of the size over about a second in contact. The feedback's share is all that the \
+             loops add to NM-2, where the override is between its limits."
+        }
+        UnksStart::Cold => {
+            "Mean of its size over about a second in contact, where the override is between its \
+             limits."
+        }
+    };
+    ui.label(RichText::new(note).small().color(Palette::at(ui).weak));
+}
+
+fn plot(
+    ui: &mut Ui,
+    view: &View<'_>,
+    title: &'static str,
+    points: Vec<[f64; 2]>,
+    look: Look,
+    height: f32,
+) {
+    let palette = Palette::at(ui);
+    ui.label(RichText::new(title).strong());
+    // Of all of the run, so that the axis does not jump while playing.
+    let all = view.session.chosen().learning().until(f64::INFINITY);
+    let most = points.iter().map(|point| point[1]).fold(LEAST_SPAN, f64::max);
+    let length_s = all.last().map_or(1.0, |last| last.time_s).max(view.session.length_s());
+    let playhead_s = view.session.playback().playhead_s;
+    let width = ui.available_width();
+    Plot::new(title)
+        .height(height)
+        .allow_zoom(false)
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .allow_axis_zoom_drag(false)
+        .link_cursor(egui::Id::unique("learning time"), [true, false])
+        .sense(egui::Sense::hover())
+        .y_axis_min_width(44.0)
+        .grid_color(palette.grid)
+        .grid_fade(0.0)
+        .x_grid_spacer(move |input| grid(input, width / 80.0))
+        .y_grid_spacer(move |input| grid(input, height / 27.0))
+        .x_axis_formatter(|mark, _| tick(mark))
+        .y_axis_formatter(|mark, _| tick(mark))
+        .grid_spacing(egui::Rangef::new(16.0, 300.0))
+        .show(ui, |plot| {
+            // With room for the last number of the axis.
+            plot.set_plot_bounds_x(0.0..=1.02 * length_s);
+            plot.set_plot_bounds_y(0.0..=1.08 * most);
+            let (stroke, style) = look.line(palette);
+            let line = Line::new(title, PlotPoints::from(points));
+            plot.line(line.stroke(stroke).style(style).allow_band(false));
+            plot.vline(VLine::new("playhead", playhead_s).stroke((1.0, palette.playhead)));
+        });
+}

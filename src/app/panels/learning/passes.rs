@@ -1,0 +1,132 @@
+//! Several passes over the same part, worked off in slices beside the picture.
+
+use egui::{Grid, ProgressBar, RichText, Ui};
+
+use crate::app::command::Command;
+use crate::app::panels::View;
+use crate::app::theme::{Palette, deviation, number};
+use crate::base::units::percent_from_ratio;
+use crate::run::scenario::Scenario;
+use crate::study::unks_passes::{BETTER, Pass, Passes, Verdict, beginning_with};
+
+/// How many passes.
+const PASSES: u32 = 5;
+/// Ticks of the plant that one frame may cost: some milliseconds.
+const TICKS_PER_FRAME: u64 = 12_000;
+
+/// The passes under way, with the scenario that they were begun from.
+#[derive(Default)]
+pub struct PassesView {
+    job: Option<(Scenario, Passes)>,
+    stopped: bool,
+}
+
+impl PassesView {
+    /// Goes on by a slice.
+    pub fn advance(&mut self, ui: &Ui, scenario: &Scenario) {
+        let Some((begun, job)) = &mut self.job else { return };
+        if self.stopped || job.is_done() {
+            return;
+        }
+        let ticks = TICKS_PER_FRAME / u64::from(begun.run.steps_per_control);
+        job.advance(ticks.max(1));
+        // What was changed meanwhile would make a table of two minds.
+        self.stopped = begun != scenario;
+        ui.ctx().request_repaint();
+    }
+
+    /// The button, the progress, the table and what it shows.
+    pub fn show(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let palette = Palette::at(ui);
+        ui.label(RichText::new("The same part again and again").strong());
+        let note = format!(
+            "{PASSES} passes without the changes of this session, same part, noise and seed; what \
+             was learned is carried on."
+        );
+        ui.label(RichText::new(note).small().color(palette.weak));
+        let running = !self.stopped && self.job.as_ref().is_some_and(|(_, job)| !job.is_done());
+        if running {
+            if ui.button("Stop the passes").clicked() {
+                self.stopped = true;
+            }
+        } else if ui.button(format!("Cut {PASSES} passes")).clicked() {
+            let scenario = view.session.scenario().clone();
+            let job = Passes::new(&scenario, PASSES);
+            (self.job, self.stopped) = (Some((scenario, job)), false);
+        }
+        let Some((begun, job)) = &self.job else { return };
+        if running {
+            let bar = ProgressBar::new(job.progress() as f32).show_percentage();
+            ui.add(bar.desired_height(16.0));
+        }
+        table(ui, job.done());
+        if let Some(verdict) = job.verdict() {
+            judge(ui, &verdict);
+        }
+        if begun != view.session.scenario() {
+            let text = "Made with other settings than those of now.";
+            ui.label(RichText::new(text).color(palette.warn));
+        }
+        if let Some(stored) = job.learned().filter(|_| !running) {
+            let help = "Begin the cut with the networks as they are after the last pass";
+            if ui.button("Use these networks").on_hover_text(help).clicked() {
+                commands.push(Command::SetUp(beginning_with(stored)));
+            }
+        }
+    }
+}
+
+fn table(ui: &mut Ui, passes: &[Pass]) {
+    if passes.is_empty() {
+        return;
+    }
+    let palette = Palette::at(ui);
+    Grid::new("passes").num_columns(5).striped(true).spacing([12.0, 4.0]).show(ui, |ui| {
+        for (title, help) in [
+            ("pass", "Number of the pass"),
+            ("Nsn", "Normalised standard error over all samples in contact"),
+            ("time", "Time of the cut, s"),
+            ("kN", "Largest force"),
+            ("feedback", "Mean size of the feedback's share of the override, %"),
+        ] {
+            ui.label(RichText::new(title).small().color(palette.weak)).on_hover_text(help);
+        }
+        ui.end_row();
+        for pass in passes {
+            let error = pass.normalized_standard_error;
+            ui.label(pass.number.to_string());
+            ui.label(error.map_or("-".to_owned(), |error| format!("{error:.3}")));
+            ui.label(format!("{:.1}", pass.time_of_cut_s));
+            ui.label(format!("{:.2}", pass.max_force_kn));
+            let quarters = pass.feedback_by_quarter;
+            let quarters = quarters.map(|share| number(percent_from_ratio(share), "%")).join(", ");
+            ui.label(format!("{} %", number(percent_from_ratio(pass.feedback), "%")))
+                .on_hover_text(format!("By quarter of the part: {quarters} %"));
+            ui.end_row();
+        }
+    });
+}
+
+fn judge(ui: &mut Ui, verdict: &Verdict) {
+    let palette = Palette::at(ui);
+    let mut line = |good: bool, text: String| {
+        let color = if good { palette.good } else { palette.bad };
+        ui.label(RichText::new(text).color(color));
+    };
+    if verdict.unchanged {
+        line(false, "Nothing is learned: every pass is the same.".to_owned());
+        return;
+    }
+    let falls = if verdict.feedback_falls { "falls" } else { "does not fall" };
+    let text = format!("The feedback's share {falls} pass by pass.");
+    line(verdict.feedback_falls || !verdict.from_scratch, text);
+    let change = deviation(-percent_from_ratio(verdict.error_gain));
+    let text = format!("Error of the last pass against the first: {change}");
+    if verdict.from_scratch {
+        let wanted = percent_from_ratio(BETTER);
+        let text = format!("{text} (from a cold start on the whole part: -{wanted:.0} %).");
+        line(verdict.error_better, text);
+    } else {
+        ui.label(format!("{text}."));
+    }
+}
