@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::base::model::gp::Calibration;
+use crate::base::model::machine::parameters::Parameters;
 use crate::base::network::Activation;
 use crate::blocks::cutting::process::ForceModel;
 use crate::study::published::PaperId;
@@ -46,6 +47,8 @@ pub enum Command {
     Plan(PlanArgs),
     /// Check scenario files.
     Check(CheckArgs),
+    /// The five-mass machine of 2019: modes, frequency response, stability.
+    Machine(MachineArgs),
 }
 
 /// Arguments of `run`.
@@ -324,4 +327,42 @@ pub struct CheckArgs {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Arguments of `machine`.
+#[derive(Debug, Args)]
+pub struct MachineArgs {
+    /// What to compute.
+    #[command(subcommand)]
+    pub what: MachineWhat,
+}
+
+/// What `machine` computes.
+#[derive(Debug, Subcommand)]
+pub enum MachineWhat {
+    /// Natural frequencies, damping and shapes.
+    Modes(MachineModel),
+    /// Frequency response from 0 to 3000 Hz in steps of 10 Hz.
+    Frf(MachineModel),
+}
+
+/// The machine and where its results go.
+#[derive(Debug, Args)]
+pub struct MachineModel {
+    /// Parameters: D by the table's rules, T its digits with two exponents corrected, or printed.
+    #[arg(long, value_parser = parameters)]
+    pub parameters: Option<Parameters>,
+    /// Change a setting, for example `--set machine.reading=B`; `steadycut list` names all.
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// Write the result into a file.
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Print JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+fn parameters(text: &str) -> Result<Parameters, String> {
+    one_of(Parameters::ALL, Parameters::id, text)
 }

@@ -5,6 +5,7 @@ mod check;
 mod force;
 mod identify;
 mod list;
+mod machine;
 mod papers;
 mod papers_2005;
 mod plan;
@@ -31,6 +32,7 @@ pub fn execute(command: &Command) -> ExitCode {
         Command::List(args) => list::execute(args),
         Command::Plan(args) => plan::execute(args),
         Command::Check(args) => check::execute(args),
+        Command::Machine(args) => machine::execute(args),
     };
     match result {
         Ok(code) => code,

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use super::plan_settings::PlanSettings;
+use crate::base::model::machine::MachineSettings;
 use crate::base::settings::{Group, SettingError, Spec, Value};
 use crate::blocks::cnc::feed_drive::FeedDriveSettings;
 use crate::blocks::cnc::feed_override::{Cnc, Program};
@@ -121,6 +122,7 @@ scenario! {
     "plan", plan: PlanSettings;
     "workpiece", workpiece: Workpiece;
     "run", run: RunSettings;
+    "machine", machine: MachineSettings;
 }
 
 /// One entry of the table of settings.

@@ -5,6 +5,10 @@ use serde_json::{Map, json};
 
 use crate::base::model::feed_drive::{ExactDrive, FeedDriveKind};
 use crate::base::model::gp::{Calibration, ModelSet};
+use crate::base::model::machine::frf;
+use crate::base::model::machine::parameters::Parameters;
+use crate::base::model::machine::reduction::Reduction;
+use crate::base::model::machine::{FiveMass, MachineSettings, Reading};
 use crate::base::model::neural_force::NeuralForce;
 use crate::base::settings::Value;
 use crate::run::digest::Digest;
@@ -64,6 +68,7 @@ fn plan(preset: &Scenario) -> String {
 /// too), and short runs with every drive, calibration and controller, changed in the cut.
 fn variants(preset: &Scenario) -> String {
     let mut digest = Digest::default();
+    machines(&preset.machine, &mut digest);
     for kind in FeedDriveKind::ALL {
         for dt_s in [5e-6, 1e-3, 7e-3, 2e-2] {
             for word in ExactDrive::new(*kind, dt_s).coefficient_bits() {
@@ -103,6 +108,26 @@ fn variants(preset: &Scenario) -> String {
         }
     }
     digest.hex()
+}
+
+/// Both readings and all parameters of the machine: frequency response, and poles and residues
+/// from the library's eigenvalues.
+fn machines(preset: &MachineSettings, digest: &mut Digest) {
+    for reading in Reading::ALL {
+        for parameters in Parameters::ALL {
+            let settings =
+                MachineSettings { reading: *reading, parameters: *parameters, ..preset.clone() };
+            let machine = FiveMass::new(&settings);
+            for f_hz in [0.0, 110.0, 580.0, 3000.0] {
+                let solved = frf::gauss(&machine, f_hz).map_or(f64::NAN, |r| r.grel.re);
+                digest.word(solved.to_bits());
+                digest.word(frf::tree(&machine, f_hz).grel.im.to_bits());
+            }
+            if let Ok(reduction) = Reduction::new(&machine) {
+                reduction.bits().into_iter().for_each(|word| digest.word(word));
+            }
+        }
+    }
 }
 
 /// Six decimals: enough to read; the digest holds the bits.

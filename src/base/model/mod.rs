@@ -8,6 +8,7 @@ pub mod force_formula;
 pub mod gp;
 pub mod gp_2007;
 pub mod gp_2013;
+pub mod machine;
 pub mod model_file;
 pub mod neural_force;
 pub mod quartic;
