@@ -11,6 +11,7 @@ use crate::base::model::machine::reduction::Reduction;
 use crate::base::model::machine::{FiveMass, MachineSettings, Reading};
 use crate::base::model::neural_force::NeuralForce;
 use crate::base::settings::Value;
+use crate::blocks::machine::response::Response;
 use crate::run::digest::Digest;
 use crate::run::edits::{Edit, Edits};
 use crate::run::one_run::Run;
@@ -124,7 +125,9 @@ fn machines(preset: &MachineSettings, digest: &mut Digest) {
                 digest.word(frf::tree(&machine, f_hz).grel.im.to_bits());
             }
             if let Ok(reduction) = Reduction::new(&machine) {
+                let response = Response::new(&reduction, 1e-4, 0.1);
                 reduction.bits().into_iter().for_each(|word| digest.word(word));
+                response.coefficient_bits().into_iter().for_each(|word| digest.word(word));
             }
         }
     }

@@ -11,6 +11,7 @@
 //! 1 base console, 2 spindle, 3 tooth, 4 slides, 5 table. P parts tooth and work; u = z_work - z_3
 //! is what the surface sees, and G_rel = u / P.
 
+pub mod engagement;
 pub mod frf;
 pub mod literal;
 pub mod modes;
