@@ -344,6 +344,34 @@ pub enum MachineWhat {
     Modes(MachineModel),
     /// Frequency response from 0 to 3000 Hz in steps of 10 Hz.
     Frf(MachineModel),
+    /// Depth at which the cut chatters over the speed: lobes, interrupted cut, time simulation.
+    Stability(StabilityArgs),
+}
+
+/// Arguments of `machine stability`.
+#[derive(Debug, Args)]
+pub struct StabilityArgs {
+    /// Machine and output.
+    #[command(flatten)]
+    pub model: MachineModel,
+    /// Lowest speed, 1/min.
+    #[arg(long, default_value_t = 800.0, value_parser = chart_speed)]
+    pub from: f64,
+    /// Highest speed, 1/min.
+    #[arg(long, default_value_t = 4000.0, value_parser = chart_speed)]
+    pub to: f64,
+    /// Number of speeds.
+    #[arg(long, default_value_t = 65, value_parser = clap::value_parser!(u32).range(1..=2000))]
+    pub speeds: u32,
+    /// Ask the time simulation too; exit with 1 unless it agrees within 5 % at every speed with a
+    /// limit, and at 40 speeds or more.
+    #[arg(long)]
+    pub check: bool,
+}
+
+fn chart_speed(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|x| (100.0..=20_000.0).contains(x));
+    number.ok_or_else(|| "allowed is a number from 100 to 20000".to_owned())
 }
 
 /// The machine and where its results go.

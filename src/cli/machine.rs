@@ -8,6 +8,7 @@ use serde_json::json;
 
 use super::Outcome;
 use super::args::{MachineArgs, MachineModel, MachineWhat};
+use super::machine_stability;
 use super::run::apply;
 use crate::base::model::machine::FiveMass;
 use crate::base::model::machine::frf::{Response, frequencies_hz, gauss};
@@ -19,6 +20,7 @@ pub fn execute(args: &MachineArgs) -> Outcome {
     match &args.what {
         MachineWhat::Modes(model) => modes(model),
         MachineWhat::Frf(model) => frf(model),
+        MachineWhat::Stability(args) => machine_stability::execute(args),
     }
 }
 
@@ -43,7 +45,7 @@ pub(super) fn deliver(model: &MachineModel, text: &str) -> Result<(), Box<dyn st
     Ok(())
 }
 
-fn name(scenario: &Scenario) -> String {
+pub(super) fn name(scenario: &Scenario) -> String {
     let machine = &scenario.machine;
     format!(
         "five-mass machine, reading {}, parameters {}, spindle quality {}",

@@ -6,6 +6,7 @@ mod force;
 mod identify;
 mod list;
 mod machine;
+mod machine_stability;
 mod papers;
 mod papers_2005;
 mod plan;

@@ -8,4 +8,5 @@ pub mod identify;
 pub mod papers;
 pub mod plan;
 pub mod published;
+pub mod stability;
 pub mod train;

@@ -284,20 +284,21 @@ mod tests {
         // modes give, against steps 12 times shorter. Reference: 3.9e-4 at 0.1 ms, 1.5e-3 at 0.2.
         let cut = Engagement::side_milling(2, 3.0, 16.0);
         let omega = 1592.0 / 60.0 * 2.0 * PI;
+        let machine = standard();
         let run = |dt: f64, steps: u32, parts: u32| {
-            let mut response = Response::new(&standard(), dt / f64::from(parts), 0.02);
-            let mut means = Vec::new();
+            let mut response = Response::new(&machine, dt / f64::from(parts), 0.02);
+            let residues = Row::of(machine.residues);
+            let mut ends = Vec::new();
             for k in 0..steps * parts {
                 let at = |k: u32| omega * dt / f64::from(parts) * f64::from(k);
                 let mean = cut.means(at(k), at(k + 1));
                 response.update(&force(mean.chip));
                 if (k + 1) % parts == 0 {
                     // The modes' displacement at the end of the step.
-                    let residues = Row::of(standard().residues);
-                    means.push(residues.times(&response.q));
+                    ends.push(residues.times(&response.q));
                 }
             }
-            means
+            ends
         };
         for (dt, steps, stated) in [(1e-4, 1000, 3.9e-4), (2e-4, 500, 1.5e-3)] {
             let (coarse, fine) = (run(dt, steps, 1), run(dt, steps, 12));
