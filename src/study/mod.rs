@@ -5,6 +5,7 @@ pub mod errata;
 pub mod export;
 pub mod golden;
 pub mod identify;
+pub mod machine_life;
 pub mod papers;
 pub mod plan;
 pub mod published;
