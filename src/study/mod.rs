@@ -9,5 +9,6 @@ pub mod machine_life;
 pub mod papers;
 pub mod plan;
 pub mod published;
+pub mod sound;
 pub mod stability;
 pub mod train;
