@@ -58,7 +58,7 @@ fn layers_name_only_layers_to_their_left() {
 
 #[test]
 fn blocks_do_not_name_other_blocks() {
-    let boxes = ["reference", "control", "cnc", "cutting", "sensing", "surface"];
+    let boxes = ["reference", "control", "cnc", "cutting", "machine", "sensing", "surface"];
     let mut files = Vec::new();
     sources(Path::new("src/blocks"), &mut files);
     let mut faults = Vec::new();

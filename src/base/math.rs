@@ -5,7 +5,7 @@
 //! functions from here only (`clippy.toml` holds that). `sqrt`, `abs`, `floor` and the four
 //! operations are exact by IEEE 754 and may be used from std.
 
-pub use libm::{cos, exp, log as ln, pow, sin, tanh};
+pub use libm::{acos, cos, exp, log as ln, pow, sin, tanh};
 
 /// Euler's number, e.
 pub const E: f64 = std::f64::consts::E;

@@ -9,6 +9,8 @@ pub mod cnc;
 
 pub mod cutting;
 
+pub mod machine;
+
 pub mod sensing;
 
 pub mod surface;

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use super::machine_args::MachineArgs;
 use crate::base::model::gp::Calibration;
 use crate::base::network::Activation;
 use crate::blocks::cutting::process::ForceModel;
@@ -54,6 +55,8 @@ pub enum Command {
     Combine(CombineArgs),
     /// Cut a part several times with UNKS, its networks learning from pass to pass.
     Unks(UnksArgs),
+    /// The five-mass machine of 2019: modes, frequency response, stability, wear, tool life.
+    Machine(MachineArgs),
 }
 
 /// Arguments of `run`.
@@ -284,7 +287,11 @@ fn ratio(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "allowed is a number from 0 to 1".to_owned())
 }
 
-fn one_of<T: Copy>(all: &[T], id: impl Fn(T) -> &'static str, text: &str) -> Result<T, String> {
+pub(super) fn one_of<T: Copy>(
+    all: &[T],
+    id: impl Fn(T) -> &'static str,
+    text: &str,
+) -> Result<T, String> {
     let ids: Vec<&str> = all.iter().map(|option| id(*option)).collect();
     let found = all.iter().find(|option| id(**option) == text);
     found.copied().ok_or_else(|| format!("allowed is one of {}", ids.join(", ")))

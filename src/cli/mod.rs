@@ -6,6 +6,10 @@ mod combine;
 mod force;
 mod identify;
 mod list;
+mod machine;
+mod machine_args;
+mod machine_stability;
+mod machine_wear;
 mod papers;
 mod papers_2005;
 mod plan;
@@ -38,6 +42,7 @@ pub fn execute(command: &Command) -> ExitCode {
         Command::Recommend(args) => recommend::execute(args),
         Command::Combine(args) => combine::execute(args),
         Command::Unks(args) => unks::execute(args),
+        Command::Machine(args) => machine::execute(args),
     };
     match result {
         Ok(code) => code,

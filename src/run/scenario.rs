@@ -5,7 +5,11 @@ use std::sync::LazyLock;
 
 use super::plan_settings::PlanSettings;
 use crate::base::model::gp::ModelSet;
+use crate::base::model::machine::MachineSettings;
+use crate::base::model::machine_trend::LifeSettings;
+use crate::base::model::roughness_profile::ProfileSettings;
 use crate::base::model::unks::Stored;
+use crate::base::model::wear::WearSettings;
 use crate::base::settings::{Group, Kind, SettingError, Spec, Value};
 use crate::blocks::cnc::feed_drive::FeedDriveSettings;
 use crate::blocks::cnc::feed_override::{Cnc, Program};
@@ -123,6 +127,10 @@ scenario! {
     "plan", plan: PlanSettings;
     "workpiece", workpiece: Workpiece;
     "run", run: RunSettings;
+    "machine", machine: MachineSettings;
+    "wear", wear: WearSettings;
+    "life", life: LifeSettings;
+    "profile", profile: ProfileSettings;
 }
 
 /// One entry of the table of settings.

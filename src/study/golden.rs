@@ -5,13 +5,21 @@ use serde_json::{Map, json};
 
 use crate::base::model::feed_drive::{ExactDrive, FeedDriveKind};
 use crate::base::model::gp::{Calibration, ModelSet};
+use crate::base::model::machine::frf;
+use crate::base::model::machine::parameters::Parameters;
+use crate::base::model::machine::reduction::Reduction;
+use crate::base::model::machine::{FiveMass, MachineSettings, Reading};
 use crate::base::model::neural_force::NeuralForce;
 use crate::base::settings::Value;
+use crate::blocks::machine::response::Response;
 use crate::run::digest::Digest;
 use crate::run::edits::{Edit, Edits};
 use crate::run::one_run::Run;
 use crate::run::presets::{PRESETS, load};
 use crate::run::scenario::Scenario;
+use crate::study::machine_life;
+use crate::study::machine_life::adaptive::AdaptiveLife;
+use crate::study::machine_life::surface::surface;
 use crate::study::plan::PlanJob;
 
 /// Golden values of all presets, by name.
@@ -64,6 +72,8 @@ fn plan(preset: &Scenario) -> String {
 /// too), and short runs with every drive, calibration and controller, changed in the cut.
 fn variants(preset: &Scenario) -> String {
     let mut digest = Digest::default();
+    machines(&preset.machine, &mut digest);
+    tool_life(preset, &mut digest);
     for kind in FeedDriveKind::ALL {
         for dt_s in [5e-6, 1e-3, 7e-3, 2e-2] {
             for word in ExactDrive::new(*kind, dt_s).coefficient_bits() {
@@ -93,6 +103,8 @@ fn variants(preset: &Scenario) -> String {
                 (0.9, "cnc.dead_time_s", Value::Float(0.033)),
                 (0.95, "controller.kind", Value::Text("mrac".to_owned())),
                 (1.05, "controller.kind", Value::Text("adjustable_pi".to_owned())),
+                (1.07, "wear.time_scale", Value::Float(9e3)),
+                (1.08, "wear.model", Value::Text("life".to_owned())),
                 (1.1, "controller.kind", Value::Text("sdnrp".to_owned())),
             ] {
                 let edit = Edit { at_s, path: path.to_owned(), value };
@@ -103,6 +115,46 @@ fn variants(preset: &Scenario) -> String {
         }
     }
     digest.hex()
+}
+
+/// Both readings and all parameters of the machine: frequency response, and poles and residues
+/// from the library's eigenvalues.
+fn machines(preset: &MachineSettings, digest: &mut Digest) {
+    for reading in Reading::ALL {
+        for parameters in Parameters::ALL {
+            let settings =
+                MachineSettings { reading: *reading, parameters: *parameters, ..preset.clone() };
+            let machine = FiveMass::new(&settings);
+            for f_hz in [0.0, 110.0, 580.0, 3000.0] {
+                let solved = frf::gauss(&machine, f_hz).map_or(f64::NAN, |r| r.grel.re);
+                digest.word(solved.to_bits());
+                digest.word(frf::tree(&machine, f_hz).grel.im.to_bits());
+            }
+            if let Ok(reduction) = Reduction::new(&machine) {
+                let response = Response::new(&reduction, 1e-4, 0.1);
+                reduction.bits().into_iter().for_each(|word| digest.word(word));
+                response.coefficient_bits().into_iter().for_each(|word| digest.word(word));
+            }
+        }
+    }
+}
+
+/// Trends, forecasts, adjusted speeds and the measured surface over the tool's life.
+fn tool_life(preset: &Scenario, digest: &mut Digest) {
+    let model = machine_life::model(preset);
+    for x in [0.0, 0.3, 1.0] {
+        let point = model.at(x);
+        digest.word(point.sound.to_bits());
+        digest.word(point.ra_um.to_bits());
+    }
+    let rough = surface(&model, &preset.profile, preset.plant.runout_um, 0.5, 1);
+    digest.word(rough.map_or(f64::NAN, |rough| rough.rz_um).to_bits());
+    let mut life = AdaptiveLife::new(preset, true);
+    life.advance(25);
+    for minute in life.minutes() {
+        digest.word(minute.cutting_speed_m_min.to_bits());
+        digest.word(minute.rest_min.unwrap_or(f64::NAN).to_bits());
+    }
 }
 
 /// Six decimals: enough to read; the digest holds the bits.

@@ -8,12 +8,18 @@ pub mod force_formula;
 pub mod gp;
 pub mod gp_2007;
 pub mod gp_2013;
+pub mod machine;
+pub mod machine_trend;
 pub mod model_file;
 pub mod neural_force;
 pub mod quartic;
+pub mod roughness_profile;
+pub mod roughness_trend;
 pub mod spindle;
 pub mod sugeno;
+pub mod tool_life;
 pub mod unks;
+pub mod wear;
 
 /// A model's answer and whether its input lay inside the model's range of validity.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,0 +1,3 @@
+//! The machine in the running cut.
+
+pub mod response;

@@ -1,0 +1,161 @@
+//! `steadycut machine`: the five-mass machine of 2019.
+
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::process::ExitCode;
+
+use serde_json::json;
+
+use super::Outcome;
+use super::machine_args::{MachineArgs, MachineModel, MachineWhat};
+use super::run::apply;
+use super::{machine_stability, machine_wear};
+use crate::base::model::machine::FiveMass;
+use crate::base::model::machine::frf::{Response, frequencies_hz, gauss};
+use crate::base::model::machine::modes::{damped, undamped};
+use crate::base::model::machine::parameters::NODES;
+use crate::run::scenario::Scenario;
+
+pub fn execute(args: &MachineArgs) -> Outcome {
+    match &args.what {
+        MachineWhat::Modes(model) => modes(model),
+        MachineWhat::Frf(model) => frf(model),
+        MachineWhat::Stability(args) => machine_stability::execute(args),
+        MachineWhat::Wear(model) => machine_wear::wear(model),
+        MachineWhat::Life(args) => machine_wear::life(args),
+    }
+}
+
+/// The scenario that `--set` and `--parameters` describe.
+pub(super) fn scenario(model: &MachineModel) -> Result<Scenario, Box<dyn std::error::Error>> {
+    let mut scenario = Scenario::default();
+    apply(&mut scenario, &model.set)?;
+    if let Some(parameters) = model.parameters {
+        scenario.machine.parameters = parameters;
+    }
+    Ok(scenario)
+}
+
+/// Prints `text`, or writes it where `--out` says.
+pub(super) fn deliver(model: &MachineModel, text: &str) -> Result<(), Box<dyn std::error::Error>> {
+    match &model.out {
+        Some(path) => {
+            std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))?;
+        }
+        None => std::io::stdout().lock().write_all(text.as_bytes())?,
+    }
+    Ok(())
+}
+
+pub(super) fn name(scenario: &Scenario) -> String {
+    let machine = &scenario.machine;
+    format!(
+        "five-mass machine, reading {}, parameters {}, spindle quality {}",
+        machine.reading.id(),
+        machine.parameters.id(),
+        machine.spindle_quality
+    )
+}
+
+fn modes(model: &MachineModel) -> Outcome {
+    let scenario = scenario(model)?;
+    let machine = FiveMass::new(&scenario.machine);
+    let missing = "the eigenvalues of this machine do not converge";
+    let (free, modes) = (undamped(&machine).ok_or(missing)?, damped(&machine).ok_or(missing)?);
+    let still = machine.static_compliance();
+    let mut text = String::new();
+    if model.json {
+        let undamped: Vec<_> = free
+            .iter()
+            .map(|mode| json!({"frequency_hz": mode.frequency_hz, "shape": mode.shape}))
+            .collect();
+        let damped: Vec<_> = modes
+            .iter()
+            .map(|mode| {
+                json!({
+                    "natural_hz": mode.natural_hz(), "damped_hz": mode.damped_hz(),
+                    "damping_ratio": mode.damping_ratio(),
+                    "pole_re": mode.pole.re, "pole_im": mode.pole.im,
+                    "residue_re": mode.residue.re, "residue_im": mode.residue.im,
+                })
+            })
+            .collect();
+        let object = json!({
+            "reading": scenario.machine.reading.id(),
+            "parameters": scenario.machine.parameters.id(),
+            "spindle_quality": scenario.machine.spindle_quality,
+            "nodes": NODES, "undamped": undamped, "damped": damped,
+            "static_compliance_m_n": {
+                "h33": still.h33_m_n, "hww": still.hww_m_n,
+                "h3w": still.h3w_m_n, "grel": still.grel_m_n,
+            },
+        });
+        writeln!(text, "{object:#}")?;
+    } else {
+        writeln!(
+            text,
+            "{}\n\nwithout damping; shapes by the largest displacement",
+            name(&scenario)
+        )?;
+        write!(text, "{:>16}", "Hz")?;
+        NODES.iter().try_for_each(|node| write!(text, "{node:>14}"))?;
+        for mode in &free {
+            write!(text, "\n{:>16.4}", mode.frequency_hz)?;
+            let largest = mode.shape.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+            mode.shape.iter().try_for_each(|x| write!(text, "{:>14.4}", x / largest))?;
+        }
+        writeln!(text, "\n\nwith damping\n{:>16}{:>16}{:>14}", "natural Hz", "damped Hz", "ratio")?;
+        for mode in &modes {
+            let (natural, turning) = (mode.natural_hz(), mode.damped_hz());
+            writeln!(text, "{natural:>16.4}{turning:>16.4}{:>14.6}", mode.damping_ratio())?;
+        }
+        writeln!(text, "\nat rest, m/N")?;
+        for (label, value) in [
+            ("tooth", still.h33_m_n),
+            ("work", still.hww_m_n),
+            ("across", still.h3w_m_n),
+            ("between tooth and work", still.grel_m_n),
+        ] {
+            writeln!(text, "  {label:<24}{value:.6e}")?;
+        }
+    }
+    deliver(model, &text)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+const COLUMNS: [&str; 9] =
+    ["f_hz", "h33_re", "h33_im", "hww_re", "hww_im", "h3w_re", "h3w_im", "grel_re", "grel_im"];
+
+fn numbers(response: &Response) -> [f64; 9] {
+    let Response { f_hz, h33, hww, h3w, grel } = response;
+    [*f_hz, h33.re, h33.im, hww.re, hww.im, h3w.re, h3w.im, grel.re, grel.im]
+}
+
+fn frf(model: &MachineModel) -> Outcome {
+    let scenario = scenario(model)?;
+    let machine = FiveMass::new(&scenario.machine);
+    let sweep: Option<Vec<Response>> = frequencies_hz().map(|f| gauss(&machine, f)).collect();
+    let sweep = sweep.ok_or("this machine's equations are singular")?;
+    let mut text = String::new();
+    if model.json {
+        let row = |response: &Response| {
+            let cells = COLUMNS.iter().zip(numbers(response));
+            let cells: Vec<String> =
+                cells.map(|(name, x)| format!("\"{name}\": {}", json!(x))).collect();
+            format!("{{{}}}", cells.join(", "))
+        };
+        let rows: Vec<String> = sweep.iter().map(row).collect();
+        writeln!(text, "[{}]", rows.join(",\n "))?;
+    } else {
+        writeln!(text, "{}; m/N", name(&scenario))?;
+        COLUMNS.iter().try_for_each(|column| write!(text, "{column:>15}"))?;
+        for response in &sweep {
+            let [f_hz, rest @ ..] = numbers(response);
+            write!(text, "\n{f_hz:>15}")?;
+            rest.iter().try_for_each(|x| write!(text, "{x:>15.6e}"))?;
+        }
+        writeln!(text)?;
+    }
+    deliver(model, &text)?;
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,140 @@
+//! `steadycut machine stability`: the depth at which the cut chatters, over the speed.
+
+use std::fmt::Write as _;
+use std::process::ExitCode;
+
+use serde_json::json;
+
+use super::Outcome;
+use super::machine::{deliver, name, scenario};
+use super::machine_args::StabilityArgs;
+use super::train::bar;
+use crate::study::stability::chart::{BAND_PERCENT, ChartJob, DT_S, Point, Range};
+
+/// Greatest depth that is looked at, in depths that are stable at every speed.
+const HIGHEST: f64 = 25.0;
+/// Speeds that the check asks for.
+const CHECKED_SPEEDS: usize = 40;
+
+pub fn execute(args: &StabilityArgs) -> Outcome {
+    if args.from >= args.to && args.speeds > 1 {
+        return Err(format!("--from {} must be below --to {}", args.from, args.to).into());
+    }
+    let scenario = scenario(&args.model)?;
+    let mut range = Range {
+        from_rpm: args.from,
+        to_rpm: args.to,
+        speeds: args.speeds,
+        highest_mm: f64::MAX,
+        simulate: args.check,
+    };
+    range.highest_mm = HIGHEST * ChartJob::new(&scenario, range)?.any_speed_mm();
+    let mut job = ChartJob::new(&scenario, range)?;
+    let progress = bar(u64::from(job.steps()), "curves");
+    while !job.advance() {
+        progress.inc(1);
+    }
+    progress.finish_and_clear();
+    let worst = [0, 1].map(|which| worst(job.points(), which));
+    let agreed = worst
+        .iter()
+        .all(|(speeds, worst)| *speeds >= CHECKED_SPEEDS && worst.abs() <= BAND_PERCENT)
+        && job.points().iter().all(same_speeds);
+    let cut = job.cut();
+    let mut text = String::new();
+    if args.model.json {
+        let mut object = json!({
+            "reading": scenario.machine.reading.id(),
+            "parameters": scenario.machine.parameters.id(),
+            "spindle_quality": scenario.machine.spindle_quality,
+            "teeth": cut.engagement.teeth,
+            "mean_teeth": cut.engagement.mean_teeth(),
+            "stiffness_per_mm": cut.stiffness_per_mm,
+            "any_speed_mm": job.any_speed_mm(),
+            "highest_mm": range.highest_mm,
+            "points": job.points(),
+        });
+        if args.check {
+            let verdict = |(speeds, percent): (usize, f64)| json!({"speeds": speeds, "worst_percent": percent});
+            object["check"] = json!({
+                "mean": verdict(worst[0]), "interrupted": verdict(worst[1]), "agreed": agreed,
+            });
+        }
+        writeln!(text, "{object:#}")?;
+    } else {
+        writeln!(
+            text,
+            "{}\ncut: {} teeth, {:.4} of them in the cut on the average, {:.4e} N/m per mm of depth\n\
+             stable at every speed up to {:.3} mm; looked at up to {:.1} mm\n",
+            name(&scenario),
+            cut.engagement.teeth,
+            cut.engagement.mean_teeth(),
+            cut.stiffness_per_mm,
+            job.any_speed_mm(),
+            range.highest_mm
+        )?;
+        print(&mut text, args.check, job.points())?;
+        if args.check {
+            for (label, (speeds, percent)) in ["mean", "interrupted"].iter().zip(worst) {
+                writeln!(
+                    text,
+                    "{label}: simulation (steps of {DT_S} s) off its chart by at most {percent:+.2} % at \
+                     {speeds} speeds"
+                )?;
+            }
+            let verdict = if agreed { "agreed" } else { "NOT agreed" };
+            writeln!(
+                text,
+                "within {BAND_PERCENT} % at {CHECKED_SPEEDS} speeds or more: {verdict}"
+            )?;
+        }
+    }
+    deliver(&args.model, &text)?;
+    Ok(if args.check && !agreed { ExitCode::from(1) } else { ExitCode::SUCCESS })
+}
+
+/// Number of speeds with a limit in chart and simulation, and their largest difference in percent.
+fn worst(points: &[Point], which: usize) -> (usize, f64) {
+    let found: Vec<f64> =
+        points.iter().filter_map(|point| point.differences_percent()[which]).collect();
+    let worst = found.iter().copied().max_by(|x, y| x.abs().total_cmp(&y.abs()));
+    (found.len(), worst.unwrap_or(0.0))
+}
+
+/// Whether chart and simulation agree on whether there is a limit at all.
+fn same_speeds(point: &Point) -> bool {
+    point.mean_mm.is_some() == point.simulated_mean_mm.is_some()
+        && point.interrupted_mm.is_some() == point.simulated_interrupted_mm.is_some()
+}
+
+fn print(text: &mut String, simulated: bool, points: &[Point]) -> std::fmt::Result {
+    write!(text, "{:>10}{:>12}{:>10}{:>14}", "1/min", "lobes mm", "at Hz", "interrupted")?;
+    if simulated {
+        write!(text, "{:>14}{:>8}{:>16}{:>8}", "simulated", "%", "sim. interrupted", "%")?;
+    }
+    writeln!(text)?;
+    let cell = |value: Option<f64>| value.map_or("-".to_owned(), |x| format!("{x:.3}"));
+    for point in points {
+        write!(
+            text,
+            "{:>10.1}{:>12}{:>10}{:>14}",
+            point.speed_rpm,
+            cell(point.mean_mm),
+            point.mean_chatter_hz.map_or("-".to_owned(), |f| format!("{f:.2}")),
+            cell(point.interrupted_mm)
+        )?;
+        if simulated {
+            let [mean, interrupted] = point
+                .differences_percent()
+                .map(|x| x.map_or("-".to_owned(), |x| format!("{x:+.2}")));
+            write!(
+                text,
+                "{:>14}{mean:>8}{:>16}{interrupted:>8}",
+                cell(point.simulated_mean_mm),
+                cell(point.simulated_interrupted_mm)
+            )?;
+        }
+        writeln!(text)?;
+    }
+    Ok(())
+}
