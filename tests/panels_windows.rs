@@ -116,6 +116,33 @@ fn the_peak_of_the_control_period_is_found_within_the_revolution() {
 }
 
 #[test]
+fn a_drag_zooms_into_the_revolution_and_a_double_click_fits_again() {
+    let mut screen = at("experiment-1", DESKTOP, None, 4);
+    open_window(&mut screen, DESKTOP, &[], "Within a revolution\u{2026}");
+    click(&mut screen, "Time");
+    let whole = "Forces from 0.00 ms to 37.67 ms";
+    let rect = screen.get_by_label(whole).rect();
+    let at = |x: f32| rect.lerp_inside(vec2(x, 0.5));
+    screen.hover_at(at(0.3));
+    screen.run_steps(2);
+    screen.drag_at(at(0.4));
+    screen.run_steps(1);
+    for x in [0.5, 0.6] {
+        screen.hover_at(at(x));
+        screen.run_steps(1);
+    }
+    screen.drop_at(at(0.6));
+    screen.run_steps(2);
+    assert!(screen.query_by_label(whole).is_none(), "{}", texts(&screen));
+    for _ in 0..2 {
+        screen.drag_at(at(0.5));
+        screen.drop_at(at(0.5));
+    }
+    screen.run_steps(3);
+    assert!(screen.query_by_label(whole).is_some(), "{}", texts(&screen));
+}
+
+#[test]
 fn where_there_are_no_teeth_one_click_brings_them() {
     let mut screen = at("first-cut", DESKTOP, None, 1);
     open_window(&mut screen, DESKTOP, &[], "Within a revolution\u{2026}");

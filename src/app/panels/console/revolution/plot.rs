@@ -83,8 +83,7 @@ impl RevolutionWindow {
         let margin = 0.08 * (high - low).max(1.0);
         let (low, high) = (low - margin, high + margin);
         let range = self.zoomed.unwrap_or([from, to]);
-        let said = summary(shown);
-        ui.label(RichText::new(&said).small().color(palette.weak));
+        ui.label(RichText::new(summary(shown)).small().color(palette.weak));
         let window = shown.window_from.and_then(|i| places.get(i)).map(|x| {
             let corners = vec![[*x, low], [to, low], [to, high], [*x, high]];
             let fill = palette.accent.gamma_multiply(0.10);
@@ -140,7 +139,11 @@ impl RevolutionWindow {
                 let now = VLine::new("", to).allow_hover(false);
                 plot.vline(now.color(palette.playhead).width(1.0));
             });
-        response.response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, said.clone()));
+        response.response.widget_info(|| {
+            let [from, to] = range.map(|place| theme::quantity(place, unit));
+            let label = format!("Forces from {from} to {to}");
+            WidgetInfo::labeled(Role::Figure, true, label)
+        });
         if let Some(range) = zoom(ui, &response, range, &mut self.drag) {
             self.zoomed = Some(range);
         } else if response.response.double_clicked() {
