@@ -88,7 +88,10 @@ fn every_controller_runs_on_every_plant() {
             assert!(!matches!(run.end(), Some(End::Fault(_))), "{kind:?} {force_model:?}");
             let integrates = matches!(
                 kind,
-                ControllerKind::Tracking | ControllerKind::AdjustablePi | ControllerKind::Mrac
+                ControllerKind::Tracking
+                    | ControllerKind::AdjustablePi
+                    | ControllerKind::Mrac
+                    | ControllerKind::Preview
             );
             if integrates && !by_teeth {
                 let last = run.recording().rows().last().unwrap();

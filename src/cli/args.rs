@@ -7,10 +7,12 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use super::machine_args::MachineArgs;
 use crate::base::model::gp::Calibration;
 use crate::base::network::Activation;
+use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::process::ForceModel;
 use crate::run::plan_settings::PlannedSection;
 use crate::study::published::PaperId;
 use crate::study::recommend::Engagement;
+use crate::study::robust::MAX_RUNS;
 use crate::study::train::recipe::RecipeKind;
 
 /// SteadyCut: milling that keeps its surface finish constant.
@@ -57,6 +59,8 @@ pub enum Command {
     Unks(UnksArgs),
     /// The five-mass machine of 2019: modes, frequency response, stability, wear, tool life.
     Machine(MachineArgs),
+    /// Judge how robust a controller is: many runs with plant and belief drawn at random.
+    Robust(RobustArgs),
 }
 
 /// Arguments of `run`.
@@ -301,6 +305,10 @@ fn recipe_kind(text: &str) -> Result<RecipeKind, String> {
     one_of(RecipeKind::ALL, RecipeKind::id, text)
 }
 
+fn controller_kind(text: &str) -> Result<ControllerKind, String> {
+    one_of(ControllerKind::ALL, ControllerKind::id, text)
+}
+
 fn planned_section(text: &str) -> Result<PlannedSection, String> {
     one_of(PlannedSection::ALL, PlannedSection::id, text)
 }
@@ -346,6 +354,29 @@ pub struct PlanArgs {
     /// cut.
     #[arg(long, value_name = "FILE.toml")]
     pub out: Option<PathBuf>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `robust`.
+#[derive(Debug, Args)]
+pub struct RobustArgs {
+    /// A preset's name or a scenario file.
+    #[arg(long, value_name = "PRESET|FILE", default_value = "experiment-2")]
+    pub scenario: String,
+    /// The controller; without it the scenario's.
+    #[arg(long, value_parser = controller_kind)]
+    pub controller: Option<ControllerKind>,
+    /// Change a setting, for example `--set belief.dead_time_s=0.08`; `steadycut list` names all.
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// Number of runs.
+    #[arg(long, default_value_t = 500, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_RUNS)))]
+    pub runs: u32,
+    /// Seed of everything that is drawn.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u32,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,

@@ -14,6 +14,7 @@ mod papers;
 mod papers_2005;
 mod plan;
 mod recommend;
+mod robust;
 mod run;
 mod schedule;
 mod train;
@@ -43,6 +44,7 @@ pub fn execute(command: &Command) -> ExitCode {
         Command::Combine(args) => combine::execute(args),
         Command::Unks(args) => unks::execute(args),
         Command::Machine(args) => machine::execute(args),
+        Command::Robust(args) => robust::execute(args),
     };
     match result {
         Ok(code) => code,

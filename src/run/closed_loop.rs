@@ -302,6 +302,7 @@ impl ClosedLoop {
         } else {
             self.dynamometer.read(self.sensed_n, sample)
         };
+        let x_mm = self.path.cut_at(self.position_mm).1;
         let output = self.controller.update(&ControlInput {
             force_measured_n,
             force_ref_n: self.desired_force.value,
@@ -312,6 +313,8 @@ impl ClosedLoop {
             },
             limits: self.limits,
             models: &self.belief,
+            cut: self.path.cut(),
+            x_mm,
         });
         let feed = self.feed_override.update(output.request.feed_mm_min, self.limits.feed_mm_min);
         let speed = self.spindle_override.update(output.request.speed_rpm, self.limits.speed_rpm);

@@ -7,6 +7,7 @@ use super::plan_settings::PlanSettings;
 use crate::base::model::gp::ModelSet;
 use crate::base::model::machine::MachineSettings;
 use crate::base::model::machine_trend::LifeSettings;
+use crate::base::model::part::ProgrammedPart;
 use crate::base::model::roughness_profile::ProfileSettings;
 use crate::base::model::unks::Stored;
 use crate::base::model::wear::WearSettings;
@@ -18,6 +19,7 @@ use crate::blocks::control::constant_feed::ConstantFeedSettings;
 use crate::blocks::control::force::adjustable_pi::AdjustablePiSettings;
 use crate::blocks::control::force::division::DivisionSettings;
 use crate::blocks::control::force::mrac::MracSettings;
+use crate::blocks::control::force::preview::PreviewSettings;
 use crate::blocks::control::force::proportional::ProportionalSettings;
 use crate::blocks::control::force::unks::UnksSettings;
 use crate::blocks::control::sdnrp::SdnrpSettings;
@@ -119,6 +121,7 @@ scenario! {
     "controller.adjustable_pi", adjustable_pi: AdjustablePiSettings;
     "controller.mrac", mrac: MracSettings;
     "controller.unks", unks: UnksSettings;
+    "controller.preview", preview: PreviewSettings;
     "belief", belief: Belief;
     "feed_drive", feed_drive: FeedDriveSettings;
     "spindle_drive", spindle_drive: SpindleDriveSettings;
@@ -386,6 +389,13 @@ impl Scenario {
             adjustable_pi: &self.adjustable_pi,
             mrac: &self.mrac,
             unks: &self.unks,
+            preview: &self.preview,
+            part: ProgrammedPart {
+                cuts: &self.workpiece.cuts,
+                axial_depth_mm: self.workpiece.axial_depth_mm,
+                radial_depth_mm: self.workpiece.radial_depth_mm,
+                depth_steps: &self.workpiece.depth_steps,
+            },
             belief: &self.belief,
             period_s: self.control_period_s(),
         }

@@ -11,6 +11,7 @@ pub mod papers;
 pub mod plan;
 pub mod published;
 pub mod recommend;
+pub mod robust;
 pub mod sound;
 pub mod stability;
 pub mod train;

@@ -12,6 +12,7 @@ pub mod machine;
 pub mod machine_trend;
 pub mod model_file;
 pub mod neural_force;
+pub mod part;
 pub mod quartic;
 pub mod roughness_profile;
 pub mod roughness_trend;

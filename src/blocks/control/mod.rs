@@ -9,6 +9,7 @@ pub mod tracking;
 
 use crate::base::model::feed_drive::FeedDriveKind;
 use crate::base::model::gp::{Calibration, GpModels, ModelSet};
+use crate::base::model::part::ProgrammedPart;
 
 crate::choice! {
     /// A controller.
@@ -29,6 +30,8 @@ crate::choice! {
         Mrac = "mrac", "MRAC";
         /// The neural control scheme of 2005, its networks learning in the cut.
         Unks = "unks", "UNKS";
+        /// Looks ahead in the programmed part: the feed that the force allows where the command will act.
+        Preview = "preview", "Preview";
     }
 }
 
@@ -63,6 +66,11 @@ crate::settings! {
         spindle_time_constant_s: f64 = 0.2, [0.01, 5.0], "s", live, "Assumed spindle lag";
         /// Spindle rate limit that the controller's predictor assumes.
         spindle_rate_rpm_s: f64 = 1000.0, [50.0, 100000.0], "rpm/s", live, "Assumed spindle rate";
+        /// Error of the depths that a controller with preview believes in: it takes the programmed
+        /// part for so much deeper.
+        depth_error_percent: f64 = 0.0, [-30.0, 30.0], "%", live, "Depth error";
+        /// Error of the place where it believes the part to be: so much further along the cut.
+        position_error_mm: f64 = 0.0, [-5.0, 5.0], "mm", live, "Position error";
     }
 }
 
@@ -102,6 +110,11 @@ pub struct ControlInput<'a> {
     pub limits: Limits,
     /// The controller's models.
     pub models: &'a GpModels,
+    /// The cut that the machine is in, counted from 0.
+    pub cut: usize,
+    /// Where along it the tool's axis stands by the machine's own reading, mm from where the programmed
+    /// part begins.
+    pub x_mm: f64,
 }
 
 /// What a controller asks for.
@@ -140,6 +153,10 @@ pub struct ControlSetup<'a> {
     pub mrac: &'a force::mrac::MracSettings,
     /// Settings of the neural control scheme.
     pub unks: &'a force::unks::UnksSettings,
+    /// Settings of the controller with preview.
+    pub preview: &'a force::preview::PreviewSettings,
+    /// The part as programmed.
+    pub part: ProgrammedPart<'a>,
     /// The controller's beliefs.
     pub belief: &'a Belief,
     /// Control period, s.

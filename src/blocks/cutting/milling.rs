@@ -11,9 +11,9 @@
 //! The forces of the sample before make the deflection: no algebraic loop. One call is one sample,
 //! 28.8 kHz in the papers' set-up.
 
-use super::part::CutPath;
 use crate::base::math;
 use crate::base::model::ball_end::{Cutter, ELASTICITY_MM_PER_N, Kienzle, Sliced, Steel};
+use crate::base::model::part::CutPath;
 use crate::base::units::rev_s_from_rpm;
 
 /// Slowest spindle whose tooth period the history holds, 1/min; slower ones count as it.

@@ -3,7 +3,6 @@
 pub mod material;
 pub mod milling;
 pub mod neural;
-pub mod part;
 pub mod process;
 pub mod tool;
 pub mod tool_path;

@@ -16,7 +16,6 @@
 use super::material::Material;
 use super::milling::{Milling, MillingSetup};
 use super::neural::{NeuralCut, NeuralLaw};
-use super::part::CutPath;
 use super::tool::R216_16B20_040;
 use super::tool_path::{Place, radius_mm};
 use super::workpiece::AXIAL_DEPTH_2007_MM;
@@ -25,6 +24,7 @@ use crate::base::model::Valued;
 use crate::base::model::ball_end::{CK45, Cutter, MNCRSI5};
 use crate::base::model::gp::{Calibration, GpModels, ModelSet};
 use crate::base::model::neural_force::NeuralKind;
+use crate::base::model::part::CutPath;
 use crate::base::units::mm_from_um;
 
 crate::choice! {

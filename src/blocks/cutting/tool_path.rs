@@ -2,10 +2,10 @@
 //! position is counted along all of them, so it only grows; between two cuts the tool returns in
 //! rapid feed, which takes no time here.
 
-use super::part::{APPROACH_MM, CutPath};
 use super::tool::R216_16B20_040;
 use super::workpiece::{DepthProfile, Workpiece};
 use crate::base::math;
+use crate::base::model::part::{APPROACH_MM, CutPath};
 
 /// Engagement at the tool's axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -3,6 +3,7 @@
 
 use super::load_step;
 use crate::base::model::gp::GpModels;
+use crate::base::model::part::APPROACH_MM;
 use crate::blocks::control::{ControlInput, Controller, FeedSpeed};
 use crate::run::closed_loop::limits;
 use crate::run::edits::Edits;
@@ -16,8 +17,9 @@ pub struct Replay {
     scenario: Scenario,
     programmed: FeedSpeed,
     models: GpModels,
-    /// Measured force in N and the command applied before, once in a control period.
-    samples: Vec<(f64, FeedSpeed)>,
+    /// Measured force in N, the command applied before and the place along the one cut in mm, once
+    /// in a control period.
+    samples: Vec<(f64, FeedSpeed, f64)>,
 }
 
 impl Replay {
@@ -33,7 +35,7 @@ impl Replay {
                 feed_mm_min: row.feed_command_mm_min,
                 speed_rpm: row.spindle_command_rpm,
             };
-            (row.force_measured_n, applied)
+            (row.force_measured_n, applied, row.position_mm - APPROACH_MM)
         };
         Self {
             programmed: FeedSpeed {
@@ -58,7 +60,7 @@ impl Replay {
     pub fn pass(&self) -> f64 {
         let mut controller = Controller::new(&self.scenario.control_setup(), self.programmed);
         let limits = limits(&self.scenario, 0);
-        let update = |(force_measured_n, applied): &(f64, FeedSpeed)| {
+        let update = |(force_measured_n, applied, x_mm): &(f64, FeedSpeed, f64)| {
             let output = controller.update(&ControlInput {
                 force_measured_n: *force_measured_n,
                 force_ref_n: self.scenario.target.force_n,
@@ -66,6 +68,8 @@ impl Replay {
                 applied: *applied,
                 limits,
                 models: &self.models,
+                cut: 0,
+                x_mm: *x_mm,
             });
             output.request.feed_mm_min
         };

@@ -8,6 +8,7 @@
 use crate::base::math::{self, extent, limit};
 use crate::base::model::ball_end::{CK45, Cutter, MNCRSI5};
 use crate::base::model::feed_drive::{DriveState, ExactDrive, FeedDriveKind};
+use crate::base::model::part::{APPROACH_MM, CutPath};
 use crate::base::model::unks::{HORIZON_BEYOND, LEAST_KN, SIZES, log_force};
 use crate::base::network::{
     Activation, Learning, Network, Provenance, ScaledNetwork, Scaling, Training, write,
@@ -17,7 +18,6 @@ use crate::base::settings::Section;
 use crate::base::units::mm_s_from_mm_min;
 use crate::blocks::cnc::dead_time::DeadTime;
 use crate::blocks::cutting::milling::{Milling, MillingSetup};
-use crate::blocks::cutting::part::{APPROACH_MM, CutPath};
 use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::sensing::dynamic_force::{DynamicForce, NoiseSettings};
 use crate::blocks::sensing::peak::PeakWindow;

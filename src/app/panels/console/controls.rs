@@ -23,7 +23,7 @@ const FIRST: [&str; 5] =
 const TARGET: &str = "target.ra_um";
 
 /// Groups below the fold, with their titles.
-const GROUPS: [(&str, &str); 23] = [
+const GROUPS: [(&str, &str); 24] = [
     ("target", "Target"),
     ("controller.constant_feed", "Constant feed"),
     ("controller.sdnrp", "SDNRP"),
@@ -33,6 +33,7 @@ const GROUPS: [(&str, &str); 23] = [
     ("controller.adjustable_pi", "Adjustable PI"),
     ("controller.mrac", "MRAC"),
     ("controller.unks", "UNKS"),
+    ("controller.preview", "Preview"),
     ("belief", "What the controller believes"),
     ("plant", "Plant"),
     ("noise", "Noise"),

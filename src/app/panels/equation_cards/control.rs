@@ -130,6 +130,15 @@ fn force_law(row: &Row, scenario: &Scenario) -> Vec<Live> {
             "u = a_0 e^{NM-2} · internal loop + w_{ext} (NM-R(F_{ref}, F_m) - 1)",
             sent,
         ),
+        ControllerKind::Preview => {
+            let margin = number(scenario.preview.margin_mm);
+            let exponent = number(scenario.preview.exponent);
+            let aim = number(ratio_from_percent(scenario.preview.aim_percent));
+            Live::everywhere(
+                format!("u = [{aim} / (g · max K(x_h ± {margin} mm))]^{{1/{exponent}}}"),
+                format!("{sent}, g = {gain}"),
+            )
+        }
         _ => {
             let formula = match scenario.division.divided {
                 Divided::Programmed => "u = 1 / y".to_owned(),

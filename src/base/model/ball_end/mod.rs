@@ -26,9 +26,11 @@
 use crate::base::math;
 
 mod kienzle;
+mod peak_table;
 mod static_cut;
 
 pub use kienzle::{CK45, Kienzle, MNCRSI5, Steel};
+pub use peak_table::PeakTable;
 pub use static_cut::{StaticCut, StaticPeak, static_peak};
 
 /// Elasticity G of tool and holder in mm/N: 50 N/um. As printed, in m/N, 650 N would bend the tool

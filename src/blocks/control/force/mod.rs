@@ -15,14 +15,17 @@
 //! held: low loads raise the feed above the programmed one (2005, section 1).
 
 pub mod adjustable_pi;
+pub mod believed_part;
 pub mod division;
 pub mod mrac;
+pub mod preview;
 pub mod proportional;
 pub mod unks;
 
 use adjustable_pi::AdjustablePi;
 use division::Division;
 use mrac::Mrac;
+use preview::Preview;
 use proportional::Proportional;
 use unks::{Learning, Unks};
 
@@ -35,12 +38,14 @@ use crate::base::model::unks::HORIZON_BEYOND;
 const AIR: f64 = 0.06;
 /// Least actual override that anything is divided by.
 const LEAST: f64 = 0.02;
+/// Control periods after which every drive has settled: a second at 1 ms.
+const LAG_PERIODS: usize = 1000;
 /// Longest dead time that can be predicted, s; the range of `belief.dead_time_s`.
 const DEAD_TIME_MAX_S: f64 = 0.5;
 
 /// What a force controller sees in a control period.
 #[derive(Clone, Copy, Debug)]
-pub struct Sample {
+pub struct Sample<'a> {
     /// Normalised force y, or y* with the Smith predictor.
     pub y: f64,
     /// Actual override u_a, or u_0 with the Smith predictor; at least 0.02.
@@ -51,12 +56,20 @@ pub struct Sample {
     pub entered: bool,
     /// Least and largest override.
     pub range: [f64; 2],
+    /// Everything that the controller was given.
+    pub input: &'a ControlInput<'a>,
+    /// The shared part, which knows the commands on their way.
+    pub frame: &'a Frame,
 }
 
 /// One of the laws: from a sample in contact to the new override.
 pub trait Law {
     /// The new override, before limits.
     fn update(&mut self, sample: &Sample) -> f64;
+    /// The override in the air.
+    fn in_air(&mut self, sample: &Sample) -> f64 {
+        sample.range[1]
+    }
     /// The law's estimate of the force at 100 % override relative to the reference; 1 where it has
     /// none.
     fn gain(&self) -> f64 {
@@ -68,6 +81,9 @@ pub trait Law {
 #[derive(Clone, Debug)]
 pub struct Frame {
     drive: ExactDrive,
+    period_s: f64,
+    /// How far the drive lags behind a ramp, in control periods.
+    lag: f64,
     /// Whole control periods of dead time.
     periods: usize,
     smith: bool,
@@ -85,6 +101,8 @@ impl Frame {
         let capacity = (DEAD_TIME_MAX_S / setup.period_s).ceil() as usize + 2;
         let mut this = Self {
             drive: ExactDrive::new(setup.belief.feed_drive, setup.period_s),
+            period_s: setup.period_s,
+            lag: 0.0,
             periods: 0,
             smith,
             sent: vec![1.0; capacity],
@@ -100,6 +118,8 @@ impl Frame {
 
     pub(super) fn configure(&mut self, setup: &ControlSetup, smith: bool) {
         self.drive = ExactDrive::new(setup.belief.feed_drive, setup.period_s);
+        self.period_s = setup.period_s;
+        self.lag = lag(&self.drive);
         self.periods = periods(setup);
         self.smith = smith;
     }
@@ -120,6 +140,17 @@ impl Frame {
         self.drive.advance(&mut self.undelayed, sent);
     }
 
+    /// How far the tool will have gone when a command sent now has its effect, in control periods at
+    /// 100 %: through the commands that are still on their way, and the drive's lag behind the new one.
+    fn ahead(&self) -> f64 {
+        let (mut state, mut sum, n) = (self.delayed, 0.0, self.sent.len());
+        for back in (0..self.periods.min(n - 1)).rev() {
+            self.drive.advance(&mut state, self.sent[(self.newest + n - back) % n]);
+            sum += state.feed_mm_min();
+        }
+        sum + self.lag * state.feed_mm_min()
+    }
+
     /// One control period of `law`.
     pub(super) fn update(&mut self, law: &mut dyn Law, input: &ControlInput) -> ControlOutput {
         let programmed = input.programmed.feed_mm_min;
@@ -137,12 +168,9 @@ impl Frame {
             actual = self.undelayed.feed_mm_min().max(LEAST);
             y *= actual / delayed;
         }
-        let override_now = if contact {
-            let entered = !self.in_contact;
-            law.update(&Sample { y, actual, sent, entered, range })
-        } else {
-            range[1]
-        };
+        let entered = contact && !self.in_contact;
+        let sample = Sample { y, actual, sent, entered, range, input, frame: self };
+        let override_now = if contact { law.update(&sample) } else { law.in_air(&sample) };
         self.in_contact = contact;
         ControlOutput {
             request: FeedSpeed {
@@ -165,6 +193,7 @@ enum AnyLaw {
     AdjustablePi(AdjustablePi),
     Mrac(Box<Mrac>),
     Unks(Box<Unks>),
+    Preview(Box<Preview>),
 }
 
 impl AnyLaw {
@@ -182,6 +211,7 @@ impl AnyLaw {
             }),
             ControllerKind::Mrac => Self::Mrac(Box::new(Mrac::new(setup.mrac))),
             ControllerKind::Unks => Self::Unks(Box::new(Unks::new(setup.unks, horizon(setup)))),
+            ControllerKind::Preview => Self::Preview(Box::new(Preview::new(setup))),
             _ => Self::Division(Division { settings: setup.division.clone() }),
         }
     }
@@ -203,6 +233,7 @@ impl AnyLaw {
                 law.settings = setup.unks.clone();
                 law.set_horizon(horizon(setup));
             }
+            (Self::Preview(law), ControllerKind::Preview) => law.configure(setup),
             _ => return false,
         }
         true
@@ -222,6 +253,7 @@ impl AnyLaw {
             Self::AdjustablePi(law) => law,
             Self::Mrac(law) => law.as_mut(),
             Self::Unks(law) => law.as_mut(),
+            Self::Preview(law) => law.as_mut(),
         }
     }
 }
@@ -229,6 +261,18 @@ impl AnyLaw {
 /// Whole control periods of the believed dead time.
 fn periods(setup: &ControlSetup) -> usize {
     (setup.belief.dead_time_s / setup.period_s).round() as usize
+}
+
+/// How far a drive lags behind a ramp of its command, in periods of the command: the area between a
+/// step and its answer, and half a period that a command is held before and after its middle.
+fn lag(drive: &ExactDrive) -> f64 {
+    let mut state = DriveState::settled(0.0);
+    let mut area = 1.0;
+    for _ in 0..LAG_PERIODS {
+        drive.advance(&mut state, 1.0);
+        area += 1.0 - state.feed_mm_min();
+    }
+    area
 }
 
 /// How far UNKS looks ahead, in control periods.
@@ -242,6 +286,8 @@ fn smith(setup: &ControlSetup) -> bool {
         ControllerKind::AdjustablePi => setup.adjustable_pi.smith,
         ControllerKind::Mrac => setup.mrac.smith,
         ControllerKind::Unks => setup.unks.smith,
+        // It looks ahead by itself.
+        ControllerKind::Preview => false,
         _ => setup.division.smith,
     }
 }

@@ -7,10 +7,23 @@
 //! would jump sideways at every step of the axial depth. Steps are met gradually, as the ball's
 //! contact points come to them.
 
-use crate::base::settings::Section;
+use crate::base::settings::{DepthStep, Section};
 
 /// Distance in mm that a cut starts before the part's edge: the tool comes in from the air.
 pub const APPROACH_MM: f64 = 7.6;
+
+/// The part as it is programmed: what a controller may know of it before it is cut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProgrammedPart<'a> {
+    /// Straight cuts; empty where the part is one path with a depth profile.
+    pub cuts: &'a [Vec<Section>],
+    /// Axial depth at the start of the one path, mm.
+    pub axial_depth_mm: f64,
+    /// Radial depth of the one path, mm.
+    pub radial_depth_mm: f64,
+    /// Depth profile of the one path.
+    pub depth_steps: &'a [DepthStep],
+}
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Stretch {
