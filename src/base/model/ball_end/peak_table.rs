@@ -1,13 +1,11 @@
 //! Peak force for any engagement at one feed per tooth: what every slice gives at every angle is worked
 //! out once, and an engagement only says which of them cut, and how wide.
 //!
-//! No run-out and no deflection: the steady cut of a rigid tool, whose teeth all cut alike.
+//! Where a slice leaves the cut at a wall the peak has a narrow tip: angles 5 degrees apart miss up to
+//! 6 % of it, half a degree apart nothing. No run-out and no deflection: the steady cut of a rigid tool, whose teeth all cut alike.
 
 use super::{Kienzle, Sliced};
 use crate::base::math;
-
-/// Steps of the spindle in a tooth's pitch: with two teeth one is 5 degrees.
-const STEPS: usize = 36;
 
 /// A slice of a tooth at an angle.
 #[derive(Clone, Copy, Debug)]
@@ -27,13 +25,14 @@ pub struct PeakTable {
 }
 
 impl PeakTable {
-    /// The table of a sliced cutter at a feed per tooth in mm.
+    /// The table of a sliced cutter at a feed per tooth in mm, over `angles` of the spindle in a tooth's
+    /// pitch.
     #[must_use]
-    pub fn new(sliced: &Sliced, law: &Kienzle, feed_per_tooth_mm: f64) -> Self {
+    pub fn new(sliced: &Sliced, law: &Kienzle, feed_per_tooth_mm: f64, angles: usize) -> Self {
         let slice_mm = sliced.cutter.slice_mm;
         let pitch = math::TAU / sliced.teeth.len() as f64;
         let at = |step: usize| {
-            let spindle = pitch * step as f64 / STEPS as f64;
+            let spindle = pitch * step as f64 / angles as f64;
             let (sin_spindle, cos_spindle) = (math::sin(spindle), math::cos(spindle));
             let mut entries = Vec::new();
             for [sin_pitch, cos_pitch, _] in &sliced.teeth {
@@ -60,7 +59,7 @@ impl PeakTable {
             }
             entries
         };
-        Self { slice_mm, angles: (0..STEPS).map(at).collect() }
+        Self { slice_mm, angles: (0..angles).map(at).collect() }
     }
 
     /// The largest F_xy in N over a turn; `depth_at(x_mm, y_mm)` as in [`Sliced::forces`].
@@ -90,15 +89,19 @@ mod tests {
     fn the_table_gives_the_peaks_of_static_cuts() {
         let cutter = Cutter::two_teeth(16.0, 0.0, 0.25);
         let law = Kienzle::new(&CK45, 80.0, 12.0, 200.0);
-        let table = PeakTable::new(&Sliced::new(&cutter, 5.0), &law, 0.08);
+        let sliced = Sliced::new(&cutter, 5.0);
+        let [coarse, fine] = [36, 360].map(|angles| PeakTable::new(&sliced, &law, 0.08, angles));
         for (axial_depth_mm, radial_depth_mm) in [(2.0, 3.0), (2.6, 3.9), (4.75, 7.31), (3.1, 5.0)]
         {
             let cut = StaticCut { feed_per_tooth_mm: 0.08, axial_depth_mm, radial_depth_mm };
             let expected = static_peak(&cutter, &law, &cut).fxy_n;
             let wall_mm = cutter.radius_mm(axial_depth_mm) - radial_depth_mm;
-            let found = table.peak_n(|_, y| if y >= wall_mm { axial_depth_mm } else { 0.0 });
-            assert!((found / expected - 1.0).abs() < 0.02, "{found} against {expected}");
+            for (table, tolerance) in [(&coarse, 0.06), (&fine, 0.002)] {
+                let found = table.peak_n(|_, y| if y >= wall_mm { axial_depth_mm } else { 0.0 });
+                let error = (found / expected - 1.0).abs();
+                assert!(error < tolerance, "{found} against {expected}");
+            }
         }
-        assert_eq!(table.peak_n(|_, _| 0.0), 0.0);
+        assert_eq!(coarse.peak_n(|_, _| 0.0), 0.0);
     }
 }

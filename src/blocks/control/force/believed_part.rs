@@ -26,6 +26,8 @@ const SPEED_M_MIN: f64 = 80.0;
 const RAKE_DEG: f64 = 12.0;
 /// Feed per tooth of the table, mm.
 const FEED_PER_TOOTH_MM: f64 = 0.08;
+/// Angles of the spindle in a tooth's pitch: 5 degrees apart.
+const ANGLES: usize = 36;
 /// Cross-section A_D R_D at which the formula's force holds, mm^2.
 const SECTION_MM2: f64 = 6.0;
 /// Grid of a cut: from so far before the part on, in such steps, in at most so many points.
@@ -93,7 +95,7 @@ impl BelievedPart {
         let depth_max_mm = cuts.iter().map(CutPath::depth_max_mm).fold(0.0, f64::max);
         let sliced = Sliced::new(&Cutter::two_teeth(DIAMETER_MM, 0.0, SLICE_MM), depth_max_mm);
         let law = Kienzle::new(&CK45, SPEED_M_MIN, RAKE_DEG, CK45.hardness_hb);
-        let table = PeakTable::new(&sliced, &law, FEED_PER_TOOTH_MM);
+        let table = PeakTable::new(&sliced, &law, FEED_PER_TOOTH_MM, ANGLES);
         Self {
             source: Source {
                 cuts: part.cuts.to_vec(),
