@@ -73,7 +73,7 @@ pub struct Evidence<'a> {
     pub iterations_needed: u32,
 }
 
-/// Every claim; none while the tables are not filled.
+/// Every claim; none while the tables have no finished run.
 #[must_use]
 pub fn claims(evidence: &Evidence<'_>) -> Vec<Claim> {
     let (Some([conventional_1, unks_1]), Some(conventional), Some(unks), Some(step)) = (
@@ -84,6 +84,9 @@ pub fn claims(evidence: &Evidence<'_>) -> Vec<Claim> {
     ) else {
         return Vec::new();
     };
+    if [conventional_1, unks_1, conventional, unks].iter().any(|row| row.finished == 0) {
+        return Vec::new();
+    }
     let told = step.periods.map_or("is never steady".to_owned(), |n| format!("takes {n}"));
     // The same metal in less time: the removal rate grows as the time shrinks.
     let ratio = unks_1.mean(Measure::Time) / conventional_1.mean(Measure::Time);

@@ -1,7 +1,9 @@
 //! Ways of control against each other: the same part and the same noise seeds for all of them.
 //!
 //! [`tournament`] is the job, [`entrants`] the list of who takes part, [`outcome`] what a run is
-//! judged by; [`table_1`] sets the six methods of 2005 beside the printed table.
+//! judged by, [`spread`] what the seeds make of it. [`table_1`] sets the six methods of 2005 beside
+//! the printed table, [`claims`] what the paper says beside what is found, [`robustness`] changes
+//! the conditions; [`load_step`] and [`cost`] are two meanings of the paper's optimisation step.
 
 pub mod claims;
 pub mod cost;
@@ -10,5 +12,6 @@ pub mod load_step;
 pub mod outcome;
 pub mod robustness;
 pub mod sections;
+pub mod spread;
 pub mod table_1;
 pub mod tournament;

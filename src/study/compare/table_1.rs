@@ -112,6 +112,14 @@ pub struct Verdict {
     pub ok: bool,
 }
 
+impl Verdict {
+    /// What `figure` stands for is told as missing where it is not finite: no run has given it yet.
+    fn new(band: String, found: String, figure: f64, ok: bool) -> Self {
+        let found = if figure.is_finite() { found } else { "no run has given it".to_owned() };
+        Self { band, found, ok }
+    }
+}
+
 /// Largest deviation of conventional milling in Nsn, time and force, percent.
 const CONVENTIONAL_PERCENT: f64 = 5.0;
 /// Largest deviation of any method in time, percent.
@@ -134,17 +142,11 @@ pub fn verdicts(table: &[Compared]) -> Vec<Verdict> {
     let Some(methods) = table.get(..printed.len()) else { return Vec::new() };
     let against = |row: usize, measure: Measure, percent: f64| {
         let wanted = printed[row].get(measure).unwrap_or(f64::NAN);
-        let found = methods[row].mean(measure);
-        let off = percent_from_ratio(found / wanted - 1.0);
-        Verdict {
-            band: format!(
-                "{}: {} within {percent} % of {wanted}",
-                methods[row].name,
-                told(measure)
-            ),
-            found: format!("{found:.3}, {off:+.1} %"),
-            ok: off.abs() <= percent,
-        }
+        let name = &methods[row].name;
+        let band = format!("{name}: {} within {percent} % of {wanted}", told(measure));
+        let off = percent_from_ratio(methods[row].mean(measure) / wanted - 1.0);
+        let found = format!("{:.3}, {off:+.1} %", methods[row].mean(measure));
+        Verdict::new(band, found, off, off.abs() <= percent)
     };
     let mut all: Vec<Verdict> = [Measure::Nsn, Measure::Time, Measure::Force]
         .map(|measure| against(CONVENTIONAL, measure, CONVENTIONAL_PERCENT))
@@ -153,18 +155,17 @@ pub fn verdicts(table: &[Compared]) -> Vec<Verdict> {
     let nsn = |row: usize| methods[row].mean(Measure::Nsn);
     let next = (0..methods.len()).filter(|row| *row != PI && *row != UNKS).map(nsn);
     let next = next.fold(f64::INFINITY, f64::min);
-    all.push(Verdict {
-        band: "UNKS and adjustable PI are the two best in Nsn".to_owned(),
-        found: format!("{:.3} and {:.3}; the next has {next:.3}", nsn(UNKS), nsn(PI)),
-        ok: nsn(UNKS) < next && nsn(PI) < next,
-    });
+    let found = format!("{:.3} and {:.3}; the next has {next:.3}", nsn(UNKS), nsn(PI));
+    all.push(Verdict::new(
+        "UNKS and adjustable PI are the two best in Nsn".to_owned(),
+        found,
+        nsn(UNKS) + nsn(PI) + next,
+        nsn(UNKS) < next && nsn(PI) < next,
+    ));
     all.extend(UNKS_AT_MOST.map(|(measure, most)| {
         let found = methods[UNKS].mean(measure);
-        Verdict {
-            band: format!("UNKS: {} at most {most}", told(measure)),
-            found: format!("{found:.3}"),
-            ok: found <= most,
-        }
+        let band = format!("UNKS: {} at most {most}", told(measure));
+        Verdict::new(band, format!("{found:.3}"), found, found <= most)
     }));
     all
 }

@@ -8,7 +8,8 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::entrants::Entrant;
-use super::outcome::{Measure, Outcome, Spread};
+use super::outcome::{Measure, Outcome};
+use super::spread::Spread;
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
 use crate::run::scenario::Scenario;
