@@ -174,6 +174,10 @@ fn table_1_of_2005_is_met_where_it_can_be_and_the_claims_are_told_as_found() {
         assert!(nsn(&table[0]) >= nsn(method), "{method:?}");
         assert_eq!(method.force_stops, 0, "{method:?}");
     }
+    // By a hair: adjustable PI and UNKS are equal in error and time.
+    let [pi, unks] = [&table[3], &table[5]];
+    assert!((nsn(pi) / nsn(unks) - 1.0).abs() < 0.05, "{pi:?} {unks:?}");
+    assert!((pi.mean(Measure::Time) - unks.mean(Measure::Time)).abs() < 1.0, "{pi:?} {unks:?}");
     let transients: Vec<Transient> = methods.iter().map(load_step::transient).collect();
     let periods: Vec<Option<usize>> = transients.iter().map(|step| step.periods).collect();
     // Constant feed, division and P hold a steady offset; the reference has 33 and 6.

@@ -3,6 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::claims::Claim;
 use super::entrants::{BEYOND, Entrant, Method, TABLE_1, experiment_2};
 use super::outcome::Measure;
 use super::tournament::Compared;
@@ -125,6 +126,38 @@ pub fn rows(table: Vec<Compared>) -> Vec<Row> {
     table.into_iter().enumerate().map(row).collect()
 }
 
+/// Growth in error and largest force that still counts as insensitive (chosen).
+const INSENSITIVE: f64 = 1.05;
+
+/// The paper's claim about materials; none while a run of it is missing.
+#[must_use]
+pub fn material_claim(rows: &[Row]) -> Option<Claim> {
+    let find = |condition: &str, name: &str| {
+        let mut all = rows.iter().filter(|row| row.condition == condition);
+        all.find(|row| row.found.name == name && row.found.runs > 0)
+    };
+    let mean = |condition: &str, name: &str, measure: Measure| {
+        Some(find(condition, name)?.found.mean(measure))
+    };
+    let [ck45, other] = ["dead_time_40", "16mncrsi5"];
+    let both = |name: &str, measure: Measure| {
+        Some([mean(ck45, name, measure)?, mean(other, name, measure)?])
+    };
+    let [nsn_before, nsn] = both("UNKS", Measure::Nsn)?;
+    let [before_kn, force_kn] = both("UNKS", Measure::Force)?;
+    let told = |name: &str| {
+        let [before, after] = both(name, Measure::Force)?;
+        Some(format!("{name} {before:.2} and {after:.2} kN"))
+    };
+    let told: Vec<String> =
+        ["UNKS", "Adjustable PI", "P", "Conventional"].into_iter().filter_map(told).collect();
+    Some(Claim {
+        paper: "UNKS is insensitive to the workpiece's material",
+        holds: nsn <= INSENSITIVE * nsn_before && force_kn <= INSENSITIVE * before_kn,
+        found: format!("largest force in Ck45 and in 16MnCrSi5: {}", told.join(", ")),
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -135,6 +168,7 @@ mod tests {
         let tournament = Tournament::new(entrants(), 1);
         let rows = rows(tournament.table());
         assert_eq!(rows.len(), 4 * 7);
+        assert_eq!(material_claim(&rows), None, "nothing has run yet");
         assert_eq!(rows.iter().filter(|row| row.reference.is_some()).count(), reference().len());
         for (row, entrant) in rows.iter().zip(tournament.entrants()) {
             let s = &entrant.scenario;
