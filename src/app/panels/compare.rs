@@ -4,6 +4,8 @@
 mod boxes;
 mod contest;
 mod controls;
+mod robust;
+mod step;
 mod table;
 mod told;
 
@@ -77,6 +79,8 @@ impl ComparePanel {
         }
         ui.add_space(8.0);
         boxes::show(ui, contest.tournament(), &compared, &mut self.measure, printed);
+        step::show(ui, contest, printed);
         told::show(ui, &compared, printed);
+        robust::show(ui, &mut self.contests.robust);
     }
 }

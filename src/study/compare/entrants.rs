@@ -45,7 +45,7 @@ pub const TABLE_1: [Method; 6] = [
 ];
 
 /// What Table 1 does not have: a line each.
-pub const BEYOND: [Method; 2] = [
+pub const BEYOND: [Method; 3] = [
     Method {
         name: "P, Smith predictor",
         apply: |s| {
@@ -60,12 +60,22 @@ pub const BEYOND: [Method; 2] = [
             s.mrac.adapted = Adapted::Gain;
         },
     },
+    Method { name: "Preview", apply: |s| s.controller.kind = ControllerKind::Preview },
 ];
 
 /// Every method on a scenario.
 #[must_use]
 pub fn on(base: &Scenario, methods: &[Method]) -> Vec<Entrant> {
     methods.iter().map(|method| method.on(base)).collect()
+}
+
+/// Experiment 2 with a programmed feed for every cut, as the plan finds them for the lightest sections.
+///
+/// # Panics
+/// Never: a test loads every preset.
+#[must_use]
+pub fn experiment_2_per_cut() -> Scenario {
+    presets::load("experiment-2-per-cut").expect("presets are tested")
 }
 
 /// Experiment 2 of 2005, the part of Table 1.

@@ -56,7 +56,12 @@ pub fn scenario(entrant: &Scenario) -> Scenario {
 /// Takes an entrant through the load step.
 #[must_use]
 pub fn transient(entrant: &Entrant) -> Transient {
-    let run = Run::complete(&scenario(&entrant.scenario), &Edits::none());
+    judged(&entrant.name, &Run::complete(&scenario(&entrant.scenario), &Edits::none()))
+}
+
+/// What a finished run of [`scenario`] says about the entrant of this name.
+#[must_use]
+pub fn judged(name: &str, run: &Run) -> Transient {
     let recording = run.recording();
     let samples: Vec<&Row> = recording.rows().iter().step_by(recording.control_stride()).collect();
     let length_mm = samples.last().map_or(0.0, |row| row.position_mm);
@@ -70,7 +75,7 @@ pub fn transient(entrant: &Entrant) -> Transient {
     let tail = &means[means.len().saturating_sub(STEADY)..];
     let largest = means.iter().copied().fold(0.0, f64::max);
     Transient {
-        name: entrant.name.clone(),
+        name: name.to_owned(),
         periods: back_for_good(&means),
         overshoot_percent: percent_from_ratio(largest - 1.0),
         offset_percent: percent_from_ratio(

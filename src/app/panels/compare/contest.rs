@@ -3,12 +3,19 @@
 
 use crate::base::settings::{SettingError, Value};
 use crate::blocks::cutting::material::Material;
+use crate::run::edits::Edits;
+use crate::run::one_run::Run;
 use crate::run::scenario::Scenario;
-use crate::study::compare::entrants::{BEYOND, Method, TABLE_1, experiment_2, on};
+use crate::study::compare::entrants::{BEYOND, Method, TABLE_1};
+use crate::study::compare::entrants::{experiment_2, experiment_2_per_cut, on};
+use crate::study::compare::load_step::{self, Transient};
+use crate::study::compare::robustness;
 use crate::study::compare::tournament::{Compared, Tournament};
 
 /// Set-ups whose results are kept.
 const KEPT: usize = 12;
+/// Seeds of the table of changed conditions.
+const ROBUST_SEEDS: u32 = 2;
 /// Steps of the plant in a frame: at the start, at least and at most.
 const TICKS: [u64; 3] = [20_000, 5_000, 400_000];
 /// Time that a frame may take, s: the page stays usable.
@@ -19,6 +26,9 @@ crate::choice! {
     pub enum Part {
         /// Experiment 2 of 2005, five straight cuts, one programmed feed: that of Table 1.
         Experiment2 = "experiment_2", "Experiment 2";
+        /// The same with a programmed feed for every cut, as the plan finds them for the lightest
+        /// sections: beyond the paper.
+        PerCut = "per_cut", "Experiment 2, feeds per cut";
         /// The scenario that is open in the console, at its start.
         Open = "open", "Open scenario";
     }
@@ -80,6 +90,7 @@ impl Setup {
     fn base(&self, open: &Scenario) -> Result<Scenario, SettingError> {
         let mut base = match self.part {
             Part::Experiment2 => experiment_2(),
+            Part::PerCut => experiment_2_per_cut(),
             Part::Open => open.clone(),
         };
         let dead_time_s = match self.dead_time {
@@ -116,6 +127,9 @@ pub struct Contest {
     base: Scenario,
     chosen: Vec<bool>,
     tournament: Tournament,
+    /// The load step of each entrant in turn, and the one that is on its way.
+    transients: Vec<Transient>,
+    stepping: Option<Box<Run>>,
     /// The table, and the number of runs that it is of.
     table: (f64, Vec<Compared>),
 }
@@ -124,6 +138,32 @@ impl Contest {
     /// The tournament.
     pub fn tournament(&self) -> &Tournament {
         &self.tournament
+    }
+
+    /// How the entrants took the load step, as far as they have.
+    pub fn transients(&self) -> &[Transient] {
+        &self.transients
+    }
+
+    /// Whether the load step belongs to the part: it is made of sections that are milled.
+    pub fn has_load_step(&self) -> bool {
+        !self.base.workpiece.cuts.is_empty()
+    }
+
+    /// Goes on by so many steps of the plant; `true` when all is done.
+    fn advance(&mut self, ticks: u64) -> bool {
+        let entrants = self.tournament.entrants();
+        let next = entrants.get(self.transients.len()).filter(|_| self.has_load_step());
+        let Some(entrant) = next else { return self.tournament.advance(ticks) };
+        let mut run = self.stepping.take().unwrap_or_else(|| {
+            Box::new(Run::new(&load_step::scenario(&entrant.scenario), &Edits::none()))
+        });
+        if run.advance(ticks) {
+            self.transients.push(load_step::judged(&entrant.name, &run));
+        } else {
+            self.stepping = Some(run);
+        }
+        false
     }
 
     /// The table so far.
@@ -139,6 +179,14 @@ impl Contest {
     }
 }
 
+/// Everybody under changed conditions.
+pub struct Robust {
+    /// All runs.
+    pub tournament: Tournament,
+    /// Whether it runs.
+    pub running: bool,
+}
+
 /// See the head of this file.
 pub struct Contests {
     /// What is compared.
@@ -147,6 +195,8 @@ pub struct Contests {
     pub seeds: u32,
     /// Whether it runs.
     pub running: bool,
+    /// The table of changed conditions.
+    pub robust: Robust,
     kept: Vec<Contest>,
     /// The one that is shown; none where nobody takes part or the set-up is refused.
     shown: Option<usize>,
@@ -163,6 +213,10 @@ impl Default for Contests {
             setup: Setup::default(),
             seeds: 20,
             running: false,
+            robust: Robust {
+                tournament: Tournament::new(robustness::entrants(), ROBUST_SEEDS),
+                running: false,
+            },
             kept: Vec::new(),
             shown: None,
             refused: None,
@@ -197,7 +251,14 @@ impl Contests {
             let chosen: Vec<Method> = chosen.map(|(method, _)| *method).collect();
             let tournament = Tournament::new(on(&base, &chosen), self.seeds);
             let chosen = self.setup.chosen.clone();
-            self.kept.push(Contest { base, chosen, tournament, table: (0.0, Vec::new()) });
+            self.kept.push(Contest {
+                base,
+                chosen,
+                tournament,
+                transients: Vec::new(),
+                stepping: None,
+                table: (0.0, Vec::new()),
+            });
             self.kept.len() - 1
         });
         let contest = &mut self.kept[found];
@@ -218,16 +279,21 @@ impl Contests {
 
     /// Goes on for a frame if it runs; the last frame took `frame_s` seconds.
     pub fn advance(&mut self, frame_s: f64) -> bool {
-        let Some(contest) = self.shown.and_then(|index| self.kept.get_mut(index)) else {
-            return false;
-        };
-        if !self.running {
+        if !self.running && !self.robust.running {
             return false;
         }
         let ticks = if frame_s > FRAME_S { self.ticks / 2 } else { self.ticks + self.ticks / 8 };
         self.ticks = ticks.clamp(TICKS[1], TICKS[2]);
-        self.running = !contest.tournament.advance(self.ticks);
-        contest.refresh();
+        match self.shown.and_then(|index| self.kept.get_mut(index)) {
+            Some(contest) if self.running => {
+                self.running = !contest.advance(self.ticks);
+                contest.refresh();
+            }
+            _ if self.robust.running => {
+                self.robust.running = !self.robust.tournament.advance(self.ticks);
+            }
+            _ => {}
+        }
         true
     }
 }

@@ -1,0 +1,97 @@
+//! Experiment 2 under other dead times and in another steel, nothing set anew, beside the figures of
+//! an independent prototype.
+
+use egui::{Grid, ProgressBar, RichText, ScrollArea, TextWrapMode, Ui};
+
+use super::contest::Robust;
+use super::table::value;
+use crate::app::theme::Palette;
+use crate::app::widgets::icon::{self, Icon};
+use crate::study::compare::outcome::Measure;
+use crate::study::compare::robustness::{CONDITIONS, Row, material_claim, methods, rows};
+
+/// Size of type of the prototype's figures.
+const NOTE: f32 = 11.5;
+/// What is shown of each condition.
+const MEASURES: [Measure; 3] = [Measure::Nsn, Measure::Time, Measure::Force];
+
+/// The section.
+pub fn show(ui: &mut Ui, robust: &mut Robust) {
+    let palette = Palette::at(ui);
+    ui.add_space(8.0);
+    ui.heading("Without setting anything anew");
+    let text = "Experiment 2 at other dead times, which the controllers know, and in another steel, \
+                which they do not. Below each figure that of an independent prototype of the same \
+                equations, where it has one: it is no figure of the paper.";
+    ui.label(RichText::new(text).color(palette.weak));
+    let (done, all) = robust.tournament.progress();
+    ui.horizontal_wrapped(|ui| {
+        let over = done >= all as f64;
+        if robust.running {
+            let help = "Stands still; what is done stays";
+            if icon::button(ui, Icon::Pause, "Pause the conditions", help, true).clicked() {
+                robust.running = false;
+            }
+        } else {
+            let help = "Runs everybody under every condition";
+            if icon::button(ui, Icon::Play, "Run the conditions", help, !over).clicked() {
+                robust.running = true;
+            }
+        }
+        let share = (done / all.max(1) as f64) as f32;
+        ui.add(ProgressBar::new(share).desired_width(120.0).desired_height(10.0));
+        ui.label(RichText::new(format!("{:.0} of {all} runs", done.floor())).color(palette.weak));
+    });
+    if done < 1.0 {
+        return;
+    }
+    let rows = rows(robust.tournament.table());
+    let each = methods().count();
+    ScrollArea::horizontal().id_salt("robustness").show(ui, |ui| {
+        ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+        Grid::new("robustness").striped(true).spacing([14.0, 4.0]).show(ui, |ui| {
+            ui.strong("Control");
+            for condition in &CONDITIONS {
+                ui.strong(condition.label);
+            }
+            ui.end_row();
+            ui.label("");
+            for _ in &CONDITIONS {
+                ui.label(RichText::new("Nsn / s / kN").size(NOTE).color(palette.weak));
+            }
+            ui.end_row();
+            for method in 0..each {
+                ui.label(&rows[method].found.name);
+                for condition in 0..CONDITIONS.len() {
+                    cell(ui, &rows[condition * each + method], palette);
+                }
+                ui.end_row();
+            }
+        });
+    });
+    if let Some(claim) = material_claim(&rows) {
+        let (mark, color) =
+            if claim.holds { ("holds", palette.good) } else { ("does not hold", palette.bad) };
+        ui.horizontal_wrapped(|ui| {
+            ui.label(RichText::new(mark).strong().color(color));
+            ui.label(claim.paper);
+            ui.label(RichText::new(claim.found).color(palette.weak));
+        });
+    }
+}
+
+fn cell(ui: &mut Ui, row: &Row, palette: &Palette) {
+    let figures = |of: &dyn Fn(Measure) -> Option<f64>| {
+        let each =
+            MEASURES.map(|measure| of(measure).map_or("-".to_owned(), |x| value(measure, x)));
+        each.join(" / ")
+    };
+    ui.vertical(|ui| {
+        let found = figures(&|measure| row.found.get(measure).map(|spread| spread.mean));
+        ui.label(found);
+        if let Some(reference) = &row.reference {
+            let known = figures(&|measure| reference.get(measure));
+            ui.label(RichText::new(known).size(NOTE).color(palette.weak));
+        }
+    });
+}

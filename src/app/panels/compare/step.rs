@@ -1,0 +1,43 @@
+//! The load step: how long each way of control takes until the force is back.
+
+use egui::{Grid, RichText, Ui};
+
+use super::contest::Contest;
+use super::table::printed_of;
+use crate::app::theme::{self, Palette};
+
+/// The section; the printed table belongs to what is shown or not.
+pub fn show(ui: &mut Ui, contest: &Contest, belongs: bool) {
+    if !contest.has_load_step() {
+        return;
+    }
+    let palette = Palette::at(ui);
+    ui.add_space(8.0);
+    ui.heading("After a load step");
+    let text = "From a section of 493 N into one of 772 N (at 100 % override), without noise: \
+                control periods of 20 ms until the mean of four samples is back within 10 % for \
+                good. The paper prints iterations of an optimisation step without saying what they \
+                are; they are shown beside.";
+    ui.label(RichText::new(text).color(palette.weak));
+    if contest.transients().is_empty() {
+        ui.weak("Not run yet: it comes first when the comparison runs.");
+        return;
+    }
+    Grid::new("load step").striped(true).spacing([16.0, 4.0]).show(ui, |ui| {
+        for title in ["Control", "Periods", "Overshoot", "Left over", "Printed"] {
+            ui.strong(title);
+        }
+        ui.end_row();
+        for transient in contest.transients() {
+            ui.label(&transient.name);
+            let periods = transient.periods.map_or("never steady".to_owned(), |n| n.to_string());
+            ui.label(periods);
+            ui.label(theme::deviation(transient.overshoot_percent));
+            ui.label(theme::deviation(transient.offset_percent));
+            let printed = printed_of(&transient.name, belongs);
+            let printed = printed.map(|row| format!("{:.0}", row.optimization_iterations));
+            ui.label(RichText::new(printed.unwrap_or_default()).color(palette.weak));
+            ui.end_row();
+        }
+    });
+}
