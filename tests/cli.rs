@@ -151,6 +151,21 @@ fn identify_reproduces_the_shipped_model_file() {
 }
 
 #[test]
+fn identify_reproduces_the_shipped_models_of_the_milling_simulator() {
+    let file = temporary("identified_milling_2005.toml");
+    let output = steadycut(&["identify", "milling", "--out", file.to_str().unwrap()]);
+    assert!(output.status.success());
+    let written = std::fs::read_to_string(&file).unwrap();
+    assert_eq!(written, include_str!("../assets/models/identified_milling_2005.toml"));
+    let report = json(&["identify", "milling", "--json"]);
+    assert_eq!(report["equals_shipped"], true);
+    assert!(report["fits"][0]["worst"].as_f64().unwrap() < 0.5, "K2 in mm/min");
+    assert!(report["fits"][1]["rms"].as_f64().unwrap() < 30.0, "K4 in N");
+    let error = refused(&["identify", "milling", "--table", "any.csv"]);
+    assert!(error.contains("--table"), "{error}");
+}
+
+#[test]
 fn identify_follows_the_table_that_it_is_given() {
     let file = temporary("table.csv");
     let table = include_str!("../assets/data/table3_2007.csv").replace("264.92", "284.92");

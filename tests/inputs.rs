@@ -328,6 +328,27 @@ fn choosing_a_material_or_a_drive_brings_its_companion() {
 }
 
 #[test]
+fn force_tooth_by_tooth_brings_the_models_identified_on_it() {
+    let text = |text: &str| Value::Text(text.to_owned());
+    let mut scenario = load("strategy-table1-5").unwrap();
+    scenario.set("run.steps_per_control", Value::Int(576)).unwrap();
+    scenario.set("plant.force_model", text("mechanistic")).unwrap();
+    assert_eq!(scenario.belief.model_set.id(), "milling_2005");
+    let link = scenario_link::write(&scenario, &Edits::none());
+    assert_eq!(scenario_link::parse(&link).unwrap().0, scenario, "{link}");
+    scenario.set("plant.force_model", text("neural")).unwrap();
+    assert_eq!(scenario.belief.model_set, scenario.plant.model_set, "the papers' models again");
+    // A mismatch that is wanted stays.
+    scenario.set("belief.model_set", text("sdnrp_2007")).unwrap();
+    scenario.set("plant.force_model", text("formula")).unwrap();
+    assert_eq!(scenario.belief.model_set.id(), "sdnrp_2007");
+    let link = scenario_link::write(&scenario, &Edits::none());
+    assert_eq!(scenario_link::parse(&link).unwrap().0, scenario, "{link}");
+    let preset = load("experiment-1").unwrap();
+    assert_eq!(preset.belief.model_set.id(), "milling_2005");
+}
+
+#[test]
 fn the_table_is_complete_and_consistent() {
     let scenario = Scenario::default();
     for param in table() {

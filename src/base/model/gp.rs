@@ -1,7 +1,8 @@
 //! The genetic-programming models of both papers behind one interface: a set (2007: K1..K6, 2013:
-//! M1..M6) in one of three calibrations.
+//! M1..M6) in one of three calibrations; and a third set in the form of the first, identified on the
+//! milling simulator of 2005 (`steadycut identify milling`), for the papers' controllers there.
 //!
-//! The roles are the same in both sets: 1 force from target roughness, 2 feed command and 3 speed
+//! The roles are the same in all sets: 1 force from target roughness, 2 feed command and 3 speed
 //! command from force, 4 force from feed and speed, 5 = 6 roughness from force. What was printed
 //! and what was corrected stands in [`super::gp_2007`] and [`super::gp_2013`]. Identified models
 //! are continued with their end slopes, so commands are monotone over every force that a

@@ -189,13 +189,14 @@ impl Controller {
             ControllerKind::Tracking => {
                 Self::Tracking(Box::new(tracking::Tracking::new(setup, programmed)))
             }
-            _ => Self::Force(Box::new(force::ForceController::new(setup, 1.0, 1.0))),
+            _ => Self::Force(Box::new(force::ForceController::new(setup))),
         }
     }
 
     /// Takes over changed settings and keeps its state if it is still the same kind; otherwise a
     /// new controller takes over a machine that runs at `current` under the command `sent`.
-    /// Tracking does so without a bump; the others are static laws and have no state to match.
+    /// What has a state does so without a bump of the feed; constant feed, SDNRP, static division
+    /// and P are static laws and have none to match.
     pub fn reconfigure(
         &mut self,
         setup: &ControlSetup,
@@ -220,7 +221,8 @@ impl Controller {
             _ => {
                 let of = |feed: f64| feed / programmed.feed_mm_min;
                 let (actual, sent) = (of(current.feed_mm_min), of(sent.feed_mm_min));
-                *self = Self::Force(Box::new(force::ForceController::new(setup, actual, sent)));
+                *self =
+                    Self::Force(Box::new(force::ForceController::take_over(setup, actual, sent)));
             }
         }
     }

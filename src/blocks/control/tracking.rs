@@ -194,7 +194,9 @@ impl Tracking {
         let model_n = input.models.force(self.feed.feed_mm_min(), self.speed_rpm).value;
         let air_n = ratio_from_percent(self.settings.air_percent) * input.force_ref_n;
         if self.bumpless && model_n > 1.0 {
-            self.gain = limit(input.force_ref_n / model_n, GAIN_RANGE[0], GAIN_RANGE[1]);
+            // The feed that is being sent, which the drive may not have reached yet.
+            let sent_n = input.models.force(input.applied.feed_mm_min, self.speed_rpm).value;
+            self.gain = limit(input.force_ref_n / sent_n.max(1.0), GAIN_RANGE[0], GAIN_RANGE[1]);
             self.bumpless = false;
         } else if input.force_measured_n > air_n && model_n > 1.0 {
             let observed = limit(input.force_measured_n / model_n, GAIN_RANGE[0], GAIN_RANGE[1]);

@@ -1,5 +1,6 @@
 //! Cutting: workpiece, material and the force of the cut.
 
+pub mod contact;
 pub mod material;
 pub mod milling;
 pub mod neural;

@@ -2,22 +2,23 @@
 //! does not know, or the neural force model (2013, section 2.3).
 //!
 //! ```text
-//! F = (K4(f_a, n_a) + offset) x material(HB) x (A_D R_D) / (2 mm x 3 mm) x wear
+//! F = (K4(f_a, n_a) + offset) x material(HB) x (A_D R_D) / (A_0 R_0) x wear
 //! F = (|F_xy|(f_a, n_a, R_D, A_D, material, HB, tool) + offset) x wear
 //! ```
 //!
 //! or the mechanistic model, tooth by tooth ([`super::milling`]), whose force is that of every
 //! instant and not a maximum.
 //!
-//! K4 and M4 belong to Ck45 at A_D 2 mm and R_D 3 mm with a sharp tool; force is taken as
-//! proportional to the cross-section of the cut (chosen). The network knows depths and material
+//! K4 and M4 belong to Ck45 at A_0 2 mm and R_0 3 mm with a sharp tool (those of the milling simulator
+//! to its reference cut); force is taken as proportional to the cross-section (chosen). The network knows depths and material
 //! itself; wear multiplies its force as well.
 
+use super::contact;
 use super::material::Material;
 use super::milling::{Milling, MillingSetup};
 use super::neural::{NeuralCut, NeuralLaw};
 use super::tool::R216_16B20_040;
-use super::tool_path::{Place, radius_mm};
+use super::tool_path::Place;
 use super::workpiece::AXIAL_DEPTH_2007_MM;
 use crate::base::math;
 use crate::base::model::Valued;
@@ -82,10 +83,6 @@ impl ForceModel {
         }
     }
 }
-
-/// Stretches ahead of the axis over which the force of a map is the mean of the sections', in parts
-/// of the ball's radius.
-const ZONES: [[f64; 2]; 2] = [[0.25, 1.0], [0.0, 0.75]];
 
 /// Rake of the papers' insert, geometry code 3, degrees.
 const RAKE_DEG: f64 = 12.0;
@@ -249,33 +246,13 @@ impl Process {
         Valued::new(base.value * self.factor_per_mm * axial_depth_mm * self.life_factor, base.valid)
     }
 
-    /// The same with the tool's axis at `x_mm` along a cut of sections, which are met gradually: the
-    /// teeth cut ahead of the axis, up to the ball's radius R at the cut's largest depth.
-    ///
-    /// ```text
-    /// F = max(mean of F(section) over x + R/4 .. x + R,  the same over x .. x + 3R/4)
-    /// ```
-    ///
-    /// Entering, the tooth is loaded most where it is furthest ahead; leaving, where it is not. The
-    /// two stretches are chosen: with them the ramps lie where those of the force tooth by tooth do.
+    /// The same with the tool's axis at `x_mm` along a cut of sections: see [`contact`].
     pub fn update_along(
         &mut self,
         feed_mm_min: f64,
         speed_rpm: f64,
         (cut, x_mm): (&CutPath, f64),
     ) -> Valued {
-        let reach_mm = radius_mm(cut.depth_max_mm());
-        let zone = [x_mm, x_mm + reach_mm];
-        let stretches = ZONES.map(|zone| zone.map(|share| x_mm + share * reach_mm));
-        let (mut means, mut valid) = ([0.0; 2], true);
-        for (section, [from_mm, to_mm]) in cut.sections_within(zone) {
-            let force = self.update(feed_mm_min, speed_rpm, &Place::in_section(section));
-            valid &= force.valid;
-            for (mean, [low, high]) in means.iter_mut().zip(stretches) {
-                let inside = math::positive(to_mm.min(high) - from_mm.max(low));
-                *mean += force.value * (inside / (high - low));
-            }
-        }
-        Valued::new(means[0].max(means[1]), valid)
+        contact::force_along(cut, x_mm, |place| self.update(feed_mm_min, speed_rpm, place))
     }
 }

@@ -50,7 +50,8 @@ impl Law for AdjustablePi {
         let AdjustablePiSettings { kp, ki, .. } = self.settings;
         let step = (kp * (error - self.error_before) + ki * error) / self.gain;
         self.error_before = error;
-        sample.sent + step
+        // After another controller the first override is the one that is being sent.
+        if sample.taken_over { sample.sent } else { sample.sent + step }
     }
 
     fn gain(&self) -> f64 {

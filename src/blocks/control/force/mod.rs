@@ -54,6 +54,8 @@ pub struct Sample<'a> {
     pub sent: f64,
     /// Whether this is the first sample in contact.
     pub entered: bool,
+    /// Whether it is also the first after another controller: the new override should equal `sent`.
+    pub taken_over: bool,
     /// Least and largest override.
     pub range: [f64; 2],
     /// Everything that the controller was given.
@@ -94,6 +96,8 @@ pub struct Frame {
     undelayed: DriveState,
     in_contact: bool,
     started: bool,
+    /// Whether a running machine was taken over and nothing has been sent to it yet.
+    taking_over: bool,
 }
 
 impl Frame {
@@ -111,6 +115,7 @@ impl Frame {
             undelayed: DriveState::settled(1.0),
             in_contact: false,
             started: false,
+            taking_over: false,
         };
         this.configure(setup, smith);
         this
@@ -169,7 +174,8 @@ impl Frame {
             y *= actual / delayed;
         }
         let entered = contact && !self.in_contact;
-        let sample = Sample { y, actual, sent, entered, range, input, frame: self };
+        let taken_over = std::mem::take(&mut self.taking_over);
+        let sample = Sample { y, actual, sent, entered, taken_over, range, input, frame: self };
         let override_now = if contact { law.update(&sample) } else { law.in_air(&sample) };
         self.in_contact = contact;
         ControlOutput {
@@ -300,11 +306,19 @@ pub struct ForceController {
 }
 
 impl ForceController {
-    /// The controller of a machine that runs at the override `actual` under the command `sent`.
-    pub(super) fn new(setup: &ControlSetup, actual: f64, sent: f64) -> Self {
-        let mut frame = Frame::new(setup, smith(setup));
-        frame.restart(actual, sent);
-        Self { frame, law: AnyLaw::new(setup) }
+    /// The controller at the start of a run, the machine at the programmed feed.
+    pub(super) fn new(setup: &ControlSetup) -> Self {
+        Self { frame: Frame::new(setup, smith(setup)), law: AnyLaw::new(setup) }
+    }
+
+    /// The controller that takes over a machine which runs at the override `actual` under the command
+    /// `sent`. A law with a state starts from the one that asks for `sent`; static division and P
+    /// have none, and the override goes where they say.
+    pub(super) fn take_over(setup: &ControlSetup, actual: f64, sent: f64) -> Self {
+        let mut this = Self::new(setup);
+        this.frame.restart(actual, sent);
+        this.frame.taking_over = true;
+        this
     }
 
     /// Takes over changed settings and keeps its state; `false` if another law is chosen.

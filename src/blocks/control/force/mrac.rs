@@ -10,7 +10,8 @@
 //! gain    K += gamma u_a (y - K u_a) / (0.05 + u_a^2),  r = a_m r + (1 - a_m),  u = r / K
 //! ```
 //!
-//! phi holds the override that was really sent, so limits do not wind it up. Five parameters are
+//! After another controller the reference model starts where it asks for the override that is being
+//! sent. phi holds the override that was really sent, so limits do not wind it up. Five parameters are
 //! badly excited by a steady cut: the Landau form bursts now and then, dipping the feed for less
 //! than half a second. They are not adapted while the override stands at its upper limit.
 
@@ -111,7 +112,14 @@ impl Mrac {
         // The command of this period takes the first place once it is known to have been sent.
         self.past[0] = [0.0, sent, older, oldest, sample.y];
         let known = dot(&self.theta, &self.past[0]);
-        let asked = (self.model + c1 * model_before - known) / self.theta[0];
+        let model = if sample.taken_over {
+            // A reference model at rest where it asks for what is being sent; it goes to 1 from there.
+            self.model = (known + self.theta[0] * sample.sent) / (1.0 + c1);
+            (1.0 + c1) * self.model
+        } else {
+            self.model + c1 * model_before
+        };
+        let asked = (model - known) / self.theta[0];
         self.y_before = sample.y;
         limit(asked, sample.sent - STEP, sample.sent + STEP)
     }
@@ -146,7 +154,11 @@ impl Mrac {
         self.gain += self.settings.adaptation * a * (y - self.gain * a) / (0.05 + a * a);
         self.gain = limit(self.gain, GAIN_RANGE[0], GAIN_RANGE[1]);
         let pole = self.settings.gain_pole;
-        self.model = pole * self.model + (1.0 - pole);
+        self.model = if sample.taken_over {
+            self.gain * sample.sent
+        } else {
+            pole * self.model + (1.0 - pole)
+        };
         self.model / self.gain
     }
 }

@@ -6,7 +6,8 @@
 //!
 //! Kp = 1.1 is the stability limit at the heaviest section of Experiment 2 with 40 ms of dead time
 //! (gain margin 2.04 of drive and dead time over a loop gain of 1.86 Kp); with the Smith predictor
-//! 1.6 keeps its damping. The sum stands still while the override stands at a limit.
+//! 1.6 keeps its damping. The sum stands still while the override stands at a limit, and starts after
+//! another controller where it asks for the override that is being sent.
 
 use super::{Law, Sample};
 
@@ -34,6 +35,10 @@ impl Law for Proportional {
         let error = 1.0 - sample.y;
         let [low, high] = sample.range;
         let kp = self.settings.kp;
+        if sample.taken_over && self.settings.ki > 0.0 {
+            self.sum = (sample.sent - 1.0 - kp * error) / self.settings.ki;
+            return sample.sent;
+        }
         let asked = 1.0 + kp * error + self.settings.ki * (self.sum + error);
         let winds_up = (asked > high && error > 0.0) || (asked < low && error < 0.0);
         if !winds_up {
