@@ -270,3 +270,36 @@ fn networks_learned_in_passes_are_saved_and_loaded() {
     let error = refused(&["run", "experiment-2", "--networks", one]);
     assert!(error.contains("unks-1.json") && error.contains("`version` is missing"), "{error}");
 }
+
+#[test]
+fn a_schedule_is_printed_and_written() {
+    let file = temporary("schedule.toml");
+    let report = json(&["plan", "experiment-2", "--per-cut", "heaviest", "--json"]);
+    let args = ["plan", "experiment-2", "--per-cut", "heaviest", "--out", file.to_str().unwrap()];
+    let output = steadycut(&args);
+    assert!(output.status.success());
+    assert!(String::from_utf8(output.stdout).unwrap().contains("program.cut_feeds_mm_min = ["));
+    let text = std::fs::read_to_string(&file).unwrap();
+    let (written, _) = steadycut::run::scenario_file::parse(&text).unwrap();
+    let feeds = serde_json::to_value(&written.program.cut_feeds_mm_min).unwrap();
+    assert_eq!(feeds, report["cut_feeds_mm_min"]);
+    assert!(refused(&["plan", "table3-5", "--per-cut", "lightest"]).contains("workpiece.cuts"));
+    assert!(refused(&["plan", "experiment-2", "--per-cut", "middle"]).contains("lightest"));
+}
+
+#[test]
+fn the_study_of_robustness_gives_the_same_on_any_number_of_threads() {
+    let args = ["robust", "--controller", "preview", "--runs", "3", "--seed", "5", "--json"];
+    let cut = ["--set", "workpiece.cuts=[[[6.0, 3.0, 2.0]]]"];
+    let report = json(&[&args[..], &cut].concat());
+    assert_eq!(report["findings"]["runs"], 3);
+    assert_eq!(report["findings"]["passed"], true);
+    // The job of the library, one run after the other.
+    let mut scenario = load("experiment-2").unwrap();
+    scenario.workpiece.cuts = vec![vec![[6.0, 3.0, 2.0]]];
+    let kind = steadycut::blocks::control::ControllerKind::Preview;
+    let mut study = steadycut::study::robust::Robustness::new(&scenario, kind, 3, 5);
+    while !study.advance(u64::MAX).unwrap() {}
+    assert_eq!(report["outcomes"], serde_json::to_value(study.outcomes()).unwrap());
+    assert!(refused(&["robust", "--controller", "best"]).contains("preview"));
+}
