@@ -1,11 +1,12 @@
 //! The controller with preview, and the study of its robustness.
 
+use steadycut::base::settings::{Kind, Value};
 use steadycut::blocks::control::ControllerKind;
 use steadycut::run::edits::Edits;
 use steadycut::run::metrics::Metrics;
 use steadycut::run::one_run::{End, Run};
 use steadycut::run::presets::load;
-use steadycut::run::scenario::{Scenario, parse_value};
+use steadycut::run::scenario::{Scenario, parse_value, table};
 use steadycut::study::robust::{DRAWN, Robustness};
 
 fn scenario(preset: &str, changes: &[(&str, &str)]) -> Scenario {
@@ -125,7 +126,7 @@ fn a_study_draws_everything_first_and_slices_change_nothing() {
     for (i, drawn) in DRAWN.iter().enumerate() {
         let values = (0..500).map(|run| longer.scenario(run).unwrap());
         let of = |scenario: &Scenario| match scenario.get(drawn.path).unwrap() {
-            steadycut::base::settings::Value::Float(x) => x,
+            Value::Float(x) => x,
             other => panic!("{other}"),
         };
         let values: Vec<f64> = values.map(|scenario| of(&scenario)).collect();
@@ -138,4 +139,35 @@ fn a_study_draws_everything_first_and_slices_change_nothing() {
     let mut study = Robustness::new(&stopped, ControllerKind::Preview, 1, 1);
     while !study.advance(u64::MAX).unwrap() {}
     assert!(!study.findings().passed && study.findings().unfinished == 1);
+}
+
+#[test]
+fn no_setting_at_its_ends_makes_it_fail() {
+    let cuts = ("workpiece.cuts", "[[[2.0, 3.0, 2.0], [1.0, 0.0, 0.0]], [[2.0, 5.0, -8.0]]]");
+    let on_path = scenario("depth-step", &[("controller.kind", "preview")]);
+    let on_cuts = scenario("first-cut", &[("controller.kind", "preview"), cuts]);
+    for base in [on_path, on_cuts] {
+        for param in table() {
+            let ends = match param.spec.allowed {
+                Kind::Float { min, max } => [min, max].map(Value::Float),
+                Kind::Int { min, max } => [min, max].map(Value::Int),
+                Kind::Numbers { min, max } => [min, max].map(|x| Value::Numbers(vec![x, x])),
+                _ => continue,
+            };
+            for value in ends {
+                let mut extreme = base.clone();
+                if extreme.set(&param.path, value).is_err() {
+                    continue;
+                }
+                let mut run = Run::new(&extreme, &Edits::none());
+                run.advance(3000);
+                assert!(
+                    !matches!(run.end(), Some(End::Fault(_))),
+                    "{}: {:?}",
+                    param.path,
+                    run.end()
+                );
+            }
+        }
+    }
 }
