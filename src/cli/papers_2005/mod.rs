@@ -67,7 +67,7 @@ pub fn execute(args: &PapersArgs) -> Outcome {
 
 fn report(seeds: u32) -> Report {
     let base = entrants::experiment_2();
-    let methods = entrants::TABLE_1.iter().chain(&entrants::BEYOND);
+    let methods = entrants::TABLE_1.iter().chain(entrants::BEYOND);
     let entrants: Vec<Entrant> = methods.map(|method| method.on(&base)).collect();
     let steps: Vec<Step> = entrants.iter().map(step).collect();
     let table = played(Tournament::new(entrants, seeds), "Experiment 2");

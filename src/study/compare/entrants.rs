@@ -44,8 +44,8 @@ pub const TABLE_1: [Method; 6] = [
     Method { name: "UNKS", apply: |s| s.controller.kind = ControllerKind::Unks },
 ];
 
-/// What Table 1 does not have: a line each.
-pub const BEYOND: [Method; 3] = [
+/// What Table 1 does not have: an entry each. The robustness table takes the first one.
+pub const BEYOND: &[Method] = &[
     Method {
         name: "P, Smith predictor",
         apply: |s| {
