@@ -106,7 +106,7 @@ fn candidates(kind: &Kind) -> Vec<Value> {
 /// Networks of either start with weights of up to a million times their size.
 fn networks(pick: u32, share: f64) -> Value {
     let start = UnksStart::ALL[pick as usize % UnksStart::ALL.len()];
-    let mut networks = UnksNetworks::at_start(start);
+    let mut networks = UnksNetworks::at_start(start, 1);
     for scaled in [&mut networks.reference, &mut networks.forward, &mut networks.inverse] {
         let old = &scaled.network;
         let weights = old.weights().iter().map(|weight| weight * 1e6 * share).collect();

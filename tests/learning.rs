@@ -63,7 +63,7 @@ fn with_the_rate_at_zero_nothing_is_learned_and_the_scheme_is_the_division_contr
     assert_eq!(Pass { number: 2, ..first.clone() }, *second);
     let verdict = passes.verdict().unwrap();
     assert!(verdict.unchanged && !verdict.error_better && !verdict.feedback_falls);
-    let untrained = UnksNetworks::at_start(UnksStart::Cold);
+    let untrained = UnksNetworks::at_start(UnksStart::Cold, 1);
     assert_eq!(passes.learned().unwrap().networks, untrained);
     scenario.set("controller.kind", Value::Text("division".to_owned())).unwrap();
     let division = Run::complete(&scenario, &Edits::none()).metrics();
@@ -79,7 +79,7 @@ fn a_pass_is_a_scenario_that_can_be_saved_and_run_again() {
         let one = complete(&scenario, 1);
         let saved = one.learned().unwrap().write();
         let stored = Stored::parse(&saved).unwrap();
-        assert_ne!(stored.networks.inverse, UnksNetworks::at_start(start).inverse);
+        assert_ne!(stored.networks.inverse, UnksNetworks::at_start(start, 1).inverse);
         assert_eq!(
             stored.networks.forward == UnksNetworks::shipped().forward,
             start == UnksStart::Cold

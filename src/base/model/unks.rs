@@ -79,13 +79,14 @@ impl UnksNetworks {
         &SHIPPED
     }
 
-    /// What a start begins with.
+    /// What a start begins with; from a cold start, `draw` is the seed of the random weights of
+    /// NM-2's hidden layer.
     #[must_use]
-    pub fn at_start(start: UnksStart) -> Self {
+    pub fn at_start(start: UnksStart, draw: u32) -> Self {
         let shipped = Self::shipped().clone();
         match start {
             UnksStart::Shipped => shipped,
-            UnksStart::Cold => Self { inverse: untrained(), ..shipped },
+            UnksStart::Cold => Self { inverse: untrained(draw), ..shipped },
         }
     }
 
@@ -121,9 +122,10 @@ const COLD_INPUTS: [[f64; 2]; 4] = [[-1.5, 1.0], [-0.5, 0.5], [-0.5, 0.5], [-1.5
 const COLD_OUTPUT: [f64; 2] = [-1.5, 0.5];
 
 /// NM-2 before it has learned anything: u = 1 whatever it is asked.
-fn untrained() -> ScaledNetwork {
+fn untrained(draw: u32) -> ScaledNetwork {
     let sizes = SIZES[2];
-    let random = Network::random(sizes, Activation::Arctan, true, Stream::new(1, "unks.cold"));
+    let stream = Stream::new(u64::from(draw), "unks.cold");
+    let random = Network::random(sizes, Activation::Arctan, true, stream);
     let mut weights = random.expect("the sizes are allowed").weights().to_vec();
     let outputs = weights.len() - (sizes[1] + 1);
     weights[outputs..].fill(0.0);
@@ -161,7 +163,8 @@ mod tests {
 
     #[test]
     fn an_untrained_inverse_model_asks_for_the_programmed_feed() {
-        let cold = UnksNetworks::at_start(UnksStart::Cold);
+        let cold = UnksNetworks::at_start(UnksStart::Cold, 7);
+        assert_ne!(cold, UnksNetworks::at_start(UnksStart::Cold, 8));
         for inputs in [[-1.0, 0.2, -0.3, -0.4], [0.7, 0.0, 0.1, 0.3]] {
             assert!(cold.inverse.predict(&inputs)[0].abs() < 1e-12);
         }

@@ -4,6 +4,7 @@ use super::formula::number;
 use super::live::Live;
 use super::models::{feed, speed};
 use crate::base::model::gp::GpModels;
+use crate::base::model::unks::UnksStart;
 use crate::base::units::ratio_from_percent;
 use crate::blocks::control::force::division::Divided;
 use crate::blocks::control::force::mrac::Adapted;
@@ -126,6 +127,9 @@ fn force_law(row: &Row, scenario: &Scenario) -> Vec<Live> {
             Adapted::Landau => Live::everywhere("u from five adapted parameters θ φ", sent),
             Adapted::Gain => Live::everywhere("u = r / K", format!("{sent}, K = {gain}")),
         },
+        ControllerKind::Unks if scenario.unks.start == UnksStart::Cold => {
+            Live::everywhere("u = e^{NM-2} + NM-R(F_{ref}, F_m) - 1", sent)
+        }
         ControllerKind::Unks => Live::everywhere(
             "u = a_0 e^{NM-2} · internal loop + w_{ext} (NM-R(F_{ref}, F_m) - 1)",
             sent,

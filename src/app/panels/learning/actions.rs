@@ -32,11 +32,11 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let text = format!("{note}; {}", settings.start.label());
         ui.label(RichText::new(text).small().color(palette.weak));
     }
-    let rates: &[&str] = match settings.start {
+    let first: &[&str] = match settings.start {
         UnksStart::Shipped => &["forward_rate", "inverse_rate"],
-        UnksStart::Cold => &["cold_rate"],
+        UnksStart::Cold => &["cold_rate", "first_weights"],
     };
-    for name in rates {
+    for name in first {
         let path = format!("controller.unks.{name}");
         setting(ui, &path, view.session.current(), Size::Small, commands);
     }

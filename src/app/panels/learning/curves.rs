@@ -11,8 +11,9 @@ use crate::app::widgets::chart::{grid, tick};
 use crate::base::model::unks::UnksStart;
 use crate::base::units::percent_from_ratio;
 
-/// Least height of the range of values, in percent.
-const LEAST_SPAN: f64 = 5.0;
+/// Least and largest height of the range of values, in percent: the first moments of a cut are
+/// foretold so badly that they would flatten all that follows.
+const SPAN: [f64; 2] = [5.0, 50.0];
 
 /// The curves, each `height` points high with its title.
 pub fn show(ui: &mut Ui, view: &View<'_>, samples: &[LearningSample], height: f32) {
@@ -72,7 +73,7 @@ fn plot(
     ui.label(RichText::new(title).strong());
     // Of all of the run, so that the axis does not jump while playing.
     let all = view.session.chosen().learning().until(f64::INFINITY);
-    let most = points.iter().map(|point| point[1]).fold(LEAST_SPAN, f64::max);
+    let most = points.iter().map(|point| point[1]).fold(SPAN[0], f64::max).min(SPAN[1]);
     let length_s = all.last().map_or(1.0, |last| last.time_s).max(view.session.length_s());
     let playhead_s = view.session.playback().playhead_s;
     let width = ui.available_width();

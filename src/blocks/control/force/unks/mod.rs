@@ -43,6 +43,9 @@ crate::settings! {
         start: UnksStart = UnksStart::Shipped, [], "", setup, "Start";
         /// Learning rate of NM-2 from a cold start; larger ones learn in seconds and drift later.
         cold_rate: f64 = 0.003, [0.0, 0.1], "", live, "Cold learning rate";
+        /// Seed of NM-2's first weights from a cold start. How much a first pass already learns
+        /// depends on them.
+        first_weights: u32 = 1, [0.0, 4_294_967_295.0], "", setup, "First weights";
         /// Networks to begin with, learned in a cut before; empty for those of the start.
         networks: StoredNetworks = StoredNetworks::default(), [], "", setup, "Learned networks";
     }
@@ -176,7 +179,8 @@ pub struct Unks {
 impl Unks {
     pub(super) fn new(settings: &UnksSettings, horizon: usize) -> Self {
         let stored = settings.networks.get().map(|stored| stored.networks.clone());
-        let networks = stored.unwrap_or_else(|| UnksNetworks::at_start(settings.start));
+        let networks = stored
+            .unwrap_or_else(|| UnksNetworks::at_start(settings.start, settings.first_weights));
         Self {
             settings: settings.clone(),
             forward: Learner::new(&networks.forward),
