@@ -9,6 +9,7 @@ mod machine;
 mod machine_stability;
 mod papers;
 mod papers_2005;
+mod papers_2019;
 mod plan;
 mod run;
 mod train;

@@ -2,10 +2,12 @@
 
 pub mod compare_2005;
 pub mod errata;
+pub mod errata_2019;
 pub mod export;
 pub mod golden;
 pub mod identify;
 pub mod papers;
+pub mod papers_2019;
 pub mod plan;
 pub mod published;
 pub mod stability;

@@ -52,7 +52,7 @@ pub fn growth(cut: &Cut, teeth: Teeth, speed_rpm: f64, depth_mm: f64, dt_s: f64)
             delay_s: period_s,
         };
         let x = response.update(&force).displacement_m;
-        if !(x.abs() < GROWN_M) {
+        if x.abs() > GROWN_M || x.is_nan() {
             return f64::INFINITY;
         }
         for (window, energy) in windows.iter().zip(&mut energy) {
