@@ -148,7 +148,7 @@ mod tests {
     #[test]
     fn measured_lines_carry_the_references_numbers() {
         let text = measured().join("\n");
-        for number in ["109.93", "at 110 Hz", "5.042e-9", "4.889e-9", "25.4 times"] {
+        for number in ["109.93", "at 110 Hz", "5.042e-9", "4.888e-9", "25.4 times"] {
             assert!(text.contains(number), "{number} is missing in\n{text}");
         }
     }
