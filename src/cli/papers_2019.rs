@@ -32,13 +32,13 @@ fn print(out: &mut impl Write) -> std::io::Result<()> {
     )?;
     writeln!(
         out,
-        "{:<14}{:>9}{:>9}{:>5}{:>12}{:>12}{:>9}{:>12}{:>12}{:>9}  verdict",
+        "{:<14}{:>9}{:>9}{:>5}{:>12}{:>12}{:>11}{:>12}{:>12}{:>9}  verdict",
         "node", "m kg", "f Hz", "Q", "k printed", "k rule", "ratio", "c printed", "c rule", "ratio"
     )?;
     for row in table() {
         writeln!(
             out,
-            "{:<14}{:>9}{:>9}{:>5}{:>12.3e}{:>12.3e}{:>9.3}{:>12.4e}{:>12.4e}{:>9.3}  {}",
+            "{:<14}{:>9}{:>9}{:>5}{:>12.3e}{:>12.3e}{:>11.3}{:>12.4e}{:>12.4e}{:>9.3}  {}",
             row.node,
             row.mass_kg,
             row.frequency_hz,

@@ -40,6 +40,7 @@ const GROUPS: [(&str, &str); 20] = [
     ("cnc", "CNC"),
     ("program", "NC program"),
     ("workpiece", "Workpiece"),
+    ("machine", "Machine"),
     ("run", "Run"),
     ("plan", "Off-line plan"),
     ("", "Name"),
