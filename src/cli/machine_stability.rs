@@ -62,15 +62,22 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
     } else {
         writeln!(
             text,
-            "{}\ncut: {} teeth, {:.4} of them in the cut on the average, {:.4e} N/m per mm of depth\n\
-             stable at every speed up to {:.3} mm; looked at up to {:.1} mm\n",
+            "{}\ncut: {} teeth, {:.4} of them in the cut on the average, {:.4e} N/m per mm of depth",
             name(&scenario),
             cut.engagement.teeth,
             cut.engagement.mean_teeth(),
-            cut.stiffness_per_mm,
-            job.any_speed_mm(),
-            range.highest_mm
+            cut.stiffness_per_mm
         )?;
+        if job.any_speed_mm().is_finite() {
+            writeln!(
+                text,
+                "stable at every speed up to {:.3} mm; looked at up to {:.1} mm\n",
+                job.any_speed_mm(),
+                range.highest_mm
+            )?;
+        } else {
+            writeln!(text, "no chatter: the chip does not feel the displacement\n")?;
+        }
         print(&mut text, args.check, job.points())?;
         if args.check {
             for (label, (speeds, percent)) in ["mean", "interrupted"].iter().zip(worst) {
