@@ -10,6 +10,7 @@
 //! ```
 //!
 //! Order of events in tick k (from t = k dt to (k + 1) dt):
+//! 0. Every `steps_per_control` ticks the tool wears by what it cut since the last time.
 //! 1. Every `steps_per_control` ticks the controller sees the force sensed at the end of tick
 //!    k - 1 and sends a command, limited by the overrides; it is held until the next sample.
 //! 2. The command enters the dead-time queue; what leaves it is what the drives get.
@@ -32,6 +33,7 @@ use crate::blocks::cnc::spindle_drive::SpindleDrive;
 use crate::blocks::control::{ControlInput, Controller, ControllerKind, FeedSpeed, Limits};
 use crate::blocks::cutting::process::Process;
 use crate::blocks::cutting::tool_path::ToolPath;
+use crate::blocks::cutting::wear::ToolWear;
 use crate::blocks::reference;
 use crate::blocks::sensing::dynamic_force::DynamicForce;
 use crate::blocks::sensing::dynamometer::Dynamometer;
@@ -100,6 +102,7 @@ pub struct ClosedLoop {
     spindle_drive: SpindleDrive,
     path: ToolPath,
     process: Process,
+    wear: ToolWear,
     dynamic_force: DynamicForce,
     dynamometer: Dynamometer,
     peak: PeakWindow,
@@ -151,6 +154,7 @@ impl ClosedLoop {
                 dt_s,
             ),
             path,
+            wear: ToolWear::new(&scenario.wear),
             dynamic_force: DynamicForce::new(&scenario.noise, scenario.run.seed, dt_s),
             dynamometer: Dynamometer::new(&scenario.noise, scenario.run.seed),
             peak: PeakWindow::new(
@@ -176,6 +180,7 @@ impl ClosedLoop {
             },
         };
         this.row.force_setpoint_n = this.desired_force.value;
+        this.process.set_life_factor(this.wear.force_factor());
         this.cut(programmed.feed_mm_min, programmed.speed_rpm);
         this.row.force_measured_n = this.row.force_dyn_n;
         this
@@ -202,6 +207,8 @@ impl ClosedLoop {
         self.path.reconfigure(&scenario.workpiece);
         let place = self.path.place(self.position_mm);
         self.process.reconfigure(&scenario.plant, &place, self.path.depth_max_mm(), self.dt_s);
+        self.wear.reconfigure(&scenario.wear);
+        self.process.set_life_factor(self.wear.force_factor());
         self.dynamic_force.reconfigure(&scenario.noise, self.dt_s);
         self.dynamometer.reconfigure(&scenario.noise);
         self.peak.reconfigure(&scenario.noise);
@@ -219,6 +226,12 @@ impl ClosedLoop {
         self.stop
     }
 
+    /// Share of the tool's life that is used: 1 at its end.
+    #[must_use]
+    pub fn used_life(&self) -> f64 {
+        self.wear.used_life()
+    }
+
     /// The row of the present moment.
     #[must_use]
     pub fn row(&self) -> &Row {
@@ -232,6 +245,7 @@ impl ClosedLoop {
     #[inline]
     pub fn step(&mut self) -> Result<(), Fault> {
         if self.to_control == 0 {
+            self.age();
             self.control();
             self.to_control = self.steps_per_control;
         }
@@ -248,6 +262,18 @@ impl ClosedLoop {
         self.next_cut();
         self.cut(feed_mm_min, speed_rpm);
         self.check()
+    }
+
+    /// The tool wears over the last control period, in which little changes.
+    fn age(&mut self) {
+        let row = &self.row;
+        let in_air = row.state_flags as u32 & flag::AIR != 0;
+        let depth_mm = if in_air { 0.0 } else { row.axial_depth_mm };
+        let period_s = self.dt_s * self.steps_per_control as f64;
+        if self.tick > 0 {
+            self.wear.update(row.feed_mm_min, row.spindle_rpm, depth_mm, period_s);
+        }
+        self.process.set_life_factor(self.wear.force_factor());
     }
 
     /// The controller's turn: from the sensed force to the commands that are sent.

@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 
 use super::plan_settings::PlanSettings;
 use crate::base::model::machine::MachineSettings;
+use crate::base::model::wear::WearSettings;
 use crate::base::settings::{Group, SettingError, Spec, Value};
 use crate::blocks::cnc::feed_drive::FeedDriveSettings;
 use crate::blocks::cnc::feed_override::{Cnc, Program};
@@ -123,6 +124,7 @@ scenario! {
     "workpiece", workpiece: Workpiece;
     "run", run: RunSettings;
     "machine", machine: MachineSettings;
+    "wear", wear: WearSettings;
 }
 
 /// One entry of the table of settings.

@@ -14,6 +14,7 @@ pub mod neural_force;
 pub mod quartic;
 pub mod spindle;
 pub mod unks;
+pub mod wear;
 
 /// A model's answer and whether its input lay inside the model's range of validity.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,4 +7,5 @@ pub mod part;
 pub mod process;
 pub mod tool;
 pub mod tool_path;
+pub mod wear;
 pub mod workpiece;

@@ -121,6 +121,8 @@ pub struct Process {
     neural: Option<Box<NeuralLaw>>,
     milling: Option<Box<Milling>>,
     wear_factor: f64,
+    /// Factor of the wear over the tool's life.
+    life_factor: f64,
     offset_n: f64,
 }
 
@@ -146,8 +148,14 @@ impl Process {
             neural,
             milling,
             wear_factor: plant.wear_factor,
+            life_factor: 1.0,
             offset_n: plant.force_offset_n,
         }
+    }
+
+    /// Takes the factor of the wear over the tool's life; see [`super::wear`].
+    pub fn set_life_factor(&mut self, factor: f64) {
+        self.life_factor = factor;
     }
 
     /// The true models, for the surface block.
@@ -172,7 +180,7 @@ impl Process {
         (cut, x_mm): (&CutPath, f64),
         dynamic: f64,
     ) -> Option<[f64; 3]> {
-        let factor = self.wear_factor * math::positive(dynamic);
+        let factor = self.wear_factor * self.life_factor * math::positive(dynamic);
         let milling = self.milling.as_deref_mut()?;
         Some(milling.update(feed_mm_min, speed_rpm, x_mm, cut, factor))
     }
@@ -187,7 +195,9 @@ impl Process {
     /// Takes over settings changed in the cut; a turning cutter goes on.
     pub fn reconfigure(&mut self, plant: &Plant, place: &Place, depth_max_mm: f64, dt_s: f64) {
         let before = self.milling.take();
+        let life_factor = self.life_factor;
         *self = Self::new(plant, place.radial_depth_mm, depth_max_mm, dt_s);
+        self.life_factor = life_factor;
         if let (Some(before), Some(now)) = (before, &mut self.milling) {
             now.take_over(&before);
         }
@@ -216,10 +226,10 @@ impl Process {
             if peak.value == 0.0 {
                 return peak;
             }
-            let force_n = (peak.value + self.offset_n) * self.wear_factor;
+            let force_n = (peak.value + self.offset_n) * self.wear_factor * self.life_factor;
             return Valued::new(math::positive(force_n), peak.valid);
         }
         let base = self.models.force(feed_mm_min, speed_rpm);
-        Valued::new(base.value * self.factor_per_mm * axial_depth_mm, base.valid)
+        Valued::new(base.value * self.factor_per_mm * axial_depth_mm * self.life_factor, base.valid)
     }
 }

@@ -43,6 +43,7 @@ const GROUPS: [(&str, &str); 21] = [
     ("machine", "Machine"),
     ("run", "Run"),
     ("plan", "Off-line plan"),
+    ("wear", "Wear over the tool's life"),
     ("", "Name"),
 ];
 

@@ -1,0 +1,92 @@
+//! Wear over the tool's life in the closed loop: one wear for every plant.
+
+use steadycut::base::settings::Value;
+use steadycut::blocks::control::ControllerKind;
+use steadycut::blocks::cutting::process::ForceModel;
+use steadycut::run::edits::{Edit, Edits};
+use steadycut::run::one_run::Run;
+use steadycut::run::presets::load;
+use steadycut::run::scenario::Scenario;
+
+/// Constant feed and speed without noise, so that only wear moves the force.
+fn steady(force_model: ForceModel) -> Scenario {
+    let mut scenario = load("first-cut").unwrap();
+    scenario.controller.kind = ControllerKind::ConstantFeed;
+    scenario.noise.level = 0.0;
+    scenario.plant.force_model = force_model;
+    scenario.run.duration_s = 0.6;
+    if force_model == ForceModel::Mechanistic {
+        scenario.run.steps_per_control = 576;
+        scenario.run.record_every = 576;
+    }
+    scenario
+}
+
+fn with(mut scenario: Scenario, settings: &[(&str, Value)]) -> Scenario {
+    for (path, value) in settings {
+        scenario.set(path, value.clone()).unwrap();
+    }
+    scenario
+}
+
+fn life(extra: &[(&str, Value)], scenario: Scenario) -> Scenario {
+    let scenario = with(scenario, &[("wear.model", Value::Text("life".to_owned()))]);
+    with(scenario, extra)
+}
+
+#[test]
+fn a_tool_at_the_end_of_its_life_takes_1_6_times_the_force_of_every_plant() {
+    for model in ForceModel::ALL {
+        let worn = life(&[("wear.used_life", Value::Float(1.0))], steady(*model));
+        let same = with(steady(*model), &[("plant.wear_factor", Value::Float(1.6))]);
+        let [worn, same] = [worn, same].map(|scenario| Run::complete(&scenario, &Edits::none()));
+        assert!(worn.recording().rows().iter().any(|row| row.force_n > 50.0));
+        for (a, b) in worn.recording().rows().iter().zip(same.recording().rows()) {
+            // The life goes on in these 0.6 s: 4e-5 of it.
+            assert!((a.force_n - b.force_n).abs() <= 1e-3 * b.force_n, "{model:?} {a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn force_and_roughness_rise_as_the_life_passes_and_stay_what_they_are_in_the_air() {
+    // Ten seconds of the cut are two thirds of a life.
+    let mut scenario =
+        life(&[("wear.time_scale", Value::Float(960.0))], steady(ForceModel::Formula));
+    scenario.run.duration_s = 10.0;
+    scenario.workpiece.depth_steps = vec![[0.0, 2.0], [30.0, 0.0]];
+    let run = Run::complete(&scenario, &Edits::none());
+    let cut: Vec<_> = run.recording().rows().iter().filter(|row| row.force_n > 0.0).collect();
+    assert!(cut.windows(2).skip(100).all(|pair| pair[0].force_n <= pair[1].force_n + 1e-9));
+    let (first, last) = (cut[200], cut[cut.len() - 1]);
+    assert!(last.force_n > 1.1 * first.force_n && last.ra_um > first.ra_um);
+    // Constant feed and depth: the growth of the force is that of the wear.
+    let settings = &scenario.wear;
+    let (feed, x) = (last.feed_mm_min, run.closed_loop().used_life());
+    assert!((first.feed_mm_min - feed).abs() < 1e-3 * feed);
+    let expected = settings.force_factor(settings.wear(x));
+    let fresh = Run::complete(&steady(ForceModel::Formula), &Edits::none());
+    let sharp = fresh.recording().rows().last().unwrap().force_n;
+    assert!((last.force_n / sharp - expected).abs() < 2e-3, "{x} {} {sharp}", last.force_n);
+    let cutting_s = last.time_s;
+    assert!(cutting_s < 9.0 && x * 14_400.0 < 960.0 * 9.0 * 1.3, "no wear in the air: {x}");
+}
+
+#[test]
+fn a_change_of_settings_leaves_the_tool_as_worn_as_it_is() {
+    let scenario = life(
+        &[("wear.time_scale", Value::Float(5000.0)), ("wear.used_life", Value::Float(0.2))],
+        steady(ForceModel::Formula),
+    );
+    let edited = |path: &str, value: f64| {
+        let mut edits = Edits::none();
+        let edit = Edit { at_s: 0.3, path: path.to_owned(), value: Value::Float(value) };
+        edits.push(&scenario, edit).unwrap();
+        Run::complete(&scenario, &edits).closed_loop().used_life()
+    };
+    let plain = Run::complete(&scenario, &Edits::none());
+    let used = plain.closed_loop().used_life();
+    assert!(used > 0.3 && (edited("noise.ripple_percent", 0.5) - used).abs() < 1e-9);
+    let slower = edited("wear.time_scale", 1.0);
+    assert!(slower > 0.25 && slower < 0.5 * (0.2 + used) + 0.01, "{slower}");
+}
