@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 
 use super::plan_settings::PlanSettings;
 use crate::base::model::machine::MachineSettings;
+use crate::base::model::machine_trend::LifeSettings;
 use crate::base::model::wear::WearSettings;
 use crate::base::settings::{Group, SettingError, Spec, Value};
 use crate::blocks::cnc::feed_drive::FeedDriveSettings;
@@ -125,6 +126,7 @@ scenario! {
     "run", run: RunSettings;
     "machine", machine: MachineSettings;
     "wear", wear: WearSettings;
+    "life", life: LifeSettings;
 }
 
 /// One entry of the table of settings.

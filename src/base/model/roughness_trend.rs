@@ -1,0 +1,57 @@
+//! Arithmetic roughness of a surface that a ball end leaves along the feed, in closed form: the
+//! cusps of the feed, with independent normal deviations of every tooth's depth.
+//!
+//! ```text
+//! h = fz^2/(8 R),  s = sigma/h
+//! Ra = h sqrt( (4/(9 sqrt 3))^2 + (0.7461 s)^2/(1 + 0.77988 s)^0.22759 )
+//! ```
+//!
+//! Exact for s = 0 (parabolic cusps: Ra = fz^2/(18 sqrt 3 R)); otherwise fitted to the lower envelope
+//! of 40 000 random marks, s from 0.05 to 50, within 2.5 %. The envelope makes Ra smaller than the
+//! sqrt(2/pi) sigma of the deviations themselves.
+
+use crate::base::math;
+
+/// Ra over the height of a parabolic cusp, 4/(9 sqrt 3).
+pub const CUSP_RATIO: f64 = 0.256_600_119_639_833_7;
+
+/// Height of the cusps in mm for a feed per tooth and a radius of the ball in mm.
+#[must_use]
+pub fn cusp_mm(feed_per_tooth_mm: f64, radius_mm: f64) -> f64 {
+    feed_per_tooth_mm * feed_per_tooth_mm / (8.0 * radius_mm)
+}
+
+/// Ra in um of cusps of `cusp_um` (greater than 0) whose teeth deviate by `sigma_um`.
+#[must_use]
+pub fn ra_um(cusp_um: f64, sigma_um: f64) -> f64 {
+    let s = sigma_um / cusp_um;
+    let random = 0.7461 * s;
+    let envelope = math::pow(1.0 + 0.77988 * s, 0.22759);
+    cusp_um * (CUSP_RATIO * CUSP_RATIO + random * random / envelope).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_deviation_ra_is_that_of_parabolic_cusps() {
+        let cusp_um = 1000.0 * cusp_mm(0.1, 8.0);
+        // f^2/(31.1769 R); the handbook's f^2/(32 R) is 2.6 % low.
+        let exact = 0.032_075_014_954_979_21 * 0.01 / 8.0 * 1000.0;
+        assert!((ra_um(cusp_um, 0.0) / exact - 1.0).abs() < 1e-14);
+        assert!((0.01 / (32.0 * 8.0) * 1000.0 / exact - 0.974).abs() < 5e-4);
+    }
+
+    #[test]
+    fn random_teeth_give_the_reference_envelopes() {
+        // Phi: Ra over cusp height without the cusps' own share, by an independent simulation of
+        // 40 000 marks each.
+        for (s, reference) in
+            [(0.5, 0.4385), (1.0, 0.7505), (2.0, 1.394), (5.0, 3.115), (10.0, 5.779), (50.0, 25.07)]
+        {
+            let ra = ra_um(1.0, s);
+            assert!((ra / reference - 1.0).abs() < 0.025, "s = {s}: {ra}");
+        }
+    }
+}
