@@ -15,6 +15,7 @@ pub mod neural_force;
 pub mod quartic;
 pub mod roughness_trend;
 pub mod spindle;
+pub mod tool_life;
 pub mod unks;
 pub mod wear;
 
