@@ -6,6 +6,7 @@ pub mod errata_2019;
 pub mod export;
 pub mod golden;
 pub mod identify;
+pub mod machine_life;
 pub mod papers;
 pub mod papers_2019;
 pub mod plan;
