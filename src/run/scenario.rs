@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 use super::plan_settings::PlanSettings;
 use crate::base::model::machine::MachineSettings;
 use crate::base::model::machine_trend::LifeSettings;
+use crate::base::model::roughness_profile::ProfileSettings;
 use crate::base::model::wear::WearSettings;
 use crate::base::settings::{Group, SettingError, Spec, Value};
 use crate::blocks::cnc::feed_drive::FeedDriveSettings;
@@ -127,6 +128,7 @@ scenario! {
     "machine", machine: MachineSettings;
     "wear", wear: WearSettings;
     "life", life: LifeSettings;
+    "profile", profile: ProfileSettings;
 }
 
 /// One entry of the table of settings.

@@ -13,6 +13,7 @@ pub mod machine_trend;
 pub mod model_file;
 pub mod neural_force;
 pub mod quartic;
+pub mod roughness_profile;
 pub mod roughness_trend;
 pub mod spindle;
 pub mod tool_life;

@@ -1,3 +1,4 @@
 //! The surface: produced roughness from force.
 
+pub mod profile;
 pub mod roughness;

@@ -8,6 +8,7 @@
 pub mod adaptive;
 pub mod measurement;
 pub mod monte_carlo;
+pub mod surface;
 
 use serde::Serialize;
 

@@ -22,7 +22,7 @@ const FIRST: [&str; 5] =
 const TARGET: &str = "target.ra_um";
 
 /// Groups below the fold, with their titles.
-const GROUPS: [(&str, &str); 22] = [
+const GROUPS: [(&str, &str); 23] = [
     ("target", "Target"),
     ("controller.constant_feed", "Constant feed"),
     ("controller.sdnrp", "SDNRP"),
@@ -45,6 +45,7 @@ const GROUPS: [(&str, &str); 22] = [
     ("plan", "Off-line plan"),
     ("wear", "Wear over the tool's life"),
     ("life", "Sound and tool life"),
+    ("profile", "Roughness profile"),
     ("", "Name"),
 ];
 
