@@ -349,6 +349,10 @@ pub enum MachineWhat {
     Frf(MachineModel),
     /// Depth at which the cut chatters over the speed: lobes, interrupted cut, time simulation.
     Stability(StabilityArgs),
+    /// The tool's life second by second: trends of sound and roughness, and how alike they are.
+    Wear(MachineModel),
+    /// Tool life foretold from the sound: many tools, and a speed adjusted to the desired durability.
+    Life(LifeArgs),
 }
 
 /// Arguments of `machine stability`.
@@ -392,6 +396,17 @@ pub struct MachineModel {
     /// Print JSON.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Arguments of `machine life`.
+#[derive(Debug, Args)]
+pub struct LifeArgs {
+    /// Number of tools.
+    #[arg(long, default_value_t = 200, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub tools: u32,
+    /// The machine, the cut and where the results go.
+    #[command(flatten)]
+    pub model: MachineModel,
 }
 
 fn parameters(text: &str) -> Result<Parameters, String> {

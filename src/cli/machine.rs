@@ -21,6 +21,8 @@ pub fn execute(args: &MachineArgs) -> Outcome {
         MachineWhat::Modes(model) => modes(model),
         MachineWhat::Frf(model) => frf(model),
         MachineWhat::Stability(args) => machine_stability::execute(args),
+        MachineWhat::Wear(model) => super::machine_wear::wear(model),
+        MachineWhat::Life(args) => super::machine_wear::life(args),
     }
 }
 

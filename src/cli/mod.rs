@@ -7,6 +7,7 @@ mod identify;
 mod list;
 mod machine;
 mod machine_stability;
+mod machine_wear;
 mod papers;
 mod papers_2005;
 mod papers_2019;
