@@ -8,8 +8,8 @@ use serde_json::json;
 
 use super::Outcome;
 use super::args::{MachineArgs, MachineModel, MachineWhat};
-use super::machine_stability;
 use super::run::apply;
+use super::{machine_stability, machine_wear};
 use crate::base::model::machine::FiveMass;
 use crate::base::model::machine::frf::{Response, frequencies_hz, gauss};
 use crate::base::model::machine::modes::{damped, undamped};
@@ -21,8 +21,8 @@ pub fn execute(args: &MachineArgs) -> Outcome {
         MachineWhat::Modes(model) => modes(model),
         MachineWhat::Frf(model) => frf(model),
         MachineWhat::Stability(args) => machine_stability::execute(args),
-        MachineWhat::Wear(model) => super::machine_wear::wear(model),
-        MachineWhat::Life(args) => super::machine_wear::life(args),
+        MachineWhat::Wear(model) => machine_wear::wear(model),
+        MachineWhat::Life(args) => machine_wear::life(args),
     }
 }
 

@@ -11,5 +11,6 @@ pub mod papers;
 pub mod papers_2019;
 pub mod plan;
 pub mod published;
+pub mod sound;
 pub mod stability;
 pub mod train;
