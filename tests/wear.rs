@@ -1,5 +1,7 @@
 //! Wear over the tool's life in the closed loop: one wear for every plant.
 
+use std::process::Command;
+
 use steadycut::base::settings::Value;
 use steadycut::blocks::control::ControllerKind;
 use steadycut::blocks::cutting::process::ForceModel;
@@ -89,4 +91,45 @@ fn a_change_of_settings_leaves_the_tool_as_worn_as_it_is() {
     assert!(used > 0.3 && (edited("noise.ripple_percent", 0.5) - used).abs() < 1e-9);
     let slower = edited("wear.time_scale", 1.0);
     assert!(slower > 0.25 && slower < 0.5 * (0.2 + used) + 0.01, "{slower}");
+}
+
+fn machine(args: &[&str]) -> serde_json::Value {
+    let program = env!("CARGO_BIN_EXE_steadycut");
+    let output = Command::new(program).arg("machine").args(args).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn machine_wear_prints_the_trends_beside_the_papers_claims() {
+    // A short life, to be quick: the trends are those of every life.
+    let report = machine(&[
+        "wear",
+        "--json",
+        "--set",
+        "wear.taylor_life_min=1",
+        "--set",
+        "machine.reading=B",
+    ]);
+    assert_eq!(report["rows"].as_array().unwrap().len(), 10);
+    let findings = &report["findings"];
+    // Reading B moves the ratios by some 1e-4 only.
+    assert!((findings["sound_ratio"].as_f64().unwrap() - 1.8442).abs() < 5e-4);
+    assert!((findings["vibration_ratio"].as_f64().unwrap() - 1.6017).abs() < 5e-4);
+    assert!(findings["sound_roughness_r"].as_f64().unwrap() > 0.998);
+    assert_eq!(findings["first_spectrum"].as_array().unwrap().len(), 300);
+    assert!(report["measurement"]["trend_r"].as_f64().unwrap() > 0.98);
+    assert_eq!(report["surface"].as_array().unwrap().len(), 3);
+    assert_eq!(report["claims_of_the_paper"].as_array().unwrap().len(), 3);
+}
+
+#[test]
+fn machine_life_judges_the_forecasts_and_reaches_the_desired_durability() {
+    let tool = ["--set", "wear.durability_factor=0.6", "--set", "life.durability_min=200"];
+    let report = machine(&[&["life", "--json", "--tools", "2"], &tool[..]].concat());
+    assert_eq!(report["groups"].as_array().unwrap().len(), 4);
+    let durability = &report["durability"];
+    let reached = |key: &str| durability[key].as_f64().unwrap();
+    assert!(reached("reached_fixed_min") < 160.0);
+    assert!((reached("reached_adjusted_min") / 200.0 - 1.0).abs() < 0.05);
 }
