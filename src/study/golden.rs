@@ -17,6 +17,9 @@ use crate::run::edits::{Edit, Edits};
 use crate::run::one_run::Run;
 use crate::run::presets::{PRESETS, load};
 use crate::run::scenario::Scenario;
+use crate::study::machine_life;
+use crate::study::machine_life::adaptive::AdaptiveLife;
+use crate::study::machine_life::surface::surface;
 use crate::study::plan::PlanJob;
 
 /// Golden values of all presets, by name.
@@ -70,6 +73,7 @@ fn plan(preset: &Scenario) -> String {
 fn variants(preset: &Scenario) -> String {
     let mut digest = Digest::default();
     machines(&preset.machine, &mut digest);
+    tool_life(preset, &mut digest);
     for kind in FeedDriveKind::ALL {
         for dt_s in [5e-6, 1e-3, 7e-3, 2e-2] {
             for word in ExactDrive::new(*kind, dt_s).coefficient_bits() {
@@ -99,6 +103,8 @@ fn variants(preset: &Scenario) -> String {
                 (0.9, "cnc.dead_time_s", Value::Float(0.033)),
                 (0.95, "controller.kind", Value::Text("mrac".to_owned())),
                 (1.05, "controller.kind", Value::Text("adjustable_pi".to_owned())),
+                (1.07, "wear.time_scale", Value::Float(9e3)),
+                (1.08, "wear.model", Value::Text("life".to_owned())),
                 (1.1, "controller.kind", Value::Text("sdnrp".to_owned())),
             ] {
                 let edit = Edit { at_s, path: path.to_owned(), value };
@@ -130,6 +136,24 @@ fn machines(preset: &MachineSettings, digest: &mut Digest) {
                 response.coefficient_bits().into_iter().for_each(|word| digest.word(word));
             }
         }
+    }
+}
+
+/// Trends, forecasts, adjusted speeds and the measured surface over the tool's life.
+fn tool_life(preset: &Scenario, digest: &mut Digest) {
+    let model = machine_life::model(preset);
+    for x in [0.0, 0.3, 1.0] {
+        let point = model.at(x);
+        digest.word(point.sound.to_bits());
+        digest.word(point.ra_um.to_bits());
+    }
+    let rough = surface(&model, &preset.profile, preset.plant.runout_um, 0.5, 1);
+    digest.word(rough.map_or(f64::NAN, |rough| rough.rz_um).to_bits());
+    let mut life = AdaptiveLife::new(preset, true);
+    life.advance(25);
+    for minute in life.minutes() {
+        digest.word(minute.cutting_speed_m_min.to_bits());
+        digest.word(minute.rest_min.unwrap_or(f64::NAN).to_bits());
     }
 }
 

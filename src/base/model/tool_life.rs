@@ -97,6 +97,7 @@ pub struct Predictor {
     /// Of a residual: sigma^2 n_c.
     variance: f64,
     log_life: Vec<f64>,
+    life_min: Vec<f64>,
     log_prior: Vec<f64>,
     mean: Vec<f64>,
     squares: Vec<f64>,
@@ -118,11 +119,14 @@ impl Predictor {
         let center = math::ln(math::limit(prior_min, 1e-3, 1e6));
         let step = 2.0 * REACH / (GRID - 1) as f64;
         let offset = |i: usize| i as f64 * step - REACH;
+        let log_life: Vec<f64> =
+            (0..GRID).map(|i| center + settings.prior_spread * offset(i)).collect();
         Self {
             wear: wear.clone(),
             growth: growth.clone(),
+            life_min: log_life.iter().map(|log_life| math::exp(*log_life)).collect(),
             variance: sigma * sigma * settings.correlated_min,
-            log_life: (0..GRID).map(|i| center + settings.prior_spread * offset(i)).collect(),
+            log_life,
             log_prior: (0..GRID).map(|i| offset(i) * offset(i)).collect(),
             mean: vec![0.0; GRID],
             squares: vec![0.0; GRID],
@@ -143,7 +147,7 @@ impl Predictor {
         self.samples += 1.0;
         let log_sound = math::ln(sound);
         for i in 0..GRID {
-            let x = (age_min / math::exp(self.log_life[i])).min(1.0);
+            let x = (age_min / self.life_min[i]).min(1.0);
             let residual = log_sound - math::ln(self.growth.at(self.wear.wear(x)));
             let before = residual - self.mean[i];
             self.mean[i] += before / self.samples;
@@ -155,7 +159,7 @@ impl Predictor {
     #[must_use]
     pub fn forecast(&self) -> Option<Forecast> {
         let cost = |i: usize| self.squares[i] / self.variance + self.log_prior[i];
-        let possible = (0..GRID).filter(|i| math::exp(self.log_life[*i]) > self.age_min);
+        let possible = (0..GRID).filter(|i| self.life_min[*i] > self.age_min);
         let points: Vec<usize> = possible.collect();
         let least = points.iter().map(|i| cost(*i)).fold(f64::INFINITY, f64::min);
         let weights: Vec<f64> =
@@ -173,7 +177,7 @@ impl Predictor {
                 sum += **weight;
                 sum >= share * total
             });
-            math::exp(self.log_life[reached.map_or(GRID - 1, |(i, _)| *i)])
+            self.life_min[reached.map_or(GRID - 1, |(i, _)| *i)]
         };
         let first_sound = math::exp(mean_of(&self.mean));
         Some(Forecast {
