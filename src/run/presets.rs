@@ -51,6 +51,7 @@ presets![
     "table3-5-noise",
     "depth-step",
     "material-change",
+    "tool-life",
 ];
 
 /// The scenario of a preset.
