@@ -140,6 +140,8 @@ fn the_preset_shows_a_whole_life_and_that_tracking_pays_for_ra_with_the_tool() {
     let scenario = load("tool-life").unwrap();
     let constant = Run::complete(&scenario, &Edits::none());
     assert!((constant.closed_loop().used_life() - 1.0).abs() < 0.02);
+    let used = constant.recording().rows().iter().map(|row| row.used_life);
+    assert!(used.is_sorted());
     let at = |run: &Run, at_s: f64| run.recording().rows()[run.recording().index_at(at_s)];
     let growth = at(&constant, 50.5).force_n / at(&constant, 0.0).force_n;
     assert!((1.4..1.7).contains(&growth), "{growth}");
