@@ -22,7 +22,7 @@ const FIRST: [&str; 5] =
 const TARGET: &str = "target.ra_um";
 
 /// Groups below the fold, with their titles.
-const GROUPS: [(&str, &str); 23] = [
+const GROUPS: [(&str, &str); 24] = [
     ("target", "Target"),
     ("controller.constant_feed", "Constant feed"),
     ("controller.sdnrp", "SDNRP"),
