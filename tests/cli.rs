@@ -303,3 +303,52 @@ fn the_study_of_robustness_gives_the_same_on_any_number_of_threads() {
     assert_eq!(report["outcomes"], serde_json::to_value(study.outcomes()).unwrap());
     assert!(refused(&["robust", "--controller", "best"]).contains("preview"));
 }
+
+#[test]
+fn machine_prints_modes_and_the_whole_sweep() {
+    let sweep = json(&["machine", "frf", "--json"]);
+    let sweep = sweep.as_array().unwrap();
+    assert_eq!(sweep.len(), 301);
+    for (i, row) in sweep.iter().enumerate() {
+        assert_eq!(row["f_hz"], 10.0 * i as f64);
+        for key in ["h33", "hww", "h3w", "grel"] {
+            assert!(row[format!("{key}_re")].is_f64() && row[format!("{key}_im")].is_f64());
+        }
+    }
+    assert_eq!(sweep[0]["grel_im"], 0.0);
+    let first = |args: &[&str]| {
+        let modes = json(&[&["machine", "modes", "--json"], args].concat());
+        modes["undamped"][1]["frequency_hz"].as_f64().unwrap()
+    };
+    assert!((first(&[]) - 154.485_631).abs() < 1e-5);
+    assert!((first(&["--set", "machine.reading=B"]) - 122.600_809).abs() < 1e-5);
+    assert!(first(&["--parameters", "T"]) != first(&[]));
+    let sharp = json(&["machine", "frf", "--json", "--set", "machine.spindle_quality=17"]);
+    assert!((sharp[11]["grel_im"].as_f64().unwrap() / -2.080_003e-6 - 1.0).abs() < 1e-6);
+
+    let file = temporary("frf.csv");
+    let shown = steadycut(&["machine", "frf", "--out", file.to_str().unwrap()]);
+    assert!(shown.status.success() && shown.stdout.is_empty());
+    assert_eq!(std::fs::read_to_string(&file).unwrap().lines().count(), 303);
+}
+
+#[test]
+fn machine_refuses_what_it_cannot_do() {
+    let text = refused(&["machine", "modes", "--set", "machine.spindle_quality=0"]);
+    assert!(text.contains("machine.spindle_quality") && text.contains("from 1 to 100"), "{text}");
+    let text = refused(&["machine", "frf", "--parameters", "E"]);
+    assert!(text.contains("D, T, printed"), "{text}");
+    let text = refused(&["machine", "stability", "--parameters", "printed"]);
+    assert!(text.contains("overdamped"), "{text}");
+    let text = refused(&["machine", "stability", "--from", "3000", "--to", "2000"]);
+    assert!(text.contains("below"), "{text}");
+}
+
+#[test]
+fn papers_2019_lists_table_errata_and_what_cannot_be_reproduced() {
+    let report = json(&["papers", "--paper", "2019", "--json"]);
+    assert_eq!(report["rows"].as_array().unwrap().len(), 5);
+    assert!(report["errata"].as_array().unwrap().len() >= 17);
+    let text = String::from_utf8(steadycut(&["papers", "--paper", "2019"]).stdout).unwrap();
+    assert!(text.contains("no published curve") && text.contains("unstable"), "{text}");
+}

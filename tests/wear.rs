@@ -9,6 +9,7 @@ use steadycut::run::edits::{Edit, Edits};
 use steadycut::run::one_run::Run;
 use steadycut::run::presets::load;
 use steadycut::run::scenario::Scenario;
+use steadycut::run::signals::flag;
 
 /// Constant feed and speed without noise, so that only wear moves the force.
 fn steady(force_model: ForceModel) -> Scenario {
@@ -132,4 +133,25 @@ fn machine_life_judges_the_forecasts_and_reaches_the_desired_durability() {
     let reached = |key: &str| durability[key].as_f64().unwrap();
     assert!(reached("reached_fixed_min") < 160.0);
     assert!((reached("reached_adjusted_min") / 200.0 - 1.0).abs() < 0.05);
+}
+
+#[test]
+fn the_preset_shows_a_whole_life_and_that_tracking_pays_for_ra_with_the_tool() {
+    let scenario = load("tool-life").unwrap();
+    let constant = Run::complete(&scenario, &Edits::none());
+    assert!((constant.closed_loop().used_life() - 1.0).abs() < 0.02);
+    let used = constant.recording().rows().iter().map(|row| row.used_life);
+    assert!(used.is_sorted());
+    let at = |run: &Run, at_s: f64| run.recording().rows()[run.recording().index_at(at_s)];
+    let growth = at(&constant, 50.5).force_n / at(&constant, 0.0).force_n;
+    assert!((1.4..1.7).contains(&growth), "{growth}");
+    let mut tracking = scenario.clone();
+    tracking.controller.kind = ControllerKind::Tracking;
+    tracking.run.duration_s = 20.0;
+    let tracking = Run::complete(&tracking, &Edits::none());
+    let (held, drifted) = (at(&tracking, 8.0), at(&constant, 8.0));
+    assert!((held.force_n / held.force_ref_n - 1.0).abs() < 0.02, "{held:?}");
+    assert!(drifted.ra_um > 2.0 * held.ra_um && held.spindle_rpm > 1.5 * drifted.spindle_rpm);
+    assert!(tracking.closed_loop().used_life() > 1.0, "worn out within twenty seconds");
+    assert!(at(&tracking, 19.0).has(flag::SATURATED));
 }

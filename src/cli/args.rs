@@ -145,6 +145,9 @@ pub enum ComparedPaper {
     /// Control strategy 2013, Table 1.
     #[value(name = "2013")]
     Strategy2013,
+    /// Dynamic model 2019, Table 1: the five-mass machine.
+    #[value(name = "2019")]
+    Machine2019,
 }
 
 /// Arguments of `papers`.

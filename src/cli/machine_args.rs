@@ -52,8 +52,8 @@ pub struct StabilityArgs {
 }
 
 fn chart_speed(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().ok().filter(|x| (100.0..=20_000.0).contains(x));
-    number.ok_or_else(|| "allowed is a number from 100 to 20000".to_owned())
+    let number = text.parse::<f64>().ok().filter(|x| (300.0..=20_000.0).contains(x));
+    number.ok_or_else(|| "allowed is a number from 300 to 20000".to_owned())
 }
 
 /// The machine and where its results go.

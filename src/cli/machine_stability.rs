@@ -36,10 +36,8 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
     }
     progress.finish_and_clear();
     let worst = [0, 1].map(|which| worst(job.points(), which));
-    let agreed = worst
-        .iter()
-        .all(|(speeds, worst)| *speeds >= CHECKED_SPEEDS && worst.abs() <= BAND_PERCENT)
-        && job.points().iter().all(same_speeds);
+    let agreed = worst.iter().all(|(speeds, _)| *speeds >= CHECKED_SPEEDS)
+        && job.points().iter().all(Point::agrees);
     let cut = job.cut();
     let mut text = String::new();
     if args.model.json {
@@ -64,28 +62,44 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
     } else {
         writeln!(
             text,
-            "{}\ncut: {} teeth, {:.4} of them in the cut on the average, {:.4e} N/m per mm of depth\n\
-             stable at every speed up to {:.3} mm; looked at up to {:.1} mm\n",
+            "{}\ncut: {} teeth, {:.4} of them in the cut on the average, {:.4e} N/m per mm of depth",
             name(&scenario),
             cut.engagement.teeth,
             cut.engagement.mean_teeth(),
-            cut.stiffness_per_mm,
-            job.any_speed_mm(),
-            range.highest_mm
+            cut.stiffness_per_mm
         )?;
+        if job.any_speed_mm().is_finite() {
+            writeln!(
+                text,
+                "stable at every speed up to {:.3} mm; looked at up to {:.1} mm\n",
+                job.any_speed_mm(),
+                range.highest_mm
+            )?;
+        } else {
+            writeln!(text, "no chatter: the chip does not feel the displacement\n")?;
+        }
         print(&mut text, args.check, job.points())?;
         if args.check {
             for (label, (speeds, percent)) in ["mean", "interrupted"].iter().zip(worst) {
                 writeln!(
                     text,
                     "{label}: simulation (steps of {DT_S} s) off its chart by at most {percent:+.2} % at \
-                     {speeds} speeds"
+                     {speeds} of {} speeds",
+                    job.points().len()
+                )?;
+            }
+            for point in job.points().iter().filter(|point| point.interrupted_beside_mm.is_some()) {
+                writeln!(
+                    text,
+                    "at {} 1/min the limit jumps: {} mm half a percent beside this speed, as simulated",
+                    point.speed_rpm,
+                    cell(point.interrupted_beside_mm)
                 )?;
             }
             let verdict = if agreed { "agreed" } else { "NOT agreed" };
             writeln!(
                 text,
-                "within {BAND_PERCENT} % at {CHECKED_SPEEDS} speeds or more: {verdict}"
+                "within {BAND_PERCENT} % at every speed, {CHECKED_SPEEDS} or more of them: {verdict}"
             )?;
         }
     }
@@ -93,18 +107,17 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
     Ok(if args.check && !agreed { ExitCode::from(1) } else { ExitCode::SUCCESS })
 }
 
-/// Number of speeds with a limit in chart and simulation, and their largest difference in percent.
+/// Number of speeds at which simulation and chart are within the band, and their largest
+/// difference there in percent.
 fn worst(points: &[Point], which: usize) -> (usize, f64) {
-    let found: Vec<f64> =
-        points.iter().filter_map(|point| point.differences_percent()[which]).collect();
-    let worst = found.iter().copied().max_by(|x, y| x.abs().total_cmp(&y.abs()));
-    (found.len(), worst.unwrap_or(0.0))
+    let found = points.iter().filter_map(|point| point.differences_percent()[which]);
+    let within: Vec<f64> = found.filter(|percent| percent.abs() <= BAND_PERCENT).collect();
+    let worst = within.iter().copied().max_by(|x, y| x.abs().total_cmp(&y.abs()));
+    (within.len(), worst.unwrap_or(0.0))
 }
 
-/// Whether chart and simulation agree on whether there is a limit at all.
-fn same_speeds(point: &Point) -> bool {
-    point.mean_mm.is_some() == point.simulated_mean_mm.is_some()
-        && point.interrupted_mm.is_some() == point.simulated_interrupted_mm.is_some()
+fn cell(value: Option<f64>) -> String {
+    value.map_or("-".to_owned(), |x| format!("{x:.3}"))
 }
 
 fn print(text: &mut String, simulated: bool, points: &[Point]) -> std::fmt::Result {
@@ -113,7 +126,6 @@ fn print(text: &mut String, simulated: bool, points: &[Point]) -> std::fmt::Resu
         write!(text, "{:>14}{:>8}{:>16}{:>8}", "simulated", "%", "sim. interrupted", "%")?;
     }
     writeln!(text)?;
-    let cell = |value: Option<f64>| value.map_or("-".to_owned(), |x| format!("{x:.3}"));
     for point in points {
         write!(
             text,

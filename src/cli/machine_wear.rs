@@ -173,11 +173,7 @@ fn groups(scenario: &Scenario, count: u32) -> Vec<Group> {
 
 fn lived(scenario: &Scenario, adjusts: bool) -> AdaptiveLife {
     let mut life = AdaptiveLife::new(scenario, adjusts);
-    while !life.advance(SLICE) && life.minutes().last().is_some_and(|minute| minute.x < 1.0) {
-        if life.minutes().len() as f64 >= 10.0 * scenario.life.durability_min {
-            break;
-        }
-    }
+    while !life.advance(SLICE) {}
     life
 }
 

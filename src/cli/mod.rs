@@ -12,6 +12,7 @@ mod machine_stability;
 mod machine_wear;
 mod papers;
 mod papers_2005;
+mod papers_2019;
 mod plan;
 mod recommend;
 mod robust;

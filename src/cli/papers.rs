@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use super::Outcome;
 use super::args::{ComparedPaper, PapersArgs};
 use super::papers_2005;
+use super::papers_2019;
 use crate::study::papers::{Cell, PaperTable, Verdict, table};
 use crate::study::published::PaperId;
 use crate::study::train::data::NOTE;
@@ -16,6 +17,7 @@ pub fn execute(args: &PapersArgs) -> Outcome {
     }
     let id = match args.paper {
         ComparedPaper::Combined2005 => return papers_2005::execute(args),
+        ComparedPaper::Machine2019 => return papers_2019::execute(args),
         ComparedPaper::Sdnrp2007 => PaperId::Sdnrp2007,
         ComparedPaper::Strategy2013 => PaperId::Strategy2013,
     };

@@ -405,6 +405,7 @@ impl ClosedLoop {
         row.spindle_rpm = speed_rpm;
         row.ra_um = ra.value;
         row.ra_dyn_um = ra_dyn.value;
+        row.used_life = self.wear.used_life();
         let flags = self.command_flags
             | bit(!self.desired_force.valid, flag::K1_OUTSIDE)
             | bit(!force.valid, flag::K4_OUTSIDE)

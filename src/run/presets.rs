@@ -55,6 +55,7 @@ presets![
     "combined-2005",
     "experiment-2-neural",
     "experiment-1-sl",
+    "tool-life",
 ];
 
 /// The scenario of a preset.

@@ -35,7 +35,7 @@ pub const FORMAT_VERSION: i64 = 1;
 /// Longest plant step with the mechanistic force model, s: some 180 samples for a tooth period of the
 /// papers' cut.
 const TOOTH_STEP_MAX_S: f64 = 1e-4;
-/// Most rows that a run may record: a row takes 160 bytes, a console holds up to four recordings,
+/// Most rows that a run may record: a row takes 168 bytes, a console holds up to four recordings,
 /// and a page in the browser has 4 GiB at most.
 pub const MAX_ROWS: f64 = if cfg!(target_arch = "wasm32") { 1_000_000.0 } else { 4_000_000.0 };
 

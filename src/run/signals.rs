@@ -87,6 +87,8 @@ signals! {
     spindle_override_percent, "%", "Spindle override";
     /// The controller's estimate of true over modelled force.
     gain_estimate, "-", "Gain estimate";
+    /// Share of the tool's life that is used.
+    used_life, "-", "Tool life used";
     /// Saturation, models outside their range, air: a sum of the bits in the table of flags.
     state_flags, "-", "State flags";
 }

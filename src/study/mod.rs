@@ -3,11 +3,13 @@
 pub mod combined;
 pub mod compare;
 pub mod errata;
+pub mod errata_2019;
 pub mod export;
 pub mod golden;
 pub mod identify;
 pub mod machine_life;
 pub mod papers;
+pub mod papers_2019;
 pub mod plan;
 pub mod published;
 pub mod recommend;

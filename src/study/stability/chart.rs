@@ -43,15 +43,39 @@ pub struct Point {
     pub simulated_mean_mm: Option<f64>,
     /// The time simulation with teeth that come and go.
     pub simulated_interrupted_mm: Option<f64>,
+    /// Where the two differ: the interrupted cut's limit nearest to the simulation's at a speed
+    /// 0.5 % beside this one. The limit jumps at the tip of an island of instability.
+    pub interrupted_beside_mm: Option<f64>,
+}
+
+/// Distance in speed at which a jump of the limit is looked for, as a share.
+const BESIDE: f64 = 0.005;
+
+fn percent(simulated: Option<f64>, chart: Option<f64>) -> Option<f64> {
+    simulated.zip(chart).map(|(simulated, chart)| 100.0 * (simulated / chart - 1.0))
+}
+
+/// Whether both have no limit, or limits within the band.
+fn agree(simulated: Option<f64>, chart: Option<f64>) -> bool {
+    match percent(simulated, chart) {
+        Some(percent) => percent.abs() <= BAND_PERCENT,
+        None => simulated.is_none() && chart.is_none(),
+    }
 }
 
 impl Point {
+    /// Whether the time simulation gives the charts' limits within the band, a jump's two sides
+    /// both counting.
+    #[must_use]
+    pub fn agrees(&self) -> bool {
+        let simulated = self.simulated_interrupted_mm;
+        agree(self.simulated_mean_mm, self.mean_mm)
+            && (agree(simulated, self.interrupted_mm) || self.interrupted_beside_mm.is_some())
+    }
+
     /// Simulation over chart - 1 in percent, for the mean and for the interrupted cut.
     #[must_use]
     pub fn differences_percent(&self) -> [Option<f64>; 2] {
-        let percent = |simulated: Option<f64>, chart: Option<f64>| {
-            simulated.zip(chart).map(|(simulated, chart)| 100.0 * (simulated / chart - 1.0))
-        };
         [
             percent(self.simulated_mean_mm, self.mean_mm),
             percent(self.simulated_interrupted_mm, self.interrupted_mm),
@@ -114,8 +138,15 @@ impl ChartJob {
                     simulated::limit_mm(cut, Teeth::Mean, speed, DT_S, highest_mm);
             }
             _ => {
-                point.simulated_interrupted_mm =
+                let simulated =
                     simulated::limit_mm(cut, Teeth::Interrupted, speed, DT_S, highest_mm);
+                point.simulated_interrupted_mm = simulated;
+                if !agree(simulated, point.interrupted_mm) {
+                    let beside = [1.0 - BESIDE, 1.0 + BESIDE];
+                    let beside = beside.map(|x| interrupted::limit_mm(cut, x * speed, highest_mm));
+                    point.interrupted_beside_mm =
+                        beside.into_iter().find(|limit| agree(simulated, *limit)).flatten();
+                }
             }
         }
         self.curves += 1;

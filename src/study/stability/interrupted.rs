@@ -19,10 +19,10 @@ use super::{Cut, least_unstable, lobes};
 use crate::base::math;
 use crate::base::model::machine::reduction::Reduction;
 
-/// Longest interval, s: some thirty for a period of the spindle's mode.
-const INTERVAL_S: f64 = 2.5e-4;
+/// Longest interval, s: some sixty for a period of the spindle's mode.
+const INTERVAL_S: f64 = 1.5e-4;
 /// Fewest and most intervals of a part.
-const INTERVALS: [usize; 2] = [8, 64];
+const INTERVALS: [usize; 2] = [16, 64];
 /// Squarings of the period's matrix: the radius is that of 2^SQUARINGS periods.
 const SQUARINGS: i32 = 11;
 

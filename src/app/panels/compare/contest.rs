@@ -75,7 +75,7 @@ pub struct Setup {
 
 /// Everybody who can take part.
 pub fn methods() -> impl Iterator<Item = &'static Method> {
-    TABLE_1.iter().chain(&BEYOND)
+    TABLE_1.iter().chain(BEYOND)
 }
 
 impl Default for Setup {

@@ -23,7 +23,7 @@ const FIRST: [&str; 5] =
 const TARGET: &str = "target.ra_um";
 
 /// Groups below the fold, with their titles.
-const GROUPS: [(&str, &str); 24] = [
+const GROUPS: [(&str, &str); 25] = [
     ("target", "Target"),
     ("controller.constant_feed", "Constant feed"),
     ("controller.sdnrp", "SDNRP"),
@@ -42,6 +42,7 @@ const GROUPS: [(&str, &str); 24] = [
     ("cnc", "CNC"),
     ("program", "NC program"),
     ("workpiece", "Workpiece"),
+    ("machine", "Machine"),
     ("run", "Run"),
     ("plan", "Off-line plan"),
     ("wear", "Wear over the tool's life"),

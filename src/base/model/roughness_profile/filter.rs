@@ -33,3 +33,45 @@ pub fn gaussian(heights: &[f64], cutoff_mm: f64, step_mm: f64, reach: usize) -> 
     let centred: Vec<f64> = heights.iter().map(|z| z - mean).collect();
     convolve_valid(&centred, &weights).into_iter().map(|z| z + mean).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn waves_pass_both_cut_offs_as_the_standard_says() {
+        // What is left of a wave after the long cut-off of 0.8 mm: 1 - 2^-((0.8/length)^2).
+        for (length_mm, left) in [
+            (0.25, 0.999173100280896),
+            (0.5, 0.830424459069041),
+            (0.8, 0.5),
+            (1.0, 0.3582870512185479),
+            (2.5, 0.0685178681865712),
+            (8.0, 0.006907504562964098),
+        ] {
+            // One point in the middle, where the wave has its crest.
+            let (step_mm, reach) = (0.001, 800);
+            let wave =
+                |i: usize| math::cos(math::TAU * (i as f64 - reach as f64) * step_mm / length_mm);
+            let heights: Vec<f64> = (0..=2 * reach).map(wave).collect();
+            let mean_line = gaussian(&heights, 0.8, step_mm, reach);
+            assert_eq!(mean_line.len(), 1);
+            assert!((1.0 - mean_line[0] - left).abs() < 1e-6, "{length_mm}: {}", mean_line[0]);
+        }
+        // Half of the amplitude passes the short cut-off at its length.
+        let heights: Vec<f64> =
+            (0..=10).map(|i| math::cos(math::TAU * (f64::from(i) - 5.0) / 5.0)).collect();
+        let passed = gaussian(&heights, 0.0025, 0.0005, 5)[0];
+        assert!((passed - 0.5).abs() < 1e-3, "{passed}");
+    }
+
+    #[test]
+    fn the_points_divide_the_long_cut_off_and_are_never_too_many() {
+        for (short_um, long_mm) in [(2.5, 0.8), (25.0, 0.08), (0.5, 8.0), (3.3, 0.25)] {
+            let settings = ProfileSettings { short_um, long_mm, ..ProfileSettings::default() };
+            let points = long_mm / step_mm(&settings);
+            assert!((points - points.round()).abs() < 1e-9 && points <= POINTS_PER_LONG);
+        }
+        assert!((step_mm(&ProfileSettings::default()) - 0.0005).abs() < 1e-15);
+    }
+}
