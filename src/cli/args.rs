@@ -162,6 +162,9 @@ pub struct PapersArgs {
     /// Other dead times and another steel without retuning, in place of Table 1 (2005 only).
     #[arg(long)]
     pub robustness: bool,
+    /// Feeds per cut and the controller Preview, in place of Table 1 (2005 only).
+    #[arg(long, conflicts_with = "robustness")]
+    pub beyond: bool,
     /// Calibration of plant and controller.
     #[arg(long, value_enum, default_value = "identified")]
     pub calibration: CalibrationArg,

@@ -1,6 +1,8 @@
 //! `steadycut papers --paper 2005`: the six methods of the 2005 paper on Experiment 2, beside its
-//! Table 1, and its claims; with `--robustness` the same under changed conditions.
+//! Table 1, and its claims; with `--robustness` the same under changed
+//! conditions, with `--beyond` what the product adds.
 
+mod beyond;
 mod print;
 mod robustness;
 
@@ -46,6 +48,9 @@ struct Report {
 }
 
 pub fn execute(args: &PapersArgs) -> Outcome {
+    if args.beyond {
+        return beyond::execute(args.seeds.unwrap_or(SEEDS[0]), args.json);
+    }
     if args.robustness {
         return robustness::execute(args.seeds.unwrap_or(SEEDS[1]), args.json);
     }

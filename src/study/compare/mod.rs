@@ -5,6 +5,7 @@
 //! the printed table, [`claims`] what the paper says beside what is found, [`robustness`] changes
 //! the conditions; [`load_step`] and [`cost`] are two meanings of the paper's optimisation step.
 
+pub mod beyond;
 pub mod claims;
 pub mod cost;
 pub mod entrants;
