@@ -237,3 +237,24 @@ fn load_keeps_paper_and_force_model() {
     assert_eq!(scenario.plant.model_set, ModelSet::Strategy2013);
     assert_eq!(scenario.plant.force_model, ForceModel::Neural);
 }
+
+#[test]
+fn the_papers_screen_has_the_combined_system_and_the_machine() {
+    for size in SIZES {
+        let mut harness = open("first-cut", size, "Papers", &[]);
+        harness.get_by_label("Dynamic model 2019, Table 1").click();
+        harness.run_steps(2);
+        let shown = texts(&harness);
+        assert!(shown.contains("exponent of the spring wrong: 8, not 12"), "{shown}");
+        assert!(shown.contains("109.93") && shown.contains("no published curve"), "{shown}");
+        harness.get_by_label("Combined system 2005, Table 1").click();
+        harness.run_steps(2);
+        let shown = texts(&harness);
+        for erratum in errata::COMBINED_2005 {
+            assert!(shown.contains(erratum.problem), "{}", erratum.problem);
+        }
+        harness.get_by_label("Open Compare").click();
+        harness.run_steps(3);
+        assert!(console(&harness).state_json().contains("\"screen\":\"compare\""));
+    }
+}

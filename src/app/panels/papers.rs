@@ -1,8 +1,10 @@
 //! Published tables against runs, Table 3 of SDNRP 2007 and Table 1 of the 2013 control strategy:
 //! printed, reproduced, residual, verdict of every cell, the errata, and the paper's own
-//! deviations. A click loads a row into the console.
+//! deviations. A click loads a row into the console. Table 1 of 2005 is compared on a screen of its
+//! own; Table 1 of 2019 stands beside its own rules.
 
 mod deviations;
+mod machine;
 mod table;
 
 use std::collections::BTreeMap;
@@ -15,8 +17,19 @@ use crate::app::theme::{self, Palette};
 use crate::base::model::gp::Calibration;
 use crate::base::settings::Choice;
 use crate::blocks::cutting::process::ForceModel;
+use crate::study::errata::{COMBINED_2005, Erratum};
+use crate::study::errata_2019::MACHINE_2019;
 use crate::study::papers::{self, PaperTable, Verdict};
+use crate::study::papers_2019;
 use crate::study::published::PaperId;
+
+/// The papers; two have a table of simulations.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Paper {
+    Simulated(PaperId),
+    Combined2005,
+    Machine2019,
+}
 
 /// What is shown: a paper's table, re-run with a calibration and a force model of the plant.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -28,7 +41,10 @@ struct Shown {
 
 /// The screen.
 pub struct PapersPanel {
+    paper: Paper,
     shown: Shown,
+    /// What the 2019 paper's equations give: computed once.
+    measured: Option<Vec<String>>,
     /// What has been reproduced so far: each table is run once.
     done: BTreeMap<Shown, PaperTable>,
 }
@@ -40,7 +56,8 @@ impl Default for PapersPanel {
             calibration: Calibration::Identified,
             force_model: ForceModel::Formula,
         };
-        Self { shown, done: BTreeMap::new() }
+        let paper = Paper::Simulated(shown.paper);
+        Self { paper, shown, measured: None, done: BTreeMap::new() }
     }
 }
 
@@ -64,8 +81,17 @@ impl Panel for PapersPanel {
 
 impl PapersPanel {
     fn page(&mut self, ui: &mut Ui, narrow: bool, commands: &mut Vec<Command>) {
-        let Shown { paper, calibration, force_model } = &mut self.shown;
-        choose(ui, "Paper:", PaperId::ALL, PaperId::OPTIONS, paper);
+        self.choose_paper(ui);
+        match self.paper {
+            Paper::Simulated(paper) => self.shown.paper = paper,
+            Paper::Combined2005 => return combined(ui, commands),
+            Paper::Machine2019 => {
+                let measured = self.measured.get_or_insert_with(papers_2019::measured);
+                machine::show(ui, measured, commands);
+                return errata(ui, MACHINE_2019);
+            }
+        }
+        let Shown { calibration, force_model, .. } = &mut self.shown;
         let whose = "Calibration of plant and controller:";
         choose(ui, whose, Calibration::ALL, Calibration::OPTIONS, calibration);
         choose(ui, "Plant's force from:", &ForceModel::MAPS, ForceModel::OPTIONS, force_model);
@@ -82,8 +108,52 @@ impl PapersPanel {
             table::table(ui, shown, table, commands);
         }
         deviations::show(ui, shown.paper, table);
-        errata(ui, table);
+        errata(ui, table.errata);
     }
+
+    fn choose_paper(&mut self, ui: &mut Ui) {
+        let simulated = PaperId::ALL.iter().map(|id| (Paper::Simulated(*id), id.label()));
+        let others = [
+            (Paper::Combined2005, "Combined system 2005, Table 1"),
+            (Paper::Machine2019, "Dynamic model 2019, Table 1"),
+        ];
+        ui.horizontal_wrapped(|ui| {
+            ui.label("Paper:");
+            for (paper, label) in simulated.chain(others) {
+                ui.selectable_value(&mut self.paper, paper, label);
+            }
+        });
+    }
+}
+
+/// The 2005 paper: its table is compared elsewhere.
+fn combined(ui: &mut Ui, commands: &mut Vec<Command>) {
+    let palette = Palette::at(ui);
+    ui.add_space(4.0);
+    ui.label(
+        "Table 1 compares six ways of control on Experiment 2. Its figures stand beside runs over \
+         many seeds, with what was chosen in view of them, on the screen Compare.",
+    );
+    ui.horizontal_wrapped(|ui| {
+        if ui.button("Open Compare").clicked() {
+            commands.push(Command::ShowScreen("compare"));
+        }
+        for (label, preset) in [
+            ("Load Experiment 1", "experiment-1"),
+            ("Load Experiment 2", "experiment-2"),
+            ("Load the five steps", "combined-2005"),
+        ] {
+            let hint = format!("Opens the scenario {preset} in the console");
+            if ui.button(label).on_hover_text(hint).clicked() {
+                commands.push(Command::LoadPreset(preset.to_owned()));
+                commands.push(Command::ShowScreen("console"));
+            }
+        }
+    });
+    let text =
+        "On the command line: steadycut papers --paper 2005, with --robustness and --beyond.";
+    ui.label(RichText::new(text).color(palette.weak));
+    errata(ui, COMBINED_2005);
 }
 
 /// A row of choices, one of them taken.
@@ -136,11 +206,11 @@ fn summary(ui: &mut Ui, table: &PaperTable) {
     ui.add_space(4.0);
 }
 
-fn errata(ui: &mut Ui, table: &PaperTable) {
+fn errata(ui: &mut Ui, errata: &[Erratum]) {
     let palette = Palette::at(ui);
     ui.add_space(10.0);
     ui.heading("Errata");
-    for erratum in table.errata {
+    for erratum in errata {
         theme::card(palette).show(ui, |ui| {
             ui.set_width(ui.available_width());
             let title = format!("{}. {}", erratum.number, erratum.printed);
