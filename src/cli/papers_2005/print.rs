@@ -24,7 +24,7 @@ pub fn report(out: &mut impl Write, report: &Report) -> Result<()> {
         out,
         "Combined system 2005, Table 1, Experiment 2: mean and deviation over seeds 1 to {seeds},\n\
          printed figures in brackets, * where the mean lies more than 6 % away; Nsn over all samples\n\
-         in contact, Nsn20 the paper's form; the last two are not in the paper\n"
+         in contact, Nsn20 the paper's form; rows without brackets are not in the paper\n"
     )?;
     table(out, &report.table, &printed)?;
     writeln!(out, "\nverdicts")?;
