@@ -24,16 +24,23 @@ pub fn show(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &
             ui.label(RichText::new("SteadyCut").size(17.0).strong().color(palette.accent));
             ui.add_space(8.0);
         }
+        let id = egui::Id::unique("room of the commands");
+        let room = ui.data(|data| data.get_temp::<f32>(id)).unwrap_or_default();
+        let spacing = ui.spacing().clone();
         if view.narrow {
-            // All tabs and the menu have room beside each other in the narrowest window.
             ui.spacing_mut().item_spacing.x = 3.0;
             ui.spacing_mut().button_padding.x = 5.0;
         }
-        for tab in tabs {
-            let text = RichText::new(tab.title).strong();
-            if ui.selectable_label(tab.id == shown, text).clicked() {
-                commands.push(Command::ShowScreen(tab.id));
+        if tabs_width(ui, tabs) + room <= ui.available_width() {
+            for tab in tabs {
+                let text = RichText::new(tab.title).strong();
+                if ui.selectable_label(tab.id == shown, text).clicked() {
+                    commands.push(Command::ShowScreen(tab.id));
+                }
             }
+        } else {
+            *ui.spacing_mut() = spacing;
+            choice(ui, tabs, shown, commands);
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             if view.narrow {
@@ -46,8 +53,48 @@ pub fn show(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &
                 ui.separator();
                 undo_buttons(ui, view, commands);
             }
+            let taken = ui.min_rect().width() + GAP;
+            if taken != room {
+                // The tabs beside them are laid out anew.
+                ui.data_mut(|data| data.insert_temp(id, taken));
+                ui.ctx().request_repaint();
+            }
         });
     });
+}
+
+/// Room between the tabs and the other commands, points.
+const GAP: f32 = 12.0;
+
+/// The width of all tabs beside each other.
+fn tabs_width(ui: &Ui, tabs: &[Tab]) -> f32 {
+    let font = egui::TextStyle::Button.resolve(ui.style());
+    let spacing = ui.spacing();
+    let around = 2.0 * spacing.button_padding.x + spacing.item_spacing.x;
+    let wide = |title: &str| {
+        let text = title.to_owned();
+        ui.painter().layout_no_wrap(text, font.clone(), egui::Color32::PLACEHOLDER).size().x
+    };
+    tabs.iter().map(|tab| wide(tab.title) + around).sum()
+}
+
+/// The screens as a list to choose from, where tabs have no room.
+fn choice(ui: &mut Ui, tabs: &[Tab], shown: &str, commands: &mut Vec<Command>) {
+    let title = tabs.iter().find(|tab| tab.id == shown).map_or("", |tab| tab.title);
+    let list = egui::ComboBox::from_id_salt("screen")
+        .selected_text(RichText::new(title).strong())
+        // All of them at once.
+        .height(f32::INFINITY);
+    let list = list.show_ui(ui, |ui| {
+        for tab in tabs {
+            if ui.selectable_label(tab.id == shown, tab.title).clicked() {
+                commands.push(Command::ShowScreen(tab.id));
+            }
+        }
+    });
+    let response = list.response;
+    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Screen"));
+    response.on_hover_text("Screens (Ctrl+1, Ctrl+2, …)");
 }
 
 fn menu(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {

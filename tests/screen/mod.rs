@@ -30,7 +30,16 @@ pub fn open<'a>(preset: &str, size: Vec2, title: &str, changes: &[(&str, Value)]
         None,
     );
     screen.run_steps(2);
+    show(&mut screen, title);
+    screen
+}
+
+/// Shows the screen with this title, by its tab or from the list that narrow windows have.
+pub fn show(screen: &mut Screen<'_>, title: &str) {
+    if let Some(list) = screen.query_by_role_and_label(Role::ComboBox, "Screen") {
+        list.click();
+        screen.run_steps(2);
+    }
     screen.get_by_role_and_label(Role::Button, title).click();
     screen.run_steps(2);
-    screen
 }
