@@ -11,6 +11,7 @@ use crate::base::units::{mm_from_um, rev_s_from_rpm};
 use crate::blocks::cutting::part::APPROACH_MM;
 use crate::blocks::cutting::process::ForceModel;
 use crate::blocks::cutting::tool::R216_16B20_040;
+use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::surface::topography::{Mark, Topography};
 
 /// A straight cut of the part.
@@ -44,23 +45,21 @@ impl ToothMarks {
     pub fn new(scenario: &Scenario) -> Self {
         let tool = &R216_16B20_040;
         let workpiece = &scenario.workpiece;
-        let lengths: Vec<(f64, f64)> = match workpiece.cuts.is_empty() {
-            true => vec![(0.0, workpiece.length_mm)],
-            false => {
-                let length = |cut: &Vec<[f64; 3]>| cut.iter().map(|section| section[0]).sum();
-                workpiece.cuts.iter().map(|cut| (APPROACH_MM, length(cut))).collect()
-            }
+        let cut = |begins_mm: f64, length_mm: f64| MarkedCut {
+            begins_mm,
+            length_mm,
+            surface: Topography::new(0.5 * tool.diameter_mm, scenario.run.seed),
         };
-        let mut way_mm = 0.0;
-        let cuts = lengths.into_iter().map(|(approach_mm, length_mm)| {
-            let begins_mm = way_mm + approach_mm;
-            way_mm = begins_mm + length_mm;
-            let surface = Topography::new(0.5 * tool.diameter_mm, scenario.run.seed);
-            MarkedCut { begins_mm, length_mm, surface }
-        });
+        let lengths = workpiece.cuts.iter().map(|cut| cut.iter().map(|section| section[0]).sum());
+        let begins = ToolPath::begins_of(workpiece).into_iter().map(|way_mm| way_mm + APPROACH_MM);
+        let mut cuts: Vec<MarkedCut> =
+            begins.zip(lengths).map(|(at, long)| cut(at, long)).collect();
+        if cuts.is_empty() {
+            cuts.push(cut(0.0, workpiece.length_mm));
+        }
         let by_teeth = scenario.plant.force_model == ForceModel::Mechanistic;
         Self {
-            cuts: cuts.collect(),
+            cuts,
             cut: 0,
             teeth: tool.teeth,
             runout_mm: if by_teeth { mm_from_um(scenario.plant.runout_um) } else { 0.0 },

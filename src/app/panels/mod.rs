@@ -9,6 +9,7 @@ pub mod equation_cards;
 pub mod learning;
 pub mod papers;
 pub mod plan;
+pub mod workpiece;
 
 use super::command::Command;
 use super::session::Session;
@@ -38,6 +39,7 @@ pub fn panels() -> Vec<Box<dyn Panel>> {
         // register: panel
         Box::new(console::ConsolePanel::default()),
         Box::new(block_diagram::BlockDiagramPanel::default()),
+        Box::new(workpiece::WorkpiecePanel::default()),
         Box::new(plan::PlanPanel::default()),
         Box::new(compare::ComparePanel::default()),
         Box::new(papers::PapersPanel::default()),

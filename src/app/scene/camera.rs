@@ -83,9 +83,8 @@ impl Camera {
         let (near, far) = (0.02 * self.distance, 20.0 * self.distance + 1000.0);
         let scale = 1.0 / (0.5 * VIEW_RAD).tan();
         // Rows: x and y of the screen, depth from 0 to 1, and the distance that divides them.
-        let row = |axis: Point, by: f32| {
-            [by * axis[0], by * axis[1], by * axis[2], -by * dot(axis, eye)]
-        };
+        let row =
+            |axis: Point, by: f32| [by * axis[0], by * axis[1], by * axis[2], -by * dot(axis, eye)];
         let depth = far / (near - far);
         let mut z = row(back, depth);
         z[3] += near * depth;

@@ -213,9 +213,9 @@ impl Gpu {
 impl Picture {
     fn look(&self) -> Vec<u8> {
         let matrix = self.camera.projection(self.aspect);
-        // The lamp stands above the eye and somewhat beside it.
+        // The lamp stands above, well to the left of the eye: faces at a right angle differ.
         let [x, y, z] = self.camera.backwards();
-        let lamp = super::camera::unit([x - 0.35 * y, y + 0.35 * x, z + 0.5]);
+        let lamp = super::camera::unit([0.25 * x + 0.9 * y, 0.25 * y - 0.9 * x, z + 0.9]);
         let numbers = matrix.iter().flatten().chain(&lamp).chain(&[0.0]);
         numbers.flat_map(|x| x.to_ne_bytes()).collect()
     }

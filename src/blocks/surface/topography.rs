@@ -11,7 +11,7 @@
 //! Heights are counted from the shape that the turning cutter would leave without feed: x along the
 //! cut, y across it from the tool's axis, R the ball's radius. z_k is what run-out and vibration
 //! add at the moment at which tooth k generates the surface. g is a random field of unit variance
-//! on a grid of 20 um. Ra of the run is that of the papers' formulas, which is several times what
+//! on a grid of 20 um along the cut and of 0.4 mm across it: marks lie across the feed. Ra of the run is that of the papers' formulas, which is several times what
 //! feed marks alone give (4 R_t / (9 3^1/2) with R_t = f_z^2 / (8 R)): the texture stands for the
 //! difference (chosen), so that a measured profile has the run's Ra.
 
@@ -22,8 +22,8 @@ use crate::base::rng::Stream;
 const RA_OVER_HEIGHT: f64 = 0.256_600_119_639_833_7;
 /// Standard deviation of a normal deviate over its mean magnitude: (pi/2)^1/2.
 const DEVIATION_OVER_RA: f64 = 1.253_314_137_315_5;
-/// Grid of the texture, mm.
-const GRID_MM: f64 = 0.02;
+/// Grid of the texture along and across the cut, mm.
+const GRID_MM: [f64; 2] = [0.02, 0.4];
 /// Marks farther from a point than so many feeds per tooth, and those within, do not show there.
 const REACH_TEETH: f64 = 3.0;
 
@@ -114,7 +114,7 @@ impl Topography {
     fn texture_um(&self, x_mm: f64, y_mm: f64, mark: &Mark, feed_mm: f64, root_mm: f64) -> f64 {
         let marks_ra_um = RA_OVER_HEIGHT * 1000.0 * feed_mm * feed_mm / (8.0 * root_mm);
         let rest = math::positive(mark.ra_um * mark.ra_um - marks_ra_um * marks_ra_um).sqrt();
-        DEVIATION_OVER_RA * rest * self.field(x_mm / GRID_MM, y_mm / GRID_MM)
+        DEVIATION_OVER_RA * rest * self.field(x_mm / GRID_MM[0], y_mm / GRID_MM[1])
     }
 
     /// The random field at a point of its grid: between its nodes bilinear, scaled to unit variance.
