@@ -7,8 +7,8 @@
 
 use super::scenario::Scenario;
 use super::signals::{Row, flag};
+use crate::base::model::part::APPROACH_MM;
 use crate::base::units::{mm_from_um, rev_s_from_rpm};
-use crate::blocks::cutting::part::APPROACH_MM;
 use crate::blocks::cutting::process::ForceModel;
 use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::tool_path::ToolPath;

@@ -6,7 +6,7 @@ use egui::Color32;
 
 use crate::app::scene::camera::{Point, cross, minus, unit};
 use crate::app::scene::mesh::Mesh;
-use crate::blocks::cutting::part::CutPath;
+use crate::base::model::part::CutPath;
 use crate::blocks::surface::topography::Topography;
 
 /// Stock in front of the wall, behind the channel, below the ball and before an open cut, mm.
