@@ -13,6 +13,7 @@ mod machine_wear;
 mod papers;
 mod papers_2005;
 mod plan;
+mod profile;
 mod recommend;
 mod robust;
 mod run;

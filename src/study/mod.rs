@@ -9,6 +9,7 @@ pub mod identify;
 pub mod machine_life;
 pub mod papers;
 pub mod plan;
+pub mod profilometer;
 pub mod published;
 pub mod recommend;
 pub mod robust;

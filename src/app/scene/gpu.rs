@@ -23,9 +23,12 @@ fn format_id() -> Id {
     Id::unique("format of the screen")
 }
 
-/// Tells the pictures what format the screen has; without it, that of a test without a window.
-pub fn set_format(ctx: &Context, format: wgpu::TextureFormat) {
-    ctx.data_mut(|data| data.insert_temp(format_id(), format));
+/// Tells the pictures what format the screen of a new window or page has; without it they take
+/// that of a test without a window.
+pub fn prepare(cc: &eframe::CreationContext<'_>) {
+    if let Some(state) = &cc.wgpu_render_state {
+        cc.egui_ctx.data_mut(|data| data.insert_temp(format_id(), state.target_format));
+    }
 }
 
 /// The shape that shows `mesh` in `rect` as the camera sees it.

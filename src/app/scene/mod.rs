@@ -7,4 +7,4 @@ pub mod camera;
 mod gpu;
 pub mod mesh;
 
-pub use gpu::{picture, set_format};
+pub use gpu::{picture, prepare};
