@@ -12,6 +12,8 @@ pub type Matrix = [[f32; 4]; 4];
 const VIEW_RAD: f32 = 0.6;
 /// Turn and tilt per point of a drag, rad.
 const PER_POINT: f32 = 0.008;
+/// Share of the picture that what is fitted takes at most.
+const FITTED: f32 = 0.9;
 /// The tilts allowed, rad: from just above the ground to nearly from above.
 const TILT: [f32; 2] = [0.06, 1.5];
 
@@ -118,6 +120,24 @@ impl Camera {
             .then(|| [eye[0] + times * ray[0], eye[1] + times * ray[1]])
     }
 
+    /// Looks at the middle of a box, from as near as shows all of `points` in a picture of so many
+    /// times its height in width.
+    pub fn fit(&mut self, [low, high]: [Point; 2], points: &[Point], aspect: f32) {
+        self.target = [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]));
+        let mut range = [1.0, 1e6_f32];
+        // Halves the range of its logarithm.
+        for _ in 0..40 {
+            self.distance = (range[0] * range[1]).sqrt();
+            let unit = Rect::from_min_max(pos2(-aspect, -1.0), pos2(aspect, 1.0));
+            let seen = unit.scale_from_center(FITTED);
+            let all = points
+                .iter()
+                .all(|point| self.on_screen(unit, *point).is_some_and(|at| seen.contains(at)));
+            range[usize::from(all)] = self.distance;
+        }
+        self.distance = range[1];
+    }
+
     /// Turns it by a drag of so many points.
     pub fn orbit(&mut self, drag: Vec2) {
         self.turn_rad -= PER_POINT * drag.x;
@@ -153,6 +173,23 @@ mod tests {
         }
         let sky = camera().on_level(rect, pos2(170.0, -4000.0), 2.0);
         assert_eq!(sky, None);
+    }
+
+    #[test]
+    fn what_is_fitted_is_seen_and_fills_the_picture() {
+        for (aspect, length) in [(1.3, 200.0), (0.4, 200.0), (1.3, 20_000.0), (1.0, 5.0)] {
+            let corners = [[0.0, -4.0, -4.0], [length, 10.0, 3.0]];
+            let points: Vec<Point> =
+                (0..8).map(|i| [0, 1, 2].map(|k| corners[i >> k & 1][k])).collect();
+            let mut camera = camera();
+            camera.fit(corners, &points, aspect);
+            let rect = Rect::from_min_max(pos2(-aspect, -1.0), pos2(aspect, 1.0));
+            let reach = |camera: &Camera| {
+                let places = points.iter().map(|p| camera.on_screen(rect, *p).unwrap());
+                places.map(|at| (at.x / aspect).abs().max(at.y.abs())).fold(0.0, f32::max)
+            };
+            assert!((reach(&camera) - FITTED).abs() < 0.01, "{}", reach(&camera));
+        }
     }
 
     #[test]

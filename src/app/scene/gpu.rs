@@ -71,6 +71,15 @@ struct Gpu {
     corners: Store,
     triangles: Store,
     canvas: Option<Canvas>,
+    drawn: Option<Drawn>,
+}
+
+/// What the picture holds: nothing is done where it is the same again.
+struct Drawn {
+    mesh: Arc<Mesh>,
+    look: Vec<u8>,
+    pixels: [u32; 2],
+    background: Color32,
 }
 
 /// A buffer that grows with what is put into it, and what was put in last.
@@ -172,7 +181,17 @@ impl Gpu {
         });
         let corners = Store::new(device, wgpu::BufferUsages::VERTEX, 1 << 16);
         let triangles = Store::new(device, wgpu::BufferUsages::INDEX, 1 << 16);
-        Self { scene, screen, look, look_group, reader, corners, triangles, canvas: None }
+        Self {
+            scene,
+            screen,
+            look,
+            look_group,
+            reader,
+            corners,
+            triangles,
+            canvas: None,
+            drawn: None,
+        }
     }
 
     fn resize(&mut self, device: &wgpu::Device, size: [u32; 2]) {
@@ -239,15 +258,27 @@ impl CallbackTrait for Picture {
         kept: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         let gpu: &mut Gpu = kept.entry().or_insert_with(|| Gpu::new(device, self.format));
-        gpu.resize(device, self.pixels());
-        queue.write_buffer(&gpu.look, 0, &self.look());
-        gpu.corners.write(device, queue, &self.mesh.corners);
-        let triangles: Vec<u8> =
-            self.mesh.triangles.iter().flat_map(|number| number.to_ne_bytes()).collect();
-        gpu.triangles.write(device, queue, &triangles);
+        let (look, pixels, background) = (self.look(), self.pixels(), self.background);
+        let before = gpu.drawn.as_ref();
+        let same_mesh = before.is_some_and(|drawn| Arc::ptr_eq(&drawn.mesh, &self.mesh));
+        let same_view = before.is_some_and(|drawn| {
+            (&drawn.look, drawn.pixels, drawn.background) == (&look, pixels, background)
+        });
+        if same_mesh && same_view {
+            return Vec::new();
+        }
+        gpu.resize(device, pixels);
+        queue.write_buffer(&gpu.look, 0, &look);
+        if !same_mesh {
+            gpu.corners.write(device, queue, &self.mesh.corners);
+            let triangles: Vec<u8> =
+                self.mesh.triangles.iter().flat_map(|number| number.to_ne_bytes()).collect();
+            gpu.triangles.write(device, queue, &triangles);
+        }
+        gpu.drawn = Some(Drawn { mesh: Arc::clone(&self.mesh), look, pixels, background });
         let Some(canvas) = &gpu.canvas else { return Vec::new() };
-        let [r, g, b] = [self.background.r(), self.background.g(), self.background.b()]
-            .map(|part| f64::from(part) / 255.0);
+        let [r, g, b] =
+            [background.r(), background.g(), background.b()].map(|part| f64::from(part) / 255.0);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("scene"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {

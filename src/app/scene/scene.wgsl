@@ -32,8 +32,9 @@ fn lit(at: Corner) -> @location(0) vec4<f32> {
         return vec4<f32>(at.color.rgb, 1.0);
     }
     let slope = dot(at.normal / length, look.lamp.xyz);
-    let light = 0.42 + 0.58 * max(slope, 0.0);
-    return vec4<f32>(at.color.rgb * light, 1.0);
+    // Faces turned away from the lamp differ too.
+    let light = 0.3 + 0.75 * (0.5 + 0.5 * slope);
+    return vec4<f32>(min(at.color.rgb * light, vec3<f32>(1.0)), 1.0);
 }
 
 // The finished picture onto the screen.

@@ -7,7 +7,7 @@ use crate::app::scene::mesh::Mesh;
 use crate::blocks::cutting::tool::R216_16B20_040;
 
 /// Length of the shank that is drawn, mm.
-const SHANK_MM: f32 = 26.0;
+pub const SHANK_MM: f32 = 26.0;
 /// Faces around, and rings of the ball.
 const AROUND: usize = 96;
 const RINGS: usize = 9;
@@ -53,5 +53,36 @@ pub fn draw(mesh: &mut Mesh, x_mm: f32, turn_rad: f32, colors: [Color32; 2]) {
         .collect();
     for pair in lid[1..].windows(2) {
         mesh.triangle(lid[0], pair[0], pair[1]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cutter_turns_about_its_axis_and_has_normals_of_length_one() {
+        let mut meshes = [0.0, 0.7].map(|turn_rad| {
+            let mut mesh = Mesh::default();
+            draw(&mut mesh, 12.0, turn_rad, [Color32::BLACK, Color32::WHITE]);
+            mesh
+        });
+        let numbers = |mesh: &Mesh| -> Vec<[f32; 6]> {
+            let corners = mesh.corners.chunks_exact(crate::app::scene::mesh::CORNER_BYTES);
+            let number = |bytes: &[u8], i: usize| {
+                f32::from_ne_bytes(bytes[4 * i..4 * i + 4].try_into().unwrap())
+            };
+            corners.map(|bytes| std::array::from_fn(|i| number(bytes, i))).collect()
+        };
+        let [still, turned] = &mut meshes;
+        for ([x, y, z, nx, ny, nz], other) in numbers(still).into_iter().zip(numbers(turned)) {
+            assert!(((nx * nx + ny * ny + nz * nz).sqrt() - 1.0).abs() < 1e-3);
+            assert!(
+                (x - 12.0).hypot(y) <= 8.001 && (-0.001..=SHANK_MM).contains(&z),
+                "{x} {y} {z}"
+            );
+            assert_eq!([x, y, z], other[..3], "only the colours turn");
+        }
+        assert_ne!(still.corners, turned.corners);
     }
 }
