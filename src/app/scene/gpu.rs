@@ -32,7 +32,6 @@ pub fn prepare(cc: &eframe::CreationContext<'_>) {
 }
 
 /// The shape that shows `mesh` in `rect` as the camera sees it.
-#[must_use]
 pub fn picture(
     ctx: &Context,
     rect: Rect,
