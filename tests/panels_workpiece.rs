@@ -196,7 +196,7 @@ fn before_the_first_tooth_and_tooth_by_tooth_it_says_what_is_missing() {
     assert!(said.contains("cut 1 of 5, tool 7.60 mm before the part"), "{said}");
     click(&mut screen, "Profilometer");
     let shown = texts(&screen);
-    assert!(shown.contains("No tooth has cut anything yet"), "{shown}");
+    assert!(shown.contains("No tooth has been in this cut yet"), "{shown}");
     assert!(shown.contains("K5's Ra does not hold"), "{shown}");
     assert!(shown.contains("Colour: force against its tolerance"), "{shown}");
 }
@@ -254,4 +254,61 @@ fn the_profilometer_looks_as_its_pictures() {
         let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(40);
         results.add(screen.try_snapshot_options(name, &options));
     }
+}
+
+/// A drag of a finger.
+fn swipe(screen: &mut Screen, from: Pos2, to: Pos2) {
+    let mut send = |phase, pos: Pos2, also: Event| {
+        screen.event(Event::Touch {
+            device_id: egui::TouchDeviceId(0),
+            id: egui::TouchId::from(0),
+            phase,
+            pos,
+            force: None,
+        });
+        screen.event(also);
+        screen.run_steps(1);
+    };
+    let button = |pos, pressed| Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    use egui::TouchPhase as Phase;
+    // The first touch only tells that there is a finger.
+    send(Phase::Start, from, Event::PointerGone);
+    send(Phase::End, from, Event::PointerGone);
+    send(Phase::Start, from, button(from, true));
+    for share in [0.3, 0.7, 1.0] {
+        let at = from + share * (to - from);
+        send(Phase::Move, at, Event::PointerMoved(at));
+    }
+    send(Phase::End, to, button(to, false));
+    screen.event(Event::PointerGone);
+    screen.run_steps(30);
+}
+
+#[test]
+fn a_finger_scrolls_the_page_or_turns_the_part_or_draws_the_line() {
+    let mut screen = open("table3-5", PHONE, &[]);
+    click(&mut screen, "Close up");
+    click(&mut screen, "Profilometer");
+    let (rect, _) = picture(&screen);
+    let [low, high] =
+        [0.8, 0.3].map(|share| pos2(rect.center().x, rect.top() + share * rect.height()));
+    swipe(&mut screen, low, high);
+    assert_eq!(picture(&screen).0, rect, "the page stays");
+    let ends = |screen: &Screen| ["From x", "To x"].map(|name| field(screen, name));
+    let drawn = ends(&screen);
+    assert_ne!(drawn, [73.0, 79.0], "a line was drawn");
+    click(&mut screen, "turns the part");
+    click(&mut screen, "Turn by touch");
+    swipe(&mut screen, low, high);
+    assert_eq!((picture(&screen).0, ends(&screen)), (rect, drawn), "the part was turned");
+    click(&mut screen, "Turn by touch");
+    swipe(&mut screen, low, high);
+    let scrolled = picture(&screen).0;
+    assert!(scrolled.top() < rect.top() - 20.0, "{scrolled:?} {rect:?}");
+    assert_eq!(ends(&screen), drawn);
 }

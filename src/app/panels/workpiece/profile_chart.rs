@@ -11,7 +11,7 @@ use crate::study::profilometer::Measurement;
 
 /// Extremes of so many pieces are drawn: more than there are pixels.
 const PIECES: usize = 480;
-const HEIGHT: f32 = 160.0;
+const HEIGHT: f32 = 148.0;
 /// Names and looks of the two profiles.
 const LINES: [(&str, Look); 2] =
     [("as the teeth left it", Look::Dynamics), ("roughness profile", Look::Produced)];
