@@ -43,7 +43,9 @@ impl Bench {
             events,
             ..egui::RawInput::default()
         };
-        let output = self.ctx.run_ui(input, |ui| self.console.ui(ui));
+        let mut output = self.ctx.run_ui(input, |ui| self.console.ui(ui));
+        // Nobody takes the textures.
+        output.textures_delta.clear();
         self.ctx.tessellate(output.shapes, output.pixels_per_point).len()
     }
 
@@ -86,6 +88,44 @@ fn console(criterion: &mut Criterion) {
     assert_ne!(bench.state()["target_ra_um"], before, "the slider must have moved");
 }
 
+/// The screen with the part in space: turned under a drag, so that all of it is made anew in every
+/// frame, and at rest. What the graphics adapter does comes on top.
+fn part(criterion: &mut Criterion) {
+    let mut bench = Bench::new("first-cut");
+    let key = |key, modifiers| egui::Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers,
+    };
+    bench.frame(vec![key(egui::Key::Num3, egui::Modifiers::COMMAND)]);
+    assert_eq!(bench.state()["screen"], "workpiece");
+    bench.frame(vec![key(egui::Key::End, egui::Modifiers::NONE)]);
+    for _ in 0..20 {
+        bench.frame(Vec::new());
+    }
+    criterion.bench_function("frame of the part at rest", |bencher| {
+        bencher.iter(|| black_box(bench.frame(Vec::new())));
+    });
+    let at = |k: u32| egui::pos2(300.0 + (k % 100) as f32, 300.0);
+    let press = egui::Event::PointerButton {
+        pos: at(0),
+        button: egui::PointerButton::Primary,
+        pressed: true,
+        modifiers: egui::Modifiers::NONE,
+    };
+    bench.frame(vec![egui::Event::PointerMoved(at(0))]);
+    bench.frame(vec![press]);
+    let mut k = 0;
+    criterion.bench_function("frame of the part turned", |bencher| {
+        bencher.iter(|| {
+            k += 1;
+            black_box(bench.frame(vec![egui::Event::PointerMoved(at(k))]))
+        });
+    });
+}
+
 /// The parts of an edit: repeating one run, the same with its min-max levels, the comparison.
 fn parts(criterion: &mut Criterion) {
     let scenario = presets::load("first-cut").expect("a shipped preset");
@@ -119,5 +159,5 @@ fn parts(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, console, parts);
+criterion_group!(benches, console, part, parts);
 criterion_main!(benches);

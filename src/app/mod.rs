@@ -10,6 +10,7 @@ pub mod history;
 mod native;
 pub mod panels;
 pub mod playback;
+pub mod scene;
 pub mod session;
 mod shortcuts;
 mod speaker;

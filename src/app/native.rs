@@ -19,8 +19,10 @@ pub fn run(start: Start) -> Result<(), String> {
         renderer: eframe::Renderer::Wgpu,
         ..eframe::NativeOptions::default()
     };
-    let create: eframe::AppCreator<'_> =
-        Box::new(|cc| Ok(Box::new(Console::new(&cc.egui_ctx, start))));
+    let create: eframe::AppCreator<'_> = Box::new(|cc| {
+        super::scene::prepare(cc);
+        Ok(Box::new(Console::new(&cc.egui_ctx, start)))
+    });
     eframe::run_native("SteadyCut", options, create).map_err(|error| explain(&error))
 }
 

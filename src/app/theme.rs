@@ -80,6 +80,14 @@ pub struct Palette {
     pub barred: [Color32; 2],
 }
 
+/// The part in space, light and dark alike since a lamp shines on it: bare metal; within the
+/// tolerance, up to twice as far off, farther; body and edges of the cutter.
+pub const METAL: Color32 = rgb(0xa8b0ba);
+/// See [`METAL`].
+pub const MACHINED: [Color32; 3] = [rgb(0x2aa584), rgb(0xe9c63a), rgb(0xcf4a1c)];
+/// See [`METAL`].
+pub const CUTTER: [Color32; 2] = [rgb(0x6b7482), rgb(0xd6ba5c)];
+
 const fn rgb(hex: u32) -> Color32 {
     Color32::from_rgb((hex >> 16) as u8, (hex >> 8) as u8, hex as u8)
 }

@@ -20,8 +20,10 @@ pub async fn start(canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
     // Set before eframe's own hook, which logs and then calls this one.
     std::panic::set_hook(Box::new(|info| report_panic(&info.to_string())));
     let options = eframe::WebOptions::default();
-    let create: eframe::AppCreator<'static> =
-        Box::new(|cc| Ok(Box::new(Console::new(&cc.egui_ctx, start_of_link()))));
+    let create: eframe::AppCreator<'static> = Box::new(|cc| {
+        super::scene::prepare(cc);
+        Ok(Box::new(Console::new(&cc.egui_ctx, start_of_link())))
+    });
     eframe::WebRunner::new().start(canvas, options, create).await
 }
 

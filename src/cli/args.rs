@@ -10,6 +10,7 @@ use crate::base::network::Activation;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::process::ForceModel;
 use crate::run::plan_settings::PlannedSection;
+use crate::study::profilometer::Line;
 use crate::study::published::PaperId;
 use crate::study::recommend::Engagement;
 use crate::study::robust::MAX_RUNS;
@@ -85,6 +86,24 @@ pub struct RunArgs {
     /// step; tooth by tooth only.
     #[arg(long, value_name = "AT_S", conflicts_with_all = ["json", "out"])]
     pub revolution: Option<f64>,
+    /// Measure the machined surface at the end of the run along a line, with the cut-offs of
+    /// `profile`: Ra, Rq, Rz. x along the cut from the part's edge, y across it from the tool's axis,
+    /// in mm.
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = line, allow_hyphen_values = true,
+        conflicts_with_all = ["out", "revolution"])]
+    pub profile: Option<Line>,
+    /// Which cut of the part `--profile` measures, counted from 1; without it the last one reached.
+    #[arg(long, value_name = "NUMBER", requires = "profile")]
+    pub cut: Option<usize>,
+}
+
+fn line(text: &str) -> Result<Line, String> {
+    let numbers: Option<Vec<f64>> =
+        text.split(',').map(|part| part.trim().parse::<f64>().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[x0, y0, x1, y1]) => Ok(Line { from_mm: [x0, y0], to_mm: [x1, y1] }),
+        _ => Err("allowed are four numbers in mm: X0,Y0,X1,Y1".to_owned()),
+    }
 }
 
 /// A paper whose table can be re-run.

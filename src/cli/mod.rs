@@ -14,6 +14,7 @@ mod papers;
 mod papers_2005;
 mod papers_2019;
 mod plan;
+mod profile;
 mod recommend;
 mod robust;
 mod run;

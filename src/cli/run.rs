@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 
 use super::args::RunArgs;
-use super::{Outcome, unks};
+use super::{Outcome, profile, unks};
 use crate::base::settings::SettingError;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::tool_path::ToolPath;
@@ -64,7 +64,7 @@ pub fn apply(scenario: &mut Scenario, sets: &[String]) -> Result<(), SettingErro
 /// Ticks between updates of the progress bar.
 const SLICE: u64 = 100_000;
 
-fn complete(run: &mut Run) {
+pub fn complete(run: &mut Run) {
     let bar = ProgressBar::new(run.last_tick());
     if !std::io::stderr().is_terminal() {
         bar.set_draw_target(indicatif::ProgressDrawTarget::hidden());
@@ -101,6 +101,9 @@ pub fn execute(args: &RunArgs) -> Outcome {
     }
     if let Some(at_s) = args.revolution {
         return print_revolution(&scenario, &checked, at_s);
+    }
+    if let Some(line) = args.profile {
+        return profile::execute(&scenario, &checked, line, args.cut, args.json);
     }
     // The file is opened first: a path that cannot be written should not cost a run.
     let out = match &args.out {

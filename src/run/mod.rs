@@ -13,6 +13,7 @@ pub mod scenario;
 pub mod scenario_file;
 pub mod scenario_link;
 pub mod signals;
+pub mod tooth_marks;
 
 /// What a console opens with.
 #[derive(Clone, Debug)]

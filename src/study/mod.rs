@@ -11,6 +11,7 @@ pub mod machine_life;
 pub mod papers;
 pub mod papers_2019;
 pub mod plan;
+pub mod profilometer;
 pub mod published;
 pub mod recommend;
 pub mod robust;

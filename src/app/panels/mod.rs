@@ -10,6 +10,7 @@ pub mod learning;
 pub mod machine;
 pub mod papers;
 pub mod plan;
+pub mod workpiece;
 
 use super::command::Command;
 use super::session::Session;
@@ -41,6 +42,7 @@ pub fn panels() -> Vec<Box<dyn Panel>> {
         // register: panel
         Box::new(console::ConsolePanel::default()),
         Box::new(block_diagram::BlockDiagramPanel::default()),
+        Box::new(workpiece::WorkpiecePanel::default()),
         Box::new(plan::PlanPanel::default()),
         Box::new(machine::MachinePanel::default()),
         Box::new(compare::ComparePanel::default()),

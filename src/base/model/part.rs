@@ -64,6 +64,21 @@ impl CutPath {
         self.stretches.last().map_or(0.0, |stretch| stretch.to_mm)
     }
 
+    /// Whether there is material before the first section too.
+    #[must_use]
+    pub fn is_open(&self) -> bool {
+        self.from_mm < 0.0
+    }
+
+    /// Where the sections begin, mm.
+    #[must_use]
+    pub fn steps_mm(&self) -> Vec<f64> {
+        let ends = self.stretches.iter().map(|stretch| stretch.to_mm);
+        let mut begins: Vec<f64> = [0.0].into_iter().chain(ends).collect();
+        begins.pop();
+        begins
+    }
+
     /// The largest axial depth, mm.
     #[must_use]
     pub fn depth_max_mm(&self) -> f64 {

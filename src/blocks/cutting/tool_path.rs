@@ -38,6 +38,15 @@ pub fn radial_depth_mm(axial_depth_mm: f64, wall_mm: f64) -> f64 {
     math::positive(radius_mm(axial_depth_mm) - wall_mm)
 }
 
+/// Where across a cut its machined strip lies at `x_mm` from the part's edge, in mm from the tool's
+/// axis: from the wall to where the ball meets the surface. None where nothing is cut.
+#[must_use]
+pub fn strip_mm(cut: &CutPath, x_mm: f64) -> Option<[f64; 2]> {
+    let [axial_depth_mm, wall_mm] = cut.section_at(x_mm);
+    let edge_mm = radius_mm(axial_depth_mm);
+    (edge_mm > wall_mm).then_some([wall_mm, edge_mm])
+}
+
 /// Position in mm of the side wall that gives a radial depth in mm at an axial depth in mm.
 #[must_use]
 pub fn wall_mm(axial_depth_mm: f64, radial_depth_mm: f64) -> f64 {
@@ -137,6 +146,12 @@ impl ToolPath {
         (&self.cuts[self.cut], position_mm - self.began_mm - approach_mm)
     }
 
+    /// A cut by its number, counted from 0; beyond the last one, the last one.
+    #[must_use]
+    pub fn of(&self, cut: usize) -> &CutPath {
+        &self.cuts[cut.min(self.cuts.len() - 1)]
+    }
+
     /// Number of the present cut, counted from 0.
     #[must_use]
     pub fn cut(&self) -> usize {
@@ -214,5 +229,8 @@ mod tests {
         path.place(60.0);
         path.reconfigure(&Workpiece { axial_depth_mm: 1.0, ..workpiece });
         assert_eq!(path.cut_at(60.0).0.depth_at(61.0, 5.0), 1.0);
+        let [low, high] = strip_mm(path.cut_at(60.0).0, 60.0).unwrap();
+        assert!((high - 15.0_f64.sqrt()).abs() < 1e-12 && low == wall_mm(1.0, 3.0), "{low} {high}");
+        assert_eq!(strip_mm(path.cut_at(60.0).0, 121.0), None);
     }
 }

@@ -1,4 +1,5 @@
-//! The surface: produced roughness from force.
+//! The surface: produced roughness from force, and the machined surface point by point.
 
 pub mod profile;
 pub mod roughness;
+pub mod topography;

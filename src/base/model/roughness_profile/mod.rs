@@ -5,7 +5,7 @@
 //! Y(x) = min over k of y_k(x)
 //! primary profile: Gaussian filter lambda_s;  waviness w: Gaussian filter lambda_c;  r = z - w
 //! weight s(x) = exp(-pi (x/(alpha lambda))^2)/(alpha lambda),  alpha = sqrt(ln 2/pi)
-//! Ra = mean |r|,  Rq = sqrt(mean r^2),  Rz = mean over five sampling lengths of peak to valley
+//! Ra = mean |r|,  Rq = sqrt(mean r^2),  Rz = mean over the sampling lengths of peak to valley
 //! ```
 //!
 //! ISO 16610-21 for the filters, ISO 4287 for the parameters. A vibration exactly at a harmonic of
@@ -79,6 +79,14 @@ pub fn envelope(
     (0..count).map(|i| height(from_mm + i as f64 * step_mm)).collect()
 }
 
+/// Points of a measurement over `lengths` sampling lengths, with what lies on both sides.
+#[must_use]
+pub fn points_over(settings: &ProfileSettings, lengths: usize) -> usize {
+    let points = |length_mm: f64| (length_mm / step_mm(settings)).round() as usize;
+    let margin = points(settings.long_mm) + points(0.001 * settings.short_um);
+    lengths * points(settings.long_mm) + 1 + 2 * margin
+}
+
 /// Length in mm that must lie on each side of an evaluation length.
 #[must_use]
 pub fn run_up_mm(settings: &ProfileSettings) -> f64 {
@@ -128,10 +136,20 @@ pub fn evaluate(
     settings: &ProfileSettings,
     sample: impl FnOnce(f64, f64, usize) -> Vec<f64>,
 ) -> Option<Roughness> {
+    evaluate_over(settings, SAMPLING_LENGTHS, sample)
+}
+
+/// The same over `lengths` sampling lengths, at least one.
+pub fn evaluate_over(
+    settings: &ProfileSettings,
+    lengths: usize,
+    sample: impl FnOnce(f64, f64, usize) -> Vec<f64>,
+) -> Option<Roughness> {
+    let lengths = lengths.max(1);
     let step_mm = step_mm(settings);
     let points = |length_mm: f64| (length_mm / step_mm).round() as usize;
     let (short, long) = (points(0.001 * settings.short_um), points(settings.long_mm));
-    let evaluated = SAMPLING_LENGTHS * long;
+    let evaluated = lengths * long;
     let margin = short + long;
     let count = evaluated + 1 + 2 * margin;
     let heights = sample(-(margin as f64) * step_mm, step_mm, count);
@@ -152,7 +170,7 @@ pub fn evaluate(
         step_mm,
         ra_um: 1000.0 * mean_of(f64::abs),
         rq_um: 1000.0 * mean_of(|r| r * r).sqrt(),
-        rz_um: 1000.0 * heights_of.sum::<f64>() / SAMPLING_LENGTHS as f64,
+        rz_um: 1000.0 * heights_of.sum::<f64>() / lengths as f64,
         total_mm: heights[margin..margin + evaluated].to_vec(),
         profile_mm,
     })

@@ -1,0 +1,88 @@
+//! The ball-end cutter in space: ball and shank, striped along its flutes so that it can be seen
+//! turning.
+
+use egui::Color32;
+
+use crate::app::scene::mesh::Mesh;
+use crate::blocks::cutting::tool::R216_16B20_040;
+
+/// Length of the shank that is drawn, mm.
+pub const SHANK_MM: f32 = 26.0;
+/// Faces around, and rings of the ball.
+const AROUND: usize = 96;
+const RINGS: usize = 9;
+/// Turn of the stripes from the tip to the end of the shank, rad.
+const TWIST_RAD: f32 = 1.6;
+
+/// Adds the cutter at a place along the cut, turned by `turn_rad`.
+pub fn draw(mesh: &mut Mesh, x_mm: f32, turn_rad: f32, colors: [Color32; 2]) {
+    let radius = 0.5 * R216_16B20_040.diameter_mm as f32;
+    // Height, radius of the ring, and upward part of its normal.
+    let mut rings: Vec<[f32; 3]> = (0..=RINGS)
+        .map(|i| {
+            let angle = std::f32::consts::FRAC_PI_2 * i as f32 / RINGS as f32;
+            [radius - radius * angle.cos(), radius * angle.sin(), -angle.cos()]
+        })
+        .collect();
+    rings.push([0.55 * SHANK_MM, radius, 0.0]);
+    rings.push([SHANK_MM, radius, 0.0]);
+    let teeth = R216_16B20_040.teeth as f32;
+    let mut before: Option<Vec<u32>> = None;
+    for [z, r, up] in rings {
+        let side = (1.0 - up * up).max(0.0).sqrt();
+        let corners: Vec<u32> = (0..=AROUND)
+            .map(|k| {
+                let angle = std::f32::consts::TAU * k as f32 / AROUND as f32;
+                let (sin, cos) = angle.sin_cos();
+                let phase = teeth * (angle - turn_rad - TWIST_RAD * z / SHANK_MM);
+                let flute = phase.cos() > 0.72;
+                let color = if flute { colors[1] } else { colors[0] };
+                mesh.corner([x_mm + r * cos, r * sin, z], [side * cos, side * sin, up], color)
+            })
+            .collect();
+        if let Some(before) = before.replace(corners.clone()) {
+            mesh.strip(&before, &corners);
+        }
+    }
+    let lid: Vec<u32> = (0..=AROUND)
+        .map(|k| {
+            let (sin, cos) = (std::f32::consts::TAU * k as f32 / AROUND as f32).sin_cos();
+            let place = [x_mm + radius * cos, radius * sin, SHANK_MM];
+            mesh.corner(place, [0.0, 0.0, 1.0], colors[0])
+        })
+        .collect();
+    for pair in lid[1..].windows(2) {
+        mesh.triangle(lid[0], pair[0], pair[1]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cutter_turns_about_its_axis_and_has_normals_of_length_one() {
+        let mut meshes = [0.0, 0.7].map(|turn_rad| {
+            let mut mesh = Mesh::default();
+            draw(&mut mesh, 12.0, turn_rad, [Color32::BLACK, Color32::WHITE]);
+            mesh
+        });
+        let numbers = |mesh: &Mesh| -> Vec<[f32; 6]> {
+            let corners = mesh.corners.chunks_exact(crate::app::scene::mesh::CORNER_BYTES);
+            let number = |bytes: &[u8], i: usize| {
+                f32::from_ne_bytes(bytes[4 * i..4 * i + 4].try_into().unwrap())
+            };
+            corners.map(|bytes| std::array::from_fn(|i| number(bytes, i))).collect()
+        };
+        let [still, turned] = &mut meshes;
+        for ([x, y, z, nx, ny, nz], other) in numbers(still).into_iter().zip(numbers(turned)) {
+            assert!(((nx * nx + ny * ny + nz * nz).sqrt() - 1.0).abs() < 1e-3);
+            assert!(
+                (x - 12.0).hypot(y) <= 8.001 && (-0.001..=SHANK_MM).contains(&z),
+                "{x} {y} {z}"
+            );
+            assert_eq!([x, y, z], other[..3], "only the colours turn");
+        }
+        assert_ne!(still.corners, turned.corners);
+    }
+}

@@ -1,0 +1,167 @@
+//! The picture in space: what goes into it, what it says in words, and what is kept of it while
+//! nothing changes.
+
+use std::sync::Arc;
+
+use egui::{Align2, Color32, FontId, Rect, Sense, Ui, WidgetInfo, vec2};
+
+use super::part::{self, Part};
+use super::{Marked, WorkpiecePanel, cutter, judged, under_tool};
+use crate::app::scene;
+use crate::app::scene::camera::Camera;
+use crate::app::scene::mesh::Mesh;
+use crate::app::session::Session;
+use crate::app::theme::{self, Palette};
+use crate::app::widgets::zoom::by_touch;
+use crate::blocks::cutting::process::ForceModel;
+use crate::study::profilometer::Line;
+
+/// The cutter is drawn turning so many times slower: its turns could not be seen.
+pub const SLOWER: f64 = 25.0;
+/// About the Ra of feed marks alone, um: at 0.2 mm per tooth it is 0.16.
+const FEED_MARKS_UM: f64 = 0.15;
+
+/// What a mesh was made of.
+#[derive(Clone, Copy, PartialEq)]
+struct Made {
+    changes: u64,
+    rows: usize,
+    camera: Camera,
+    rect: Rect,
+    times: f32,
+    cutter: bool,
+    line: Option<(Line, bool)>,
+    dark: bool,
+}
+
+/// The mesh drawn last.
+#[derive(Default)]
+pub struct Kept(Option<(Made, Arc<Mesh>)>);
+
+impl WorkpiecePanel {
+    /// Draws it over the width of `ui`, `height` points high; `pages`: fingers scroll the page.
+    pub(super) fn picture(&mut self, ui: &mut Ui, session: &Session, height: f32, pages: bool) {
+        let palette = Palette::at(ui);
+        let Some(marked) = &self.marks else { return };
+        let Marked { changes, marks, .. } = marked;
+        let number = marks.cut();
+        let cut = &marks.cuts()[number];
+        let path = under_tool(session);
+        let (under, x_mm) = path.cut_at(session.row().position_mm);
+        let draws = self.profilometer.open && !self.profilometer.turns;
+        let scrolls = pages && by_touch(ui) && !self.looking.by_touch && !draws;
+        let sense = if scrolls { Sense::hover() } else { Sense::drag() };
+        let size = vec2(ui.available_width(), height);
+        let (rect, response) = ui.allocate_exact_size(size, sense);
+        if !ui.is_rect_visible(rect) {
+            return;
+        }
+        let bounds = part::bounds(under, cut.surface.radius_mm());
+        self.looking.steer(ui, &response, !draws, x_mm as f32, bounds);
+        let camera = self.looking.camera;
+        if draws {
+            self.profilometer.draw(&response, &camera, &marked.measured(&path));
+        }
+        let by_teeth = session.current().plant.force_model == ForceModel::Mechanistic;
+        let ra_um = if by_teeth { FEED_MARKS_UM } else { session.row().ra_target_um };
+        let times = self.looking.times(ra_um.max(FEED_MARKS_UM));
+        let made = Made {
+            changes: *changes,
+            rows: marks.rows(),
+            camera,
+            rect,
+            times,
+            cutter: self.looking.cutter,
+            line: self.profilometer.line().filter(|_| self.profilometer.open),
+            dark: ui.visuals().dark_mode,
+        };
+        let kept = self.kept.0.take().filter(|(before, _)| *before == made);
+        let (_, mesh) = kept.unwrap_or_else(|| {
+            let rows = session.revealed();
+            let range_mm = cut.surface.range_mm();
+            let color = |x: f32| {
+                if range_mm.is_none_or(|range| f64::from(x) < range[0]) {
+                    return theme::METAL;
+                }
+                let at = rows.partition_point(|row| row.position_mm < cut.begins_mm + f64::from(x));
+                judged::color(rows.get(at).and_then(|row| judged::off(row, session)))
+            };
+            let part = Part {
+                cut: under,
+                surface: &cut.surface,
+                tool_mm: x_mm as f32,
+                window_mm: self.looking.window(rect),
+                times,
+                stock: theme::METAL,
+                color: &color,
+            };
+            let mut mesh = Mesh::default();
+            part.draw(&mut mesh);
+            if made.line.is_some() {
+                self.profilometer.ribbon(&mut mesh, &part, camera.distance, palette);
+            }
+            if self.looking.cutter {
+                let turn = (marks.turns() / SLOWER).fract() * std::f64::consts::TAU;
+                cutter::draw(&mut mesh, x_mm as f32, turn as f32, theme::CUTTER);
+            }
+            (made, Arc::new(mesh))
+        });
+        let background = ui.visuals().extreme_bg_color;
+        let painter = ui.painter().with_clip_rect(rect);
+        painter.add(scene::picture(ui.ctx(), rect, &camera, Arc::clone(&mesh), background));
+        self.kept = Kept(Some((made, mesh)));
+        let at = place(x_mm, under.length_mm(), [number, marks.cuts().len()]);
+        let backdrop = ui.visuals().panel_fill.gamma_multiply(0.85);
+        captions(&painter, rect, [palette.text, backdrop], &at, times);
+        response.widget_info(|| {
+            let said = format!("Part in space, {at}, heights drawn {times} times larger");
+            WidgetInfo::labeled(egui::Role::Figure, true, said)
+        });
+    }
+}
+
+/// Where the tool is, in words.
+fn place(x_mm: f64, length_mm: f64, [number, count]: [usize; 2]) -> String {
+    let cut = if count > 1 { format!("cut {} of {count}, ", number + 1) } else { String::new() };
+    let tool = if x_mm < 0.0 {
+        format!("tool {} before the part", theme::quantity(-x_mm, "mm"))
+    } else {
+        let [x, length] = [x_mm.min(length_mm), length_mm].map(|x| theme::number(x, "mm"));
+        format!("tool at {x} of {length} mm")
+    };
+    cut + &tool
+}
+
+/// What the picture says, readable on whatever is behind it.
+fn captions(
+    painter: &egui::Painter,
+    rect: Rect,
+    [ink, backdrop]: [Color32; 2],
+    at: &str,
+    times: f32,
+) {
+    let heights = format!("heights ×{times}");
+    let sides = [
+        (Align2::LEFT_BOTTOM, rect.left_bottom() + vec2(10.0, -8.0), heights.as_str()),
+        (Align2::RIGHT_BOTTOM, rect.right_bottom() + vec2(-10.0, -8.0), at),
+    ];
+    for (anchor, corner, text) in sides {
+        let font = FontId::proportional(12.0);
+        let galley = painter.layout_no_wrap(text.to_owned(), font, ink);
+        let place = anchor.anchor_size(corner, galley.size());
+        painter.rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, backdrop);
+        painter.galley(place.min, galley, ink);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::place;
+
+    #[test]
+    fn the_place_is_told_before_within_and_at_the_end_of_a_cut() {
+        assert_eq!(place(-3.888, 90.0, [0, 5]), "cut 1 of 5, tool 3.89 mm before the part");
+        assert_eq!(place(45.0, 200.0, [0, 1]), "tool at 45.00 of 200.00 mm");
+        assert_eq!(place(90.02, 90.0, [4, 5]), "cut 5 of 5, tool at 90.00 of 90.00 mm");
+    }
+}

@@ -1,0 +1,131 @@
+//! The measured profile over the distance along the line: as the teeth left it, and filtered.
+
+use egui::{RichText, Role, Sense, Ui, WidgetInfo};
+use egui_plot::{HoverPosition, Line, Plot, PlotPoints};
+
+use crate::app::theme::{self, Look, Palette};
+use crate::app::widgets::chart::{grid, tick};
+use crate::app::widgets::legend;
+use crate::base::math::extent;
+use crate::study::profilometer::Measurement;
+
+/// Extremes of so many pieces are drawn: more than there are pixels.
+const PIECES: usize = 480;
+const HEIGHT: f32 = 148.0;
+/// Names and looks of the two profiles.
+const LINES: [(&str, Look); 2] =
+    [("as the teeth left it", Look::Dynamics), ("roughness profile", Look::Produced)];
+
+/// The profiles as they are drawn: mm along the line, um about their mean.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curves {
+    points: [Vec<[f64; 2]>; 2],
+    along_mm: [f64; 2],
+}
+
+/// Least and largest value of every piece, in their order.
+fn thinned(values_mm: &[f64], begins_mm: f64, step_mm: f64) -> Vec<[f64; 2]> {
+    let mean_mm = values_mm.iter().sum::<f64>() / values_mm.len().max(1) as f64;
+    let size = values_mm.len().div_ceil(PIECES).max(1);
+    let mut points = Vec::with_capacity(2 * PIECES);
+    for (number, piece) in values_mm.chunks(size).enumerate() {
+        let least = (0..piece.len()).min_by(|a, b| piece[*a].total_cmp(&piece[*b]));
+        let most = (0..piece.len()).max_by(|a, b| piece[*a].total_cmp(&piece[*b]));
+        let (Some(least), Some(most)) = (least, most) else { continue };
+        let mut push = |i: usize| {
+            let along_mm = begins_mm + (number * size + i) as f64 * step_mm;
+            points.push([along_mm, 1000.0 * (piece[i] - mean_mm)]);
+        };
+        push(least.min(most));
+        if least != most {
+            push(least.max(most));
+        }
+    }
+    points
+}
+
+impl Curves {
+    /// Those of a measurement.
+    pub fn of(found: &Measurement) -> Self {
+        let roughness = &found.roughness;
+        let thin = |values: &[f64]| thinned(values, found.begins_mm, roughness.step_mm);
+        let length_mm = roughness.profile_mm.len() as f64 * roughness.step_mm;
+        Self {
+            points: [thin(&roughness.total_mm), thin(&roughness.profile_mm)],
+            along_mm: [found.begins_mm, found.begins_mm + length_mm],
+        }
+    }
+}
+
+/// Draws them over the width of `ui`.
+pub fn show(ui: &mut Ui, curves: &Curves) {
+    let palette = Palette::at(ui);
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new("Profile [µm]").strong());
+        for (name, look) in LINES {
+            legend::sample(ui, name, look);
+        }
+    });
+    let heights = curves.points.iter().flatten().map(|point| point[1]);
+    let [low, high] = extent(heights);
+    let margin = 0.08 * (high - low).max(0.01);
+    let [from, to] = curves.along_mm;
+    let width = ui.available_width();
+    let label = |hover: &HoverPosition<'_>| match hover {
+        HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
+            let [height, along] =
+                [(position.y, "um"), (position.x, "mm")].map(|(x, u)| theme::quantity(x, u));
+            Some(format!("{plot_name}: {height}\n{along} along the line"))
+        }
+        _ => None,
+    };
+    let response = Plot::new("profile")
+        .height(HEIGHT)
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_zoom(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .allow_axis_zoom_drag(false)
+        .sense(Sense::click())
+        .y_axis_min_width(40.0)
+        .grid_color(palette.grid)
+        .grid_fade(0.0)
+        .x_grid_spacer(move |input| grid(input, width / 70.0))
+        .y_grid_spacer(|input| grid(input, HEIGHT / 30.0))
+        .x_axis_formatter(|mark, _| format!("{} mm", tick(mark)))
+        .y_axis_formatter(|mark, _| tick(mark))
+        .grid_spacing(egui::Rangef::new(16.0, 300.0))
+        .label_formatter(label)
+        .show(ui, |plot| {
+            plot.set_plot_bounds_x(from..=to);
+            plot.set_plot_bounds_y(low - margin..=high + margin);
+            for ((name, look), points) in LINES.iter().zip(&curves.points) {
+                let (stroke, style) = look.line(palette);
+                let line = Line::new(*name, PlotPoints::from(points.clone()));
+                plot.line(line.stroke(stroke).style(style).width(1.2).allow_band(false));
+            }
+        });
+    response.response.widget_info(|| {
+        let [from, to] = [from, to].map(|x| theme::quantity(x, "mm"));
+        let label = format!("Profile from {from} to {to} along the line");
+        WidgetInfo::labeled(Role::Figure, true, label)
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thinning_keeps_order_and_extremes() {
+        let values: Vec<f64> =
+            (0..20_000).map(|i| if i == 7777 { 0.5 } else { 1e-3 * f64::from(i % 7) }).collect();
+        let points = thinned(&values, 2.0, 0.001);
+        assert!(points.len() <= 2 * PIECES && points.windows(2).all(|p| p[0][0] < p[1][0]));
+        let most = points.iter().max_by(|a, b| a[1].total_cmp(&b[1])).unwrap();
+        assert!((most[0] - 9.777).abs() < 1e-9 && most[1] > 490.0, "{most:?}");
+        assert_eq!(thinned(&[1.0], 0.0, 0.1), [[0.0, 0.0]]);
+        assert!(thinned(&[], 0.0, 0.1).is_empty());
+    }
+}

@@ -1,0 +1,108 @@
+//! What stands beside the picture: the line in numbers, the cut-offs, the figures and the profile.
+
+use egui::{RichText, Ui};
+
+use super::super::profile_chart;
+use super::Profilometer;
+use crate::app::command::Command;
+use crate::app::panels::View;
+use crate::app::theme::{self, Palette};
+use crate::app::widgets::number::Field;
+use crate::app::widgets::setting::{Size, setting};
+use crate::study::profilometer::{Line, Measurement};
+
+/// Ranges of the fields of x and y: any machine, the ball.
+const FIELDS: [[f64; 2]; 2] = [[-100.0, 100_000.0], [-8.0, 8.0]];
+
+impl Profilometer {
+    /// Line, figures and profile.
+    pub fn show(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let palette = Palette::at(ui);
+        ui.horizontal_wrapped(|ui| {
+            ui.label("A drag");
+            ui.radio_value(&mut self.turns, false, "draws the line");
+            ui.radio_value(&mut self.turns, true, "turns the part");
+        });
+        let Some(line) = self.shown else {
+            ui.label("No tooth has been in this cut yet: there is no surface to measure.");
+            return;
+        };
+        self.ends(ui, line, commands);
+        let scenario = view.session.current();
+        setting(ui, "profile.long_mm", scenario, Size::Small, commands);
+        setting(ui, "profile.short_um", scenario, Size::Small, commands);
+        match self.found.as_ref().map(|found| &found.result) {
+            Some(Ok((found, curves))) => {
+                figures(ui, found, scenario.profile.long_mm);
+                profile_chart::show(ui, curves);
+            }
+            Some(Err(error)) => {
+                let mut text = error.clone();
+                text[..1].make_ascii_uppercase();
+                ui.label(RichText::new(theme::unit(&format!("{text}."))).color(palette.bad));
+            }
+            None => {}
+        }
+    }
+
+    /// The ends of the line as numbers.
+    fn ends(&mut self, ui: &mut Ui, line: Line, commands: &mut Vec<Command>) {
+        let mut ends = [line.from_mm, line.to_mm];
+        let mut said = None;
+        egui::Grid::new("line").num_columns(4).show(ui, |ui| {
+            for (names, end) in [["From x", "From y"], ["To x", "To y"]].iter().zip(&mut ends) {
+                for (name, (value, range)) in names.iter().zip(end.iter_mut().zip(FIELDS)) {
+                    let label = ui.label(*name);
+                    let field =
+                        Field { name, unit: "mm", range, speed: 0.02, decimals: 3, suffix: " mm" };
+                    field.show(ui, value, &mut said).labelled_by(label.id);
+                }
+                ui.end_row();
+            }
+        });
+        commands.extend(said.map(Command::Notify));
+        let edited = Line { from_mm: ends[0], to_mm: ends[1] };
+        if edited != line {
+            self.own = Some(edited);
+            ui.request_repaint();
+        }
+        ui.horizontal_wrapped(|ui| {
+            let help = "Five sampling lengths along the feed, as the tool goes on";
+            let button = egui::Button::selectable(self.own.is_none(), "Behind the tool");
+            if ui.add(button).on_hover_text(help).clicked() {
+                self.own = None;
+                ui.request_repaint();
+            }
+            let length = theme::quantity(line.length_mm(), "mm");
+            ui.label(format!("{length} long"));
+        });
+    }
+}
+
+/// Ra, Rq, Rz and what they were taken of.
+fn figures(ui: &mut Ui, found: &Measurement, long_mm: f64) {
+    let palette = Palette::at(ui);
+    let roughness = &found.roughness;
+    ui.horizontal_wrapped(|ui| {
+        for (name, value) in
+            [("Ra", roughness.ra_um), ("Rq", roughness.rq_um), ("Rz", roughness.rz_um)]
+        {
+            let text = format!("{name} {}", theme::quantity(value, "um"));
+            ui.label(RichText::new(text).size(15.0).strong());
+            ui.add_space(6.0);
+        }
+    });
+    let long = theme::fine(long_mm, "mm");
+    let lengths = match found.lengths {
+        1 => format!("Over one sampling length of {long}; the standard takes five. "),
+        n if n < 5 => format!("Over {n} sampling lengths of {long}; the standard takes five. "),
+        n => format!("Over {n} sampling lengths of {long}. "),
+    };
+    let run = if found.run_ra_um > 0.0 {
+        let ra = theme::quantity(found.run_ra_um, "um");
+        format!("The run's Ra with dynamics is {ra} along the line on average.")
+    } else {
+        "Simulated tooth by tooth, K5 gives no Ra here: feed marks and run-out alone.".to_owned()
+    };
+    ui.label(RichText::new(lengths + &run).small().color(palette.weak));
+}

@@ -1,0 +1,200 @@
+//! How the part is looked at: orbit, zoom, what is followed, how much larger heights are drawn.
+
+use egui::{PointerButton, Rect, Response, Role, Slider, Ui, Vec2, WidgetInfo};
+
+use super::cutter::SHANK_MM;
+use crate::app::scene::camera::{Camera, Point};
+use crate::app::theme::round_step;
+
+/// Distance of the eye and how far behind the tool it looks, mm: at the tool, and close up.
+const AT_TOOL_MM: [f32; 2] = [96.0, 9.0];
+const CLOSE_MM: [f32; 2] = [10.0, 3.5];
+/// Height that is looked at, mm.
+const HEIGHT_MM: [f32; 2] = [6.0, 1.4];
+/// Least distance of the eye, and the largest one in lengths of the part.
+const NEAREST_MM: f32 = 2.0;
+const FARTHEST: f32 = 8.0;
+/// Zoom of a button, and of a point of the wheel.
+const ZOOM: f32 = 1.35;
+const ZOOM_PER_POINT: f32 = 0.003;
+/// Turn and tilt of a button, as a drag in points.
+const PUSH: f32 = 25.0;
+/// Target Ra as a share of the height of the picture when heights are drawn by themselves.
+const SHOWN: f64 = 0.003;
+/// Largest factor of the heights that comes by itself.
+const TIMES_BY_ITSELF: f64 = 200.0;
+/// Factors of the heights that can be chosen.
+const TIMES: [f64; 2] = [1.0, 5000.0];
+
+/// What the eye goes along with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Follows {
+    /// All of the part.
+    Part,
+    /// The tool: it looks so far behind it, mm.
+    Tool(f32),
+    /// Nothing.
+    Nothing,
+}
+
+/// See the head of this file.
+#[derive(Clone, Debug)]
+pub struct Looking {
+    /// The eye.
+    pub camera: Camera,
+    follows: Follows,
+    /// Whether the cutter is shown.
+    pub cutter: bool,
+    /// Whether fingers turn the part where they would scroll the page.
+    pub by_touch: bool,
+    /// Factor of the heights; none: as the zoom wants it.
+    chosen: Option<f64>,
+    /// The factor that was shown last.
+    shown: f64,
+}
+
+impl Default for Looking {
+    fn default() -> Self {
+        let [distance, behind] = AT_TOOL_MM;
+        let target = [0.0, 2.0, HEIGHT_MM[0]];
+        Self {
+            camera: Camera { target, distance, turn_rad: -0.5, tilt_rad: 0.55 },
+            follows: Follows::Tool(behind),
+            cutter: true,
+            by_touch: false,
+            chosen: None,
+            shown: TIMES_BY_ITSELF,
+        }
+    }
+}
+
+impl Looking {
+    /// Takes in wheel, pinch and drags, those of the first button where it `turns`; follows the
+    /// tool, or the part with these bounds.
+    pub fn steer(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        turns: bool,
+        tool_mm: f32,
+        bounds: [Point; 2],
+    ) {
+        let other = [PointerButton::Secondary, PointerButton::Middle];
+        if turns || other.into_iter().any(|button| response.dragged_by(button)) {
+            self.camera.orbit(response.drag_delta());
+        }
+        let length = bounds[1][0] - bounds[0][0];
+        let farthest = (FARTHEST * length).max(AT_TOOL_MM[0]);
+        if response.contains_pointer() {
+            let factor = ui.input_mut(|input| {
+                // The page does not scroll too.
+                let wheel = std::mem::replace(&mut input.smooth_scroll_delta, Vec2::ZERO);
+                input.zoom_delta() * (ZOOM_PER_POINT * wheel.y).exp()
+            });
+            self.zoom(factor);
+        }
+        match self.follows {
+            Follows::Tool(behind) => self.camera.target[0] = tool_mm - behind,
+            Follows::Part => {
+                let [low, mut high] = bounds;
+                if self.cutter {
+                    high[2] = SHANK_MM;
+                }
+                let corner = |i: usize| [0, 1, 2].map(|k| [low, high][i >> k & 1][k]);
+                let points: Vec<Point> = (0..8).map(corner).collect();
+                self.camera.fit([low, high], &points, response.rect.aspect_ratio());
+            }
+            Follows::Nothing => {}
+        }
+        self.camera.distance = self.camera.distance.clamp(NEAREST_MM, farthest);
+    }
+
+    fn zoom(&mut self, factor: f32) {
+        if factor != 1.0 {
+            self.camera.distance /= factor;
+            if self.follows == Follows::Part {
+                self.follows = Follows::Nothing;
+            }
+        }
+    }
+
+    /// Factor of the heights, for a surface of about this Ra in um.
+    pub fn times(&mut self, ra_um: f64) -> f32 {
+        let wanted = SHOWN * 0.62 * f64::from(self.camera.distance) * 1000.0 / ra_um;
+        let by_itself = || round_step(wanted.min(TIMES_BY_ITSELF)).unwrap_or(1.0);
+        self.shown = self.chosen.unwrap_or_else(by_itself).clamp(TIMES[0], TIMES[1]);
+        self.shown as f32
+    }
+
+    /// What part of the way can be seen, mm.
+    pub fn window(&self, rect: Rect) -> [f32; 2] {
+        let half = 0.42 * self.camera.distance * rect.aspect_ratio().max(1.0);
+        [self.camera.target[0] - half, self.camera.target[0] + half]
+    }
+
+    fn at_tool(&mut self, [distance, behind]: [f32; 2], height: f32, cutter: bool) {
+        self.follows = Follows::Tool(behind);
+        (self.camera.distance, self.cutter) = (distance, cutter);
+        // Near the tool the machined strip is in the middle.
+        [self.camera.target[1], self.camera.target[2]] = [if cutter { 2.0 } else { 3.8 }, height];
+    }
+
+    /// The controls; `pages` says that fingers scroll the page.
+    pub fn controls(&mut self, ui: &mut Ui, pages: bool) {
+        ui.horizontal_wrapped(|ui| {
+            if ui.button("Whole part").on_hover_text("All of the present cut").clicked() {
+                self.follows = Follows::Part;
+                self.cutter = true;
+            }
+            if ui.button("At the tool").on_hover_text("Goes along with the tool").clicked() {
+                self.at_tool(AT_TOOL_MM, HEIGHT_MM[0], true);
+            }
+            let help = "The surface right behind the tool, near enough to see each tooth's mark";
+            if ui.button("Close up").on_hover_text(help).clicked() {
+                self.at_tool(CLOSE_MM, HEIGHT_MM[1], false);
+            }
+            for (sign, name, factor) in [("+", "Nearer", ZOOM), ("-", "Farther", 1.0 / ZOOM)] {
+                let button = ui.button(sign);
+                button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
+                if button.on_hover_text(format!("{name}; so does the wheel")).clicked() {
+                    self.zoom(factor);
+                }
+            }
+        });
+        ui.horizontal_wrapped(|ui| {
+            let help = "Turns the picture; so does a drag over it";
+            for (name, x, y) in [
+                ("Turn left", -PUSH, 0.0),
+                ("Turn right", PUSH, 0.0),
+                ("Higher", 0.0, PUSH),
+                ("Lower", 0.0, -PUSH),
+            ] {
+                if ui.button(name).on_hover_text(help).clicked() {
+                    self.camera.orbit(Vec2::new(x, y));
+                }
+            }
+        });
+        ui.horizontal_wrapped(|ui| {
+            ui.checkbox(&mut self.cutter, "Cutter");
+            let mut along = matches!(self.follows, Follows::Tool(_));
+            if ui.checkbox(&mut along, "Follow the tool").changed() {
+                let behind = if self.cutter { AT_TOOL_MM[1] } else { CLOSE_MM[1] };
+                self.follows = if along { Follows::Tool(behind) } else { Follows::Nothing };
+            }
+            let mut own = self.chosen.is_some();
+            let help = "A factor of your own; otherwise as the distance wants it";
+            let switch = ui.checkbox(&mut own, "Own factor").on_hover_text(help);
+            if switch.changed() {
+                self.chosen = own.then_some(self.shown);
+            }
+            if let Some(times) = &mut self.chosen {
+                let slider = Slider::new(times, TIMES[0]..=TIMES[1]).logarithmic(true);
+                ui.add(slider.prefix("heights ×").max_decimals(0)).labelled_by(switch.id);
+            }
+            if pages {
+                let help = "Fingers on the picture turn the part; otherwise they scroll the page";
+                ui.checkbox(&mut self.by_touch, "Turn by touch").on_hover_text(help);
+            }
+        });
+    }
+}
