@@ -13,7 +13,8 @@
 //! ([`super::coupling`]): F_dyn is the force with regeneration, Ra_dyn = Ra + what the teeth's marks add.
 //!
 //! Order of events in tick k (from t = k dt to (k + 1) dt):
-//! 0. Every `steps_per_control` ticks the tool wears by what it cut since the last time.
+//! 0. Every `steps_per_control` ticks the tool wears by what it cut since the last time; where the speed
+//!    is adjusted to the tool's life ([`super::durability`]), its sound is heard.
 //! 1. Every `steps_per_control` ticks the controller sees the force sensed at the end of tick
 //!    k - 1 and sends a command, limited by the overrides; it is held until the next sample.
 //! 2. The command enters the dead-time queue; what leaves it is what the drives get.
@@ -25,6 +26,7 @@
 
 use super::coupling::Coupling;
 use super::coupling::Moved;
+use super::durability::Durability;
 use super::scenario::Scenario;
 use super::signals::{Row, SIGNALS, flag};
 use crate::base::math;
@@ -119,6 +121,8 @@ pub struct ClosedLoop {
     peak: PeakWindow,
     /// The machine, where it is coupled to the cut.
     coupling: Option<Box<Coupling>>,
+    /// Adjusts the programmed speed by what is heard of the tool, where that is wanted.
+    durability: Option<Box<Durability>>,
     // State.
     tick: u64,
     to_control: u64,
@@ -176,6 +180,7 @@ impl ClosedLoop {
                 u64::from(scenario.run.steps_per_control),
             ),
             coupling: Coupling::new(scenario),
+            durability: Durability::new(scenario),
             tick: 0,
             to_control: 0,
             position_mm: 0.0,
@@ -230,6 +235,10 @@ impl ClosedLoop {
             self.process.stiffen();
         }
         self.wear.reconfigure(&scenario.wear);
+        match (&mut self.durability, Durability::new(scenario)) {
+            (Some(durability), Some(_)) => durability.reconfigure(scenario),
+            (durability, new) => *durability = new,
+        }
         self.process.set_life_factor(self.wear.force_factor());
         self.dynamic_force.reconfigure(&scenario.noise, self.dt_s);
         self.dynamometer.reconfigure(&scenario.noise);
@@ -311,6 +320,9 @@ impl ClosedLoop {
         if let Some(coupling) = &mut self.coupling {
             coupling.wear(&self.wear, row);
         }
+        if let Some(durability) = self.durability.as_mut().filter(|_| self.tick > 0) {
+            durability.update(row, &self.belief, period_s);
+        }
         self.process.set_life_factor(self.wear.force_factor());
     }
 
@@ -327,7 +339,10 @@ impl ClosedLoop {
         let output = self.controller.update(&ControlInput {
             force_measured_n,
             force_ref_n: self.desired_force.value,
-            programmed: self.programmed,
+            programmed: match &self.durability {
+                Some(durability) => durability.adjusted(self.programmed),
+                None => self.programmed,
+            },
             applied: FeedSpeed {
                 feed_mm_min: self.row.feed_command_mm_min,
                 speed_rpm: self.row.spindle_command_rpm,

@@ -3,6 +3,7 @@
 pub mod closed_loop;
 pub mod coupling;
 pub mod digest;
+pub mod durability;
 pub mod edits;
 pub mod metrics;
 pub mod one_run;

@@ -318,6 +318,13 @@ impl Scenario {
                 allowed: "D or T in a coupled run".to_owned(),
             });
         }
+        if self.wear.adjust_speed && !self.machine.coupled {
+            return Err(SettingError::Refused {
+                path: "wear.adjust_speed".to_owned(),
+                value: "true without the machine's sound".to_owned(),
+                allowed: "true with `machine.coupled` = true".to_owned(),
+            });
+        }
         if let Some(stored) = self.unks.networks.get()
             && stored.start != self.unks.start
         {

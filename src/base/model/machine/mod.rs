@@ -16,6 +16,7 @@ pub mod frf;
 pub mod literal;
 pub mod modes;
 pub mod parameters;
+pub mod pulses;
 pub mod reduction;
 
 use nalgebra::SMatrix;
