@@ -6,6 +6,7 @@
 //! no evidence for it.
 
 pub mod adaptive;
+pub mod calibration;
 pub mod listening;
 pub mod measurement;
 pub mod monte_carlo;
