@@ -253,6 +253,7 @@ fn the_speed_is_adjusted_so_that_the_tool_reaches_the_desired_durability() {
         scenario.set("wear.adjust_speed", Value::Bool(adjust)).unwrap();
         scenario.wear.durability_factor = factor;
         scenario.wear.time_scale = 500.0;
+        scenario.run.duration_s = 70.0;
         scenario.life.durability_min = 250.0;
         scenario.workpiece.length_mm = 600.0;
         let run = complete(&scenario);
