@@ -7,6 +7,7 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use steadycut::base::model::machine::RoughnessFrom;
 use steadycut::base::rng::Stream;
 use steadycut::blocks::control::ControllerKind;
 use steadycut::blocks::cutting::process::ForceModel;
@@ -254,10 +255,50 @@ fn neural_ratio() {
     }
 }
 
+/// What the coupled machine costs in the loop, beside the same run without it: ten machine steps in a
+/// plant step, with the surface behind the tool and without.
+#[expect(clippy::disallowed_methods, reason = "a bench needs a clock")]
+fn coupled_ratio() {
+    const LIMITS: [f64; 2] = [8.0, 40.0];
+    let run = |coupled: bool, from: RoughnessFrom| {
+        let mut scenario = noisy(ControllerKind::Sdnrp);
+        scenario.machine.coupled = coupled;
+        scenario.machine.roughness_from = from;
+        Run::new(&scenario, &Edits::none())
+    };
+    let mut runs = [
+        run(false, RoughnessFrom::Random),
+        run(true, RoughnessFrom::Random),
+        run(true, RoughnessFrom::Vibration),
+    ];
+    let mut best = [f64::INFINITY; 3];
+    for _ in 0..30 {
+        for (run, best) in runs.iter_mut().zip(&mut best) {
+            let start = std::time::Instant::now();
+            run.branch(0.0, &Edits::none());
+            run.advance(u64::MAX);
+            black_box(run.ticks());
+            *best = best.min(start.elapsed().as_secs_f64() / run.ticks() as f64);
+        }
+    }
+    let [bare, coupled, surface] = best.map(|seconds| seconds * 1e9);
+    let added = [coupled - bare, surface - bare].map(|ns| ns / 10.0);
+    let ratios = [coupled / bare, surface / bare];
+    println!(
+        "coupled: {coupled:.0} ns per plant step, with the surface {surface:.0} ns, bare {bare:.0} ns: \
+         {:.1} and {:.1} ns per machine step of 0.1 ms, ratios {:.1} and {:.1} (limits {LIMITS:?})",
+        added[0], added[1], ratios[0], ratios[1]
+    );
+    for (ratio, limit) in ratios.into_iter().zip(LIMITS) {
+        assert!(ratio <= limit, "the coupled loop costs {ratio:.1} times the bare one");
+    }
+}
+
 fn loops(criterion: &mut Criterion) {
     check_baseline();
     ratio();
     neural_ratio();
+    coupled_ratio();
     let steps = 15_000;
     let mut group = criterion.benchmark_group("15 s run with recording");
     group.throughput(Throughput::Elements(steps));

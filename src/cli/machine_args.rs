@@ -28,6 +28,8 @@ pub enum MachineWhat {
     Wear(MachineModel),
     /// Tool life foretold from the sound: many tools, and a speed adjusted to the desired durability.
     Life(LifeArgs),
+    /// Random share of the contact force, calibrated on Table 3 of 2007, with its residuals.
+    Roughness(MachineModel),
 }
 
 /// Arguments of `machine stability`.

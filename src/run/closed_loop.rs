@@ -9,16 +9,24 @@
 //!                                     Ra_dyn = K6(F_dyn)   Ra = K5(F)
 //! ```
 //!
+//! With `machine.coupled` the five-mass machine stands behind the cutting process
+//! ([`super::coupling`]): F_dyn is the force with regeneration, Ra_dyn = Ra + what the teeth's marks add.
+//!
 //! Order of events in tick k (from t = k dt to (k + 1) dt):
-//! 0. Every `steps_per_control` ticks the tool wears by what it cut since the last time.
+//! 0. Every `steps_per_control` ticks the tool wears by what it cut since the last time; where the speed
+//!    is adjusted to the tool's life ([`super::durability`]), its sound is heard.
 //! 1. Every `steps_per_control` ticks the controller sees the force sensed at the end of tick
 //!    k - 1 and sends a command, limited by the overrides; it is held until the next sample.
 //! 2. The command enters the dead-time queue; what leaves it is what the drives get.
 //! 3. The drives advance over dt with that command held: feed f_a, speed n_a.
 //! 4. The tool moves on by f_a dt; the workpiece gives the depth there.
-//! 5. Force, dynamic component and roughness follow from f_a, n_a and depth.
+//! 5. Force, dynamic component and roughness follow from f_a, n_a and depth; a coupled machine makes
+//!    its steps of at most 0.1 ms over dt under that force.
 //! 6. The row is complete; it belongs to the time (k + 1) dt. Row 0 is the state before tick 0.
 
+use super::coupling::Coupling;
+use super::coupling::Moved;
+use super::durability::Durability;
 use super::scenario::Scenario;
 use super::signals::{Row, SIGNALS, flag};
 use crate::base::math;
@@ -33,8 +41,10 @@ use crate::blocks::cnc::spindle_drive::SpindleDrive;
 use crate::blocks::control::force::unks::Learning;
 use crate::blocks::control::{ControlInput, Controller, ControllerKind, FeedSpeed, Limits};
 use crate::blocks::cutting::process::Process;
+use crate::blocks::cutting::tool_path::Place;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::cutting::wear::ToolWear;
+use crate::blocks::machine::coupled::InCut;
 use crate::blocks::reference;
 use crate::blocks::sensing::dynamic_force::DynamicForce;
 use crate::blocks::sensing::dynamometer::Dynamometer;
@@ -109,6 +119,10 @@ pub struct ClosedLoop {
     dynamic_force: DynamicForce,
     dynamometer: Dynamometer,
     peak: PeakWindow,
+    /// The machine, where it is coupled to the cut.
+    coupling: Option<Box<Coupling>>,
+    /// Adjusts the programmed speed by what is heard of the tool, where that is wanted.
+    durability: Option<Box<Durability>>,
     // State.
     tick: u64,
     to_control: u64,
@@ -165,6 +179,8 @@ impl ClosedLoop {
                 scenario.run.seed,
                 u64::from(scenario.run.steps_per_control),
             ),
+            coupling: Coupling::new(scenario),
+            durability: Durability::new(scenario),
             tick: 0,
             to_control: 0,
             position_mm: 0.0,
@@ -183,6 +199,9 @@ impl ClosedLoop {
             },
         };
         this.row.force_setpoint_n = this.desired_force.value;
+        if this.coupling.is_some() {
+            this.process.stiffen();
+        }
         this.process.set_life_factor(this.wear.force_factor());
         this.cut(programmed.feed_mm_min, programmed.speed_rpm);
         this.row.force_measured_n = this.row.force_dyn_n;
@@ -211,7 +230,15 @@ impl ClosedLoop {
         self.path.reconfigure(&scenario.workpiece);
         let place = self.path.place(self.position_mm);
         self.process.reconfigure(&scenario.plant, &place, self.path.depth_max_mm(), self.dt_s);
+        if let Some(coupling) = &mut self.coupling {
+            coupling.reconfigure(scenario);
+            self.process.stiffen();
+        }
         self.wear.reconfigure(&scenario.wear);
+        match (&mut self.durability, Durability::new(scenario)) {
+            (Some(durability), Some(_)) => durability.reconfigure(scenario),
+            (durability, new) => *durability = new,
+        }
         self.process.set_life_factor(self.wear.force_factor());
         self.dynamic_force.reconfigure(&scenario.noise, self.dt_s);
         self.dynamometer.reconfigure(&scenario.noise);
@@ -290,6 +317,12 @@ impl ClosedLoop {
         if self.tick > 0 {
             self.wear.update(row.feed_mm_min, row.spindle_rpm, depth_mm, period_s);
         }
+        if let Some(coupling) = &mut self.coupling {
+            coupling.wear(&self.wear, row);
+        }
+        if let Some(durability) = self.durability.as_mut().filter(|_| self.tick > 0) {
+            durability.update(row, &self.belief, period_s);
+        }
         self.process.set_life_factor(self.wear.force_factor());
     }
 
@@ -306,7 +339,10 @@ impl ClosedLoop {
         let output = self.controller.update(&ControlInput {
             force_measured_n,
             force_ref_n: self.desired_force.value,
-            programmed: self.programmed,
+            programmed: match &self.durability {
+                Some(durability) => durability.adjusted(self.programmed),
+                None => self.programmed,
+            },
             applied: FeedSpeed {
                 feed_mm_min: self.row.feed_command_mm_min,
                 speed_rpm: self.row.spindle_command_rpm,
@@ -346,6 +382,9 @@ impl ClosedLoop {
         self.feed_drive.restart(feed_mm_min);
         self.process.restart();
         self.peak.restart();
+        if let Some(coupling) = &mut self.coupling {
+            coupling.restart(position_mm);
+        }
         self.row.feed_command_mm_min = feed_mm_min;
         self.row.feed_override_percent = 100.0;
         self.row.spindle_command_rpm = speed_rpm;
@@ -358,10 +397,20 @@ impl ClosedLoop {
         let place = self.path.place(self.position_mm);
         let dynamic = self.dynamic_force.update(self.tick, self.position_mm, speed_rpm);
         let under = self.path.cut_at(self.position_mm);
-        let milled = self.process.mill(feed_mm_min, speed_rpm, under, dynamic);
+        let mut milled = self.process.mill(feed_mm_min, speed_rpm, under, dynamic);
+        let moved = |in_cut| {
+            let Place { axial_depth_mm, radial_depth_mm } =
+                self.path.loaded(self.position_mm, place);
+            let cut = InCut { speed_rpm, axial_depth_mm, radial_depth_mm };
+            Moved { cut, position_mm: self.position_mm, in_cut }
+        };
+        if let (Some(forces_n), Some(coupling)) = (&mut milled, &mut self.coupling) {
+            // Between two teeth the force is zero as well: the air shows in the last row.
+            *forces_n = coupling.instant(*forces_n, &moved(!self.row.has(flag::AIR)));
+        }
         // Tooth by tooth, the force is the peak of a control period; what a sensor reads of it
         // stands for the force with dynamics.
-        let (force, force_dyn_n, sensed_n, in_air) = if let Some([x, y, _]) = milled {
+        let (force, mut force_dyn_n, mut sensed_n, in_air) = if let Some([x, y, _]) = milled {
             let peak = self.peak.push(self.tick, [x, y]);
             let air = peak.true_n < AIR_SHARE * self.desired_force.value;
             let now_n = (x * x + y * y).sqrt();
@@ -377,6 +426,12 @@ impl ClosedLoop {
             let force_dyn_n = math::positive(force.value * dynamic);
             (force, force_dyn_n, force_dyn_n, !self.process.engaged(place.axial_depth_mm))
         };
+        if let (None, Some(coupling)) = (&milled, &mut self.coupling)
+            && self.tick > 0
+        {
+            force_dyn_n = coupling.pulses(force_dyn_n, &moved(!in_air));
+            sensed_n = force_dyn_n;
+        }
         if force_dyn_n > self.stop_n && self.stop.is_none() {
             self.stop = Some(ForceStop {
                 force_n: force_dyn_n,
@@ -390,7 +445,12 @@ impl ClosedLoop {
         let (ra, ra_dyn) = if in_air {
             (Valued::new(0.0, true), Valued::new(0.0, true))
         } else {
-            roughness::produced(force.value, sensed_n, self.process.models())
+            let by_force = roughness::produced(force.value, sensed_n, self.process.models());
+            let added_um = self.coupling.as_ref().and_then(|coupling| coupling.added_ra_um());
+            match added_um {
+                Some(um) => (by_force.0, roughness::with_marks(by_force.0, um)),
+                None => by_force,
+            }
         };
         let row = &mut self.row;
         row.time_s = self.tick as f64 * self.dt_s;
@@ -406,12 +466,18 @@ impl ClosedLoop {
         row.ra_um = ra.value;
         row.ra_dyn_um = ra_dyn.value;
         row.used_life = self.wear.used_life();
+        let mut lost_contact = false;
+        if let Some(coupling) = &self.coupling {
+            coupling.record(row);
+            lost_contact = coupling.lost_contact();
+        }
         let flags = self.command_flags
             | bit(!self.desired_force.valid, flag::K1_OUTSIDE)
             | bit(!force.valid, flag::K4_OUTSIDE)
             | bit(!ra.valid, flag::K5_OUTSIDE)
             | bit(!ra_dyn.valid, flag::K6_OUTSIDE)
-            | bit(in_air, flag::AIR);
+            | bit(in_air, flag::AIR)
+            | bit(lost_contact, flag::LOST_CONTACT);
         row.state_flags = f64::from(flags);
     }
 

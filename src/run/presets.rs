@@ -56,6 +56,9 @@ presets![
     "experiment-2-neural",
     "experiment-1-sl",
     "tool-life",
+    "machine-dynamics",
+    "chatter",
+    "machine-life",
 ];
 
 /// The scenario of a preset.

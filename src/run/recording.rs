@@ -3,7 +3,7 @@
 use super::digest::Digest;
 use super::signals::{Row, flag};
 
-/// Rows reserved at once, 38 MB: more memory is taken only as a run really needs it.
+/// Rows reserved at once, 46 MB: more memory is taken only as a run really needs it.
 const RESERVED_ROWS: usize = 250_000;
 
 /// All recorded rows of one run.

@@ -5,7 +5,9 @@ use std::sync::LazyLock;
 
 use super::plan_settings::PlanSettings;
 use crate::base::model::gp::ModelSet;
+use crate::base::model::machine::FiveMass;
 use crate::base::model::machine::MachineSettings;
+use crate::base::model::machine::reduction::Reduction;
 use crate::base::model::machine_trend::LifeSettings;
 use crate::base::model::part::ProgrammedPart;
 use crate::base::model::roughness_profile::ProfileSettings;
@@ -35,7 +37,7 @@ pub const FORMAT_VERSION: i64 = 1;
 /// Longest plant step with the mechanistic force model, s: some 180 samples for a tooth period of the
 /// papers' cut.
 const TOOTH_STEP_MAX_S: f64 = 1e-4;
-/// Most rows that a run may record: a row takes 168 bytes, a console holds up to four recordings,
+/// Most rows that a run may record: a row takes 184 bytes, a console holds up to four recordings,
 /// and a page in the browser has 4 GiB at most.
 pub const MAX_ROWS: f64 = if cfg!(target_arch = "wasm32") { 1_000_000.0 } else { 4_000_000.0 };
 
@@ -304,6 +306,23 @@ impl Scenario {
                     "plant steps of at most {TOOTH_STEP_MAX_S} s: `run.steps_per_control` from \
                      {steps} on (576 give 28.8 kHz)"
                 ),
+            });
+        }
+        if self.machine.coupled && Reduction::new(&FiveMass::new(&self.machine)).is_err() {
+            return Err(SettingError::Refused {
+                path: "machine.parameters".to_owned(),
+                value: format!(
+                    "{} with `machine.coupled` = true (overdamped modes)",
+                    self.machine.parameters.id()
+                ),
+                allowed: "D or T in a coupled run".to_owned(),
+            });
+        }
+        if self.wear.adjust_speed && !self.machine.coupled {
+            return Err(SettingError::Refused {
+                path: "wear.adjust_speed".to_owned(),
+                value: "true without the machine's sound".to_owned(),
+                allowed: "true with `machine.coupled` = true".to_owned(),
             });
         }
         if let Some(stored) = self.unks.networks.get()

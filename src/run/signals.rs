@@ -89,6 +89,11 @@ signals! {
     gain_estimate, "-", "Gain estimate";
     /// Share of the tool's life that is used.
     used_life, "-", "Tool life used";
+    /// Displacement of the tooth off the work as the last tooth made the surface; coupled machine only.
+    vibration_um, "um", "Vibration";
+    /// Trend of the cutting sound E_S: root mean square of the velocity between tooth and work over
+    /// the last second; coupled machine only.
+    sound_mm_s, "mm/s", "Sound";
     /// Saturation, models outside their range, air: a sum of the bits in the table of flags.
     state_flags, "-", "State flags";
 }
@@ -142,6 +147,8 @@ pub mod flag {
     pub const FEED_RATE_LIMITED: u32 = 512;
     /// The spindle override moves no faster than its rate allows.
     pub const SPEED_RATE_LIMITED: u32 = 1024;
+    /// A tooth that should cut has jumped out of the cut: chatter.
+    pub const LOST_CONTACT: u32 = 2048;
     /// An override moves no faster than its rate allows.
     pub const RATE_LIMITED: u32 = FEED_RATE_LIMITED | SPEED_RATE_LIMITED;
     /// A command stands at a limit.
@@ -172,6 +179,7 @@ pub const FLAGS: &[FlagInfo] = &[
         id: "speed_rate_limited",
         label: "spindle override at its rate",
     },
+    FlagInfo { bit: flag::LOST_CONTACT, id: "lost_contact", label: "tooth out of contact" },
 ];
 
 impl Row {

@@ -9,6 +9,7 @@ mod cutting;
 pub mod formula;
 mod laws;
 mod live;
+mod machine;
 mod models;
 mod names;
 mod neural;
@@ -170,7 +171,7 @@ pub const CARDS: &[Card] = &[
                   teeth, slow changes of the material along the path; each with its own seeded \
                   stream.",
         signals: &["force_n", "force_dyn_n"],
-        lamps: &[],
+        lamps: &[lamp(flag::LOST_CONTACT, "contact")],
     },
     Card {
         block: Block::Dynamometer,

@@ -68,6 +68,9 @@ crate::settings! {
         tooth_softening: f64 = 0.15, [0.0, 0.9], "", live, "Tooth softening";
         /// Indentation force of the wear land per volume, for process damping; 0 switches it off.
         indentation_n_mm3: f64 = 0.0, [0.0, 200_000.0], "N/mm3", live, "Process damping";
+        /// Adjusts the programmed speed, feed per tooth held, so that the tool reaches `life.durability_min`;
+        /// the tool's life is foretold from the sound of the coupled machine.
+        adjust_speed: bool = false, [], "", live, "Speed for the durability";
     }
 }
 

@@ -194,6 +194,14 @@ impl Process {
         Some(milling.update(feed_mm_min, speed_rpm, x_mm, cut, factor))
     }
 
+    /// Takes the elasticity of the force tooth by tooth away: a machine that is coupled to the cut has
+    /// its own, and counted twice the tool would be too soft.
+    pub fn stiffen(&mut self) {
+        if let Some(milling) = &mut self.milling {
+            milling.stiffen();
+        }
+    }
+
     /// The spindle's turn at the last instant, from 0 to below 1, where there are teeth.
     #[must_use]
     pub fn spindle_turn(&self) -> Option<f64> {

@@ -132,6 +132,20 @@ impl ToolPath {
         Place::in_section(cut.section_at(x_mm))
     }
 
+    /// The engagement that loads the teeth with the tool's axis at `here`: along several cuts they are
+    /// ahead of it, by half the ball's radius in the mean (chosen), or still at it.
+    #[must_use]
+    pub fn loaded(&self, position_mm: f64, here: Place) -> Place {
+        if !self.several {
+            return here;
+        }
+        let (cut, x_mm) = self.cut_at(position_mm);
+        let ahead_mm = 0.5 * radius_mm(cut.depth_max_mm());
+        let ahead = Place::in_section(cut.section_at(x_mm + ahead_mm));
+        let area = |place: Place| place.axial_depth_mm * place.radial_depth_mm;
+        if area(ahead) > area(here) { ahead } else { here }
+    }
+
     /// Whether the way is one of several cuts, with air between them.
     #[must_use]
     pub fn is_several(&self) -> bool {

@@ -37,13 +37,31 @@ impl ToolWear {
         self.used_life
     }
 
+    /// Wear w; 0 where the tool does not wear in the run.
+    fn wear(&self) -> f64 {
+        match self.settings.model {
+            WearModel::Fixed => 0.0,
+            WearModel::Life => self.settings.wear(self.used_life),
+        }
+    }
+
     /// Factor on the force; 1 where the tool does not wear in the run.
     #[must_use]
     pub fn force_factor(&self) -> f64 {
-        match self.settings.model {
-            WearModel::Fixed => 1.0,
-            WearModel::Life => self.settings.force_factor(self.settings.wear(self.used_life)),
-        }
+        self.settings.force_factor(self.wear())
+    }
+
+    /// Factor on the stiffness of the tooth; 1 where the tool does not wear in the run.
+    #[must_use]
+    pub fn stiffness_factor(&self) -> f64 {
+        self.settings.stiffness_factor(self.wear())
+    }
+
+    /// Process damping in N s/m of a tooth in the cut at an axial depth in mm and a speed in 1/min.
+    #[must_use]
+    pub fn damping_n_s_m(&self, axial_depth_mm: f64, speed_rpm: f64) -> f64 {
+        let speed_m_min = math::PI * R216_16B20_040.diameter_mm * speed_rpm / 1000.0;
+        self.settings.process_damping_n_s_m(self.wear(), 1.0, axial_depth_mm, speed_m_min)
     }
 
     /// Lets `dt_s` of cutting pass at feed in mm/min, speed in 1/min and axial depth in mm; in the

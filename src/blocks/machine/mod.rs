@@ -1,3 +1,4 @@
 //! The machine in the running cut.
 
+pub mod coupled;
 pub mod response;

@@ -6,6 +6,8 @@
 //! no evidence for it.
 
 pub mod adaptive;
+pub mod calibration;
+pub mod listening;
 pub mod measurement;
 pub mod monte_carlo;
 pub mod surface;
@@ -17,7 +19,10 @@ use crate::base::model::machine::FiveMass;
 use crate::base::model::machine_trend::{Line, MachineTrend, TrendPoint};
 use crate::base::model::wear::WearCut;
 use crate::base::units::s_from_min;
+use crate::blocks::cnc::feed_override::Program;
+use crate::blocks::control::FeedSpeed;
 use crate::blocks::cutting::tool::R216_16B20_040;
+use crate::run::durability::wear_cut;
 use crate::run::scenario::Scenario;
 
 /// Step of the paper, s.
@@ -35,12 +40,8 @@ pub const CLAIMS: [&str; 3] = [
 /// The cut of a scenario at its programmed feed and speed and its axial depth.
 #[must_use]
 pub fn programmed_cut(scenario: &Scenario) -> WearCut {
-    let (program, tool) = (&scenario.program, R216_16B20_040);
-    WearCut {
-        cutting_speed_m_min: program.spindle_rpm / tool.speed_rpm(1.0),
-        feed_per_tooth_mm: program.feed_mm_min / (tool.teeth * program.spindle_rpm),
-        axial_depth_mm: scenario.workpiece.axial_depth_mm,
-    }
+    let Program { feed_mm_min, spindle_rpm: speed_rpm, .. } = scenario.program;
+    wear_cut(FeedSpeed { feed_mm_min, speed_rpm }, scenario.workpiece.axial_depth_mm)
 }
 
 /// The machine of a scenario in its programmed cut.

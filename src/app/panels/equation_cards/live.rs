@@ -5,9 +5,11 @@ use super::Block;
 use super::control::controller;
 use super::cutting::cutting;
 use super::formula::{number, sum};
+use super::machine::{marks, vibration};
 use super::models::{desired_force, roughness};
 use super::overrides::overrides;
 use crate::base::model::gp::GpModels;
+use crate::base::model::machine::RoughnessFrom;
 use crate::base::units::percent_from_ratio;
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
@@ -58,9 +60,18 @@ pub fn live(block: Block, moment: &Moment<'_>) -> Vec<Live> {
         Block::FeedDrive => vec![feed_drive(row, scenario, delayed[0])],
         Block::SpindleDrive => vec![spindle_drive(row, scenario, delayed[1])],
         Block::Cutting => cutting(row, scenario),
+        Block::Dynamic if scenario.machine.coupled => {
+            vec![dynamic(row, scenario), vibration(row, scenario)]
+        }
         Block::Dynamic => vec![dynamic(row, scenario)],
         Block::Dynamometer => vec![dynamometer(row, scenario)],
         Block::Surface => vec![roughness(&plant, row.force_n, "Ra", "F")],
+        Block::SurfaceDynamic
+            if scenario.machine.coupled
+                && scenario.machine.roughness_from == RoughnessFrom::Vibration =>
+        {
+            vec![marks(row)]
+        }
         Block::SurfaceDynamic => {
             vec![roughness(&plant, row.force_dyn_n, "Ra_{dyn}", "F_{dyn}")]
         }

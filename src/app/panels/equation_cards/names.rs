@@ -128,10 +128,11 @@ impl Lamp {
         Names::of(scenario).renamed(self.label)
     }
 
-    /// Whether it can be lit at all: without a rate limit there is no lamp for it.
+    /// Whether it can be lit at all: without a rate limit or a machine there is no lamp for it.
     #[must_use]
     pub fn serves(&self, scenario: &Scenario) -> bool {
-        self.bits & flag::RATE_LIMITED == 0 || scenario.cnc.override_rate_limited
+        let limited = self.bits & flag::RATE_LIMITED == 0 || scenario.cnc.override_rate_limited;
+        limited && (self.bits & flag::LOST_CONTACT == 0 || scenario.machine.coupled)
     }
 }
 

@@ -39,6 +39,12 @@ impl Engagement {
         f64::from(self.teeth) * self.angle_rad / TAU
     }
 
+    /// Largest chip thickness over feed per tooth that one tooth meets; 0 without engagement.
+    #[must_use]
+    pub fn peak_chip(&self) -> f64 {
+        math::sin(math::limit(self.angle_rad, 0.0, PI / 2.0))
+    }
+
     /// Averages from rotation angle `from_rad` to `to_rad` > `from_rad`; both of tooth 0, finite.
     #[must_use]
     pub fn means(&self, from_rad: f64, to_rad: f64) -> Engaged {
@@ -72,6 +78,10 @@ mod tests {
         let cut = Engagement::side_milling(2, 3.0, 16.0);
         assert!((cut.angle_rad * 180.0 / PI - 51.3).abs() < 0.05);
         assert!((cut.mean_teeth() - 0.285).abs() < 5e-4);
+        // sin 51.3 degrees; a window beyond a quarter turn meets the whole feed per tooth.
+        assert!((cut.peak_chip() - 0.7806).abs() < 5e-5, "{}", cut.peak_chip());
+        assert_eq!(Engagement::side_milling(2, 12.0, 16.0).peak_chip(), 1.0);
+        assert_eq!(Engagement::side_milling(2, 0.0, 16.0).peak_chip(), 0.0);
     }
 
     #[test]

@@ -16,6 +16,7 @@ pub mod frf;
 pub mod literal;
 pub mod modes;
 pub mod parameters;
+pub mod pulses;
 pub mod reduction;
 
 use nalgebra::SMatrix;
@@ -38,6 +39,16 @@ crate::choice! {
     }
 }
 
+crate::choice! {
+    /// Where Ra with machine dynamics comes from when the machine is coupled to the cut.
+    pub enum RoughnessFrom {
+        /// From the marks that the vibrating teeth leave: Ra = K5(F) plus what the vibration adds to the profile.
+        Vibration = "vibration", "Vibration of the machine";
+        /// From the random dynamic component of the force, as in 2007: Ra = K6(F_dyn).
+        Random = "random", "Random force, as in 2007";
+    }
+}
+
 crate::settings! {
     /// The five-mass model of the machine (2019).
     pub struct MachineSettings {
@@ -51,6 +62,10 @@ crate::settings! {
         specific_force_n_mm2: f64 = 3050.0, [100.0, 20000.0], "N/mm2", setup, "Specific force";
         /// Share of a displacement between tooth and work that changes the chip thickness; chosen.
         chip_direction: f64 = 0.5, [0.0, 1.0], "", setup, "Chip direction";
+        /// Whether the machine vibrates in the running cut, chatter included; wants the parameters D or T.
+        coupled: bool = false, [], "", setup, "Machine in the cut";
+        /// Where Ra with machine dynamics comes from in a coupled run.
+        roughness_from: RoughnessFrom = RoughnessFrom::Vibration, [], "", setup, "Ra with dynamics from";
     }
 }
 

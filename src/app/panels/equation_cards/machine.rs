@@ -1,0 +1,36 @@
+//! What the coupled machine adds to the cards of force and surface.
+
+use super::formula::number;
+use super::live::Live;
+use crate::run::scenario::Scenario;
+use crate::run::signals::Row;
+
+/// The force that drives the machine, and what is felt and heard of it.
+pub fn vibration(row: &Row, scenario: &Scenario) -> Live {
+    let machine = &scenario.machine;
+    Live::everywhere(
+        format!(
+            "P = F g / max g - {} · {} b (u - u_T), g the teeth's chip, u_T one tooth earlier",
+            number(machine.specific_force_n_mm2),
+            number(machine.chip_direction)
+        ),
+        format!(
+            "u = {} um as the last tooth made the surface; velocity {} mm/s over the last second",
+            number(row.vibration_um),
+            number(row.sound_mm_s)
+        ),
+    )
+}
+
+/// Ra with dynamics where it comes from the marks of the teeth.
+pub fn marks(row: &Row) -> Live {
+    Live::everywhere(
+        "Ra_{dyn} = Ra + Ra(marks) - Ra(marks without vibration)",
+        format!(
+            "Ra_{{dyn}} = {} + {} = {} um",
+            number(row.ra_um),
+            number(row.ra_dyn_um - row.ra_um),
+            number(row.ra_dyn_um)
+        ),
+    )
+}
