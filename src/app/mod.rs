@@ -12,6 +12,7 @@ pub mod panels;
 pub mod playback;
 pub mod session;
 mod shortcuts;
+mod speaker;
 pub mod theme;
 mod timeline;
 pub mod trace;
@@ -158,7 +159,11 @@ impl Console {
         match self.session.execute(command) {
             None => {}
             Some(Command::ShowScreen(id)) => {
-                self.shown = self.panels.iter().position(|p| p.id() == id).unwrap_or(self.shown);
+                let shown = self.panels.iter().position(|p| p.id() == id).unwrap_or(self.shown);
+                if shown != self.shown {
+                    self.panels[self.shown].left();
+                }
+                self.shown = shown;
             }
             Some(Command::Theme(preference)) => ctx.set_theme(preference),
             Some(Command::ShowShortcuts(show)) => self.shortcuts = show,

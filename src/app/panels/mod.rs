@@ -7,6 +7,7 @@ pub mod compare;
 pub mod console;
 pub mod equation_cards;
 pub mod learning;
+pub mod machine;
 pub mod papers;
 pub mod plan;
 
@@ -29,6 +30,8 @@ pub trait Panel {
     fn title(&self) -> &'static str;
     /// Draws it into the whole of `ui`.
     fn ui(&mut self, ui: &mut egui::Ui, view: &View<'_>, commands: &mut Vec<Command>);
+    /// Another screen is shown from now on.
+    fn left(&mut self) {}
 }
 
 /// All screens in the order of the tabs, the first one shown first.
@@ -39,6 +42,7 @@ pub fn panels() -> Vec<Box<dyn Panel>> {
         Box::new(console::ConsolePanel::default()),
         Box::new(block_diagram::BlockDiagramPanel::default()),
         Box::new(plan::PlanPanel::default()),
+        Box::new(machine::MachinePanel::default()),
         Box::new(compare::ComparePanel::default()),
         Box::new(papers::PapersPanel::default()),
     ]

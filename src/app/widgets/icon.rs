@@ -31,6 +31,10 @@ pub enum Icon {
     Close,
     /// Two sheets.
     Copy,
+    /// A loudspeaker with waves.
+    Sound,
+    /// A loudspeaker with a cross.
+    Silence,
 }
 
 /// A button with a sign on it, its name for screen readers, and a tooltip.
@@ -124,6 +128,25 @@ pub fn paint(painter: &Painter, icon: Icon, square: Rect, color: Color32, ground
         Icon::Close => {
             painter.line_segment([at(0.15, 0.15), at(0.85, 0.85)], stroke);
             painter.line_segment([at(0.85, 0.15), at(0.15, 0.85)], stroke);
+        }
+        Icon::Sound | Icon::Silence => {
+            let cone =
+                [(0.0, 0.34), (0.2, 0.34), (0.5, 0.08), (0.5, 0.92), (0.2, 0.66), (0.0, 0.66)];
+            let cone = cone.map(|(x, y)| at(x, y));
+            // Its outline turns inwards at the neck: two convex parts.
+            painter.rect_filled(Rect::from_min_max(cone[0], cone[4]), 0.0, color);
+            let front = [cone[1], cone[2], cone[3], cone[4]];
+            painter.add(Shape::convex_polygon(front.to_vec(), color, Stroke::NONE));
+            let thin = Stroke::new(1.5, color);
+            if icon == Icon::Silence {
+                painter.line_segment([at(0.66, 0.34), at(1.0, 0.68)], thin);
+                painter.line_segment([at(0.66, 0.68), at(1.0, 0.34)], thin);
+            } else {
+                for (x, y) in [(0.66, 0.3), (0.8, 0.14)] {
+                    let wave = [at(x, y), at(x + 0.16, 0.5), at(x, 1.0 - y)];
+                    painter.add(Shape::line(wave.to_vec(), thin));
+                }
+            }
         }
         Icon::Copy => {
             let sheet =

@@ -1,0 +1,54 @@
+//! The settings of machine, wear and sound.
+
+use egui::{CollapsingHeader, RichText, Ui};
+
+use crate::app::command::Command;
+use crate::app::theme::Palette;
+use crate::app::widgets::setting::{Size, setting};
+use crate::run::scenario::{Scenario, table};
+
+/// Settings that are always in sight.
+const FIRST: [&str; 6] = [
+    "machine.reading",
+    "machine.parameters",
+    "machine.spindle_quality",
+    "life.contact_force_n",
+    "life.durability_min",
+    "wear.durability_factor",
+];
+/// Groups below a fold, with their titles.
+const FOLDS: [(&str, &str); 3] =
+    [("machine", "Machine and chip"), ("wear", "Wear"), ("life", "Sound, noise and forecast")];
+
+/// All of them.
+pub fn show(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
+    for path in FIRST {
+        setting(ui, path, scenario, Size::Large, commands);
+    }
+    ui.add_space(4.0);
+    for (group, title) in FOLDS {
+        CollapsingHeader::new(title).id_salt(("machine", group)).show(ui, |ui| {
+            let all = table().iter().filter(|param| param.group == group);
+            for param in all.filter(|param| !FIRST.contains(&param.path.as_str())) {
+                setting(ui, &param.path, scenario, Size::Small, commands);
+            }
+        });
+    }
+    ui.add_space(4.0);
+    let note = "The programmed feed, speed and depth of cut are those of the Console.";
+    ui.label(RichText::new(note).small().color(Palette::at(ui).weak));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_setting_in_sight_is_one_of_the_folded_groups() {
+        for path in FIRST {
+            let param = table().iter().find(|param| param.path == path);
+            let group = param.map(|param| param.group);
+            assert!(FOLDS.iter().any(|(fold, _)| Some(*fold) == group), "{path}");
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! What is worked out over the tool's life, in slices beside the picture: the trends, and one tool
+//! whose life is foretold.
+
+use crate::base::model::machine_trend::{MachineTrend, TrendPoint};
+use crate::run::scenario::Scenario;
+use crate::study::machine_life::adaptive::AdaptiveLife;
+use crate::study::machine_life::measurement::measure;
+use crate::study::machine_life::{Findings, LifeJob, model};
+
+/// Points of time that one frame may cost, and minutes of the tool that is foretold: some
+/// milliseconds each.
+const POINTS_PER_FRAME: usize = 300;
+const MINUTES_PER_FRAME: usize = 12;
+
+/// The jobs of one scenario.
+pub struct Life {
+    /// What they depend on.
+    key: Key,
+    /// The trends.
+    pub trends: LifeJob,
+    /// Sound and roughness of the sharp tool, and at the end of its life.
+    pub ends: [TrendPoint; 2],
+    /// What the trends show, once they are done.
+    pub findings: Option<Findings>,
+    /// Correlations of a virtual measurement with the calculation: trend and spectrum.
+    pub measured_r: [Option<f64>; 2],
+    /// The tool whose life is foretold.
+    pub tool: AdaptiveLife,
+    /// Whether its life is over, or given up.
+    pub tool_done: bool,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Key {
+    model: MachineTrend,
+    seed: u32,
+    adjusts: bool,
+}
+
+impl Key {
+    fn new(scenario: &Scenario, adjusts: bool) -> Self {
+        Self { model: model(scenario), seed: scenario.run.seed, adjusts }
+    }
+}
+
+impl Life {
+    /// The jobs of a scenario, not yet begun; `adjusts` adjusts the speed to the durability.
+    #[must_use]
+    pub fn new(scenario: &Scenario, adjusts: bool) -> Self {
+        let key = Key::new(scenario, adjusts);
+        Self {
+            trends: LifeJob::of(scenario),
+            ends: [0.0, 1.0].map(|x| key.model.at(x)),
+            findings: None,
+            measured_r: [None; 2],
+            tool: AdaptiveLife::new(scenario, adjusts),
+            tool_done: false,
+            key,
+        }
+    }
+
+    /// Keeps up with the scenario: begins anew what a change has made wrong, and goes on with the
+    /// rest by a slice. `true` while there is more to do.
+    pub fn follow(&mut self, scenario: &Scenario, adjusts: bool) -> bool {
+        let key = Key::new(scenario, adjusts);
+        if key.model != self.key.model || key.seed != self.key.seed {
+            *self = Self::new(scenario, adjusts);
+        } else if key != self.key {
+            (self.tool, self.tool_done) = (AdaptiveLife::new(scenario, adjusts), false);
+            self.key = key;
+        }
+        if self.findings.is_none() && self.trends.advance(POINTS_PER_FRAME) {
+            self.findings = self.trends.findings();
+            if let Some(findings) = &self.findings {
+                let seed = u64::from(scenario.run.seed);
+                let spectrum = &findings.first_spectrum;
+                let measured = measure(self.trends.points(), spectrum, &scenario.life, seed);
+                self.measured_r = [measured.trend_r, measured.spectrum_r];
+            }
+        }
+        if !self.tool_done {
+            let before = self.tool.minutes().len();
+            let over = self.tool.advance(MINUTES_PER_FRAME);
+            // One that outlives every wish is given up: it grows no more.
+            self.tool_done = over || self.tool.minutes().len() == before;
+        }
+        !self.tool_done || self.findings.is_none()
+    }
+
+    /// The machine in its cut.
+    #[must_use]
+    pub fn model(&self) -> &MachineTrend {
+        self.trends.model()
+    }
+
+    /// Share of the trends that is done.
+    #[must_use]
+    pub fn progress(&self) -> f64 {
+        let (done, all) = self.trends.progress();
+        done as f64 / all.max(1) as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_change_begins_anew_only_what_depends_on_it() {
+        let mut scenario = Scenario::default();
+        scenario.wear.taylor_life_min = 1.0;
+        let mut life = Life::new(&scenario, false);
+        let mut frames = 0;
+        while life.follow(&scenario, false) {
+            frames += 1;
+            assert!(frames < 1000);
+        }
+        assert!(life.findings.is_some() && life.tool.end_min().is_some());
+        assert!(life.follow(&scenario, true) && life.findings.is_some());
+        scenario.life.random_ratio = 0.1;
+        assert!(life.follow(&scenario, true) && life.findings.is_none());
+        // What the machine does not depend on changes nothing.
+        let done = life.trends.progress().0;
+        scenario.target.ra_um = 0.5;
+        life.follow(&scenario, true);
+        assert!(life.trends.progress().0 > done);
+    }
+}

@@ -1,0 +1,194 @@
+//! The five-mass machine: its masses moving, its frequency response and modes; wear, sound and
+//! roughness over the tool's life and the life foretold; the stability chart; and the sound of the
+//! cut to listen to.
+
+mod controls;
+mod life;
+mod motion;
+mod picture;
+mod plot;
+mod response;
+mod sound;
+mod stability;
+mod state;
+mod vibration;
+mod wear;
+
+use egui::scroll_area::{DragScroll, ScrollSource};
+use egui::{CentralPanel, CollapsingHeader, Frame, Margin, Panel as SidePanel, ScrollArea, Ui};
+
+use super::{Panel, View};
+use crate::app::command::Command;
+use crate::app::theme;
+use crate::app::widgets::zoom::by_touch;
+use crate::base::model::wear::WearModel;
+use crate::base::units::rev_s_from_rpm;
+use crate::blocks::cutting::tool::R216_16B20_040;
+use life::Life;
+use sound::SoundControl;
+use stability::{Operating, StabilityView};
+use state::Machine;
+use vibration::VibrationView;
+use wear::WearView;
+
+/// Most real time that one frame stands for, s.
+const LONGEST_FRAME_S: f64 = 0.25;
+/// Room at the right for the last number of an axis, points.
+const AXIS_END: i8 = 16;
+/// Height of the stability chart where it is scrolled, points.
+const CHART_HEIGHT: f32 = 420.0;
+
+/// What is shown of the machine.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Part {
+    #[default]
+    Vibration,
+    Life,
+    Stability,
+}
+
+const PARTS: [(Part, &str, &str); 3] = [
+    (Part::Vibration, "Vibration", "The masses moving, the frequency response and the modes"),
+    (
+        Part::Life,
+        "Wear and sound",
+        "Wear, sound and roughness over the tool's life, and the life foretold",
+    ),
+    (Part::Stability, "Stability", "The depth at which the cut chatters, over the speed"),
+];
+
+/// The screen.
+#[derive(Default)]
+pub struct MachinePanel {
+    part: Part,
+    machine: Option<Machine>,
+    life: Option<Life>,
+    vibration: VibrationView,
+    wear: WearView,
+    stability: StabilityView,
+    sound: SoundControl,
+}
+
+impl Panel for MachinePanel {
+    fn id(&self) -> &'static str {
+        "machine"
+    }
+
+    fn title(&self) -> &'static str {
+        "Machine"
+    }
+
+    fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let dt_s = ui.input(|input| f64::from(input.stable_dt)).min(LONGEST_FRAME_S);
+        self.advance(ui, view, dt_s);
+        if view.narrow {
+            self.narrow(ui, view, commands);
+        } else {
+            self.wide(ui, view, commands);
+        }
+    }
+
+    fn left(&mut self) {
+        self.sound.stop();
+    }
+}
+
+impl MachinePanel {
+    /// Keeps up with the scenario and goes on with what is being worked out.
+    fn advance(&mut self, ui: &Ui, view: &View<'_>, dt_s: f64) {
+        let scenario = view.session.current();
+        if self.machine.as_ref().is_none_or(|machine| !machine.is_of(&scenario.machine)) {
+            self.machine = Some(Machine::new(&scenario.machine));
+        }
+        let adjusts = self.wear.adjusts;
+        let busy = match self.part {
+            Part::Vibration => self.vibration.advance(dt_s),
+            Part::Life => {
+                let life = self.life.get_or_insert_with(|| Life::new(scenario, adjusts));
+                life.follow(scenario, adjusts)
+            }
+            Part::Stability => self.stability.follow(scenario),
+        };
+        let wears = scenario.wear.model == WearModel::Life;
+        self.wear.follow(wears.then_some(view.session.row().used_life));
+        self.sound.advance(view.session, self.wear.x, dt_s);
+        if busy {
+            ui.ctx().request_repaint();
+        }
+    }
+
+    fn wide(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let margin = Frame::new().inner_margin(Margin::symmetric(12, 8));
+        SidePanel::left("machine controls")
+            .exact_size(theme::CONTROLS_WIDTH)
+            .resizable(false)
+            .frame(margin)
+            .show(ui, |ui| {
+                ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+                    controls::show(ui, view.session.current(), commands);
+                });
+            });
+        CentralPanel::no_frame().frame(margin).show(ui, |ui| {
+            self.head(ui, view);
+            ui.add_space(2.0);
+            let height = ui.available_height();
+            let area = ScrollArea::vertical().id_salt(("machine", self.part as u8));
+            let room = Frame::new().inner_margin(Margin { right: AXIS_END, ..Margin::ZERO });
+            area.auto_shrink([false, false]).show(ui, |ui| {
+                room.show(ui, |ui| self.part(ui, view, height, commands));
+            });
+        });
+    }
+
+    fn narrow(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let margin = Frame::new().inner_margin(Margin::symmetric(8, 4));
+        // Fingers scroll from the first touch on; a mouse that drags moves the cursor.
+        let drag = if by_touch(ui) { DragScroll::Always } else { DragScroll::Never };
+        let source = ScrollSource { drag, ..ScrollSource::default() };
+        let area = ScrollArea::vertical().id_salt("machine").scroll_source(source);
+        area.auto_shrink([false, false]).show(ui, |ui| {
+            margin.show(ui, |ui| {
+                self.head(ui, view);
+                let room = Frame::new().inner_margin(Margin { right: AXIS_END, ..Margin::ZERO });
+                room.show(ui, |ui| self.part(ui, view, CHART_HEIGHT, commands));
+                CollapsingHeader::new("Settings of the machine").show_unindented(ui, |ui| {
+                    controls::show(ui, view.session.current(), commands);
+                });
+            });
+        });
+    }
+
+    /// The parts, and the sound.
+    fn head(&mut self, ui: &mut Ui, view: &View<'_>) {
+        ui.horizontal_wrapped(|ui| {
+            for (part, name, help) in PARTS {
+                ui.selectable_value(&mut self.part, part, name).on_hover_text(help);
+            }
+            if !view.narrow {
+                ui.separator();
+                self.sound.show(ui, view.session.playback().playing);
+            }
+        });
+        if view.narrow {
+            ui.horizontal(|ui| self.sound.show(ui, view.session.playback().playing));
+        }
+    }
+
+    fn part(&mut self, ui: &mut Ui, view: &View<'_>, height: f32, commands: &mut Vec<Command>) {
+        let (scenario, row) = (view.session.current(), view.session.row());
+        let tooth_hz = R216_16B20_040.teeth * rev_s_from_rpm(row.spindle_rpm);
+        match (self.part, &self.machine, &self.life) {
+            (Part::Vibration, Some(machine), _) => {
+                let force_n = scenario.life.contact_force_n;
+                self.vibration.show(ui, machine, tooth_hz, force_n, height);
+            }
+            (Part::Life, _, Some(life)) => self.wear.show(ui, life, height),
+            (Part::Stability, ..) => {
+                let now = Operating { speed_rpm: row.spindle_rpm, depth_mm: row.axial_depth_mm };
+                self.stability.show(ui, now, height, commands);
+            }
+            // Made before the next frame.
+            _ => ui.ctx().request_repaint(),
+        }
+    }
+}

@@ -1,0 +1,300 @@
+//! The plots of this screen: lines, bands and marks over frequency, life, time or speed, with a
+//! logarithmic vertical axis where wanted.
+
+use egui::{RichText, Role, Ui, WidgetInfo};
+use egui_plot::{
+    FilledArea, GridInput, GridMark, HLine, HoverPosition, Line, MarkerShape, Plot, PlotPoint,
+    PlotPoints, PlotResponse, PlotUi, Points, Text, VLine,
+};
+
+use crate::app::theme::{self, Look, Palette, log10};
+use crate::app::widgets::chart::{grid, tick};
+use crate::app::widgets::legend;
+use crate::base::math::{extent, pow};
+
+/// A line of a plot.
+pub struct Curve {
+    /// Its name in the legend.
+    pub name: &'static str,
+    /// How it is drawn.
+    pub look: Look,
+    /// Its points; what is not finite is left out.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// Points that stand out.
+pub struct Marks {
+    /// What one of them is.
+    pub name: &'static str,
+    /// Their places.
+    pub at: Vec<[f64; 2]>,
+    /// Their form.
+    pub shape: MarkerShape,
+    /// Their colour.
+    pub color: egui::Color32,
+    /// Their size, points.
+    pub radius: f32,
+}
+
+/// What a plot shows.
+pub struct Figure {
+    /// Its name.
+    pub title: &'static str,
+    /// What the horizontal axis is, named where its unit is long.
+    pub over: &'static str,
+    /// Units of the two axes.
+    pub units: [&'static str; 2],
+    /// Range of the horizontal axis.
+    pub across: [f64; 2],
+    /// Range of the vertical axis.
+    pub up: [f64; 2],
+    /// Whether the vertical axis is logarithmic; its range is then positive.
+    pub logarithmic: bool,
+    /// Lines, the first ones at the back.
+    pub curves: Vec<Curve>,
+    /// A band: name, and places with their two values.
+    pub band: Option<(&'static str, Vec<[f64; 3]>)>,
+    /// Vertical lines.
+    pub posts: Vec<(String, Look, f64)>,
+    /// Horizontal lines.
+    pub levels: Vec<(&'static str, Look, f64)>,
+    /// Marks.
+    pub marks: Vec<Marks>,
+    /// Words at the upper end, with their places.
+    pub tags: Vec<(f64, String)>,
+}
+
+impl Figure {
+    /// A plot without anything in it.
+    pub fn new(title: &'static str, units: [&'static str; 2], across: [f64; 2]) -> Self {
+        Self {
+            title,
+            over: "",
+            units,
+            across,
+            up: [0.0, 1.0],
+            logarithmic: false,
+            curves: Vec::new(),
+            band: None,
+            posts: Vec::new(),
+            levels: Vec::new(),
+            marks: Vec::new(),
+            tags: Vec::new(),
+        }
+    }
+
+    /// Title with unit, and the legend of lines, levels and band.
+    pub fn legend(&self, ui: &mut Ui) {
+        ui.scope(|ui| {
+            ui.spacing_mut().interact_size.y = 14.0;
+            ui.horizontal_wrapped(|ui| {
+                self.title(ui);
+                for curve in &self.curves {
+                    legend::sample(ui, curve.name, curve.look);
+                }
+                for (name, look, _) in &self.levels {
+                    legend::sample(ui, name, *look);
+                }
+                if let Some((name, _)) = &self.band {
+                    let color = Palette::at(ui).accent;
+                    legend::sample_of(ui, name, color, |painter, rect, color| {
+                        let bar = rect.shrink2(egui::vec2(0.0, 0.25 * rect.height()));
+                        painter.rect_filled(bar, 2.0, color.gamma_multiply(BAND));
+                    });
+                }
+                for marks in &self.marks {
+                    legend::sample_of(ui, marks.name, marks.color, |painter, rect, color| {
+                        painter.circle_filled(rect.center(), 3.5, color);
+                    });
+                }
+            });
+        });
+    }
+
+    /// Its title with its units.
+    fn title(&self, ui: &mut Ui) {
+        let [across, up] = self.units;
+        let mut text = self.title.to_owned();
+        if !up.is_empty() {
+            text += &format!(" [{}]", theme::unit(up));
+        }
+        if long(across) {
+            text += &format!(" over the {} [{across}]", self.over);
+        }
+        ui.label(RichText::new(text).strong());
+    }
+
+    fn place(&self, value: f64) -> f64 {
+        if self.logarithmic { log10(value) } else { value }
+    }
+
+    fn points(&self, points: &[[f64; 2]]) -> PlotPoints<'static> {
+        let placed = points.iter().map(|[x, y]| [*x, self.place(*y)]);
+        PlotPoints::from(placed.filter(|[_, y]| y.is_finite()).collect::<Vec<_>>())
+    }
+
+    /// Draws the plot, `height` points high with its axis, and what `more` adds to it.
+    pub fn show(&self, ui: &mut Ui, height: f32, sense: egui::Sense) -> PlotResponse<()> {
+        let palette = Palette::at(ui);
+        let width = ui.available_width();
+        let [across_unit, up_unit] = self.units;
+        let logarithmic = self.logarithmic;
+        let label = move |hover: &HoverPosition<'_>| match hover {
+            HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
+                let value = if logarithmic { pow(10.0, position.y) } else { position.y };
+                let at = theme::fine(position.x, across_unit);
+                Some(format!("{plot_name}: {}\n{at}", theme::fine(value, up_unit)))
+            }
+            _ => None,
+        };
+        let response = Plot::new(self.title)
+            .height(height)
+            .allow_drag(false)
+            .allow_scroll(false)
+            .allow_zoom(false)
+            .allow_boxed_zoom(false)
+            .allow_double_click_reset(false)
+            .allow_axis_zoom_drag(false)
+            .sense(sense)
+            .y_axis_min_width(44.0)
+            .grid_color(palette.grid)
+            .grid_fade(0.0)
+            .x_grid_spacer(move |input| grid(input, width / 80.0))
+            .y_grid_spacer(move |input| match logarithmic {
+                true => decades(input, height),
+                false => grid(input, height / 27.0),
+            })
+            .x_axis_formatter(move |mark, _| match long(across_unit) {
+                true => tick(mark),
+                false => format!("{} {across_unit}", tick(mark)),
+            })
+            .y_axis_formatter(move |mark, _| match logarithmic {
+                true => decade(mark),
+                false => tick(mark),
+            })
+            .grid_spacing(egui::Rangef::new(16.0, 300.0))
+            .label_formatter(label)
+            .show(ui, |plot| {
+                // With room for the last number of the axis.
+                let [from, to] = self.across;
+                plot.set_plot_bounds_x(from..=to + 0.025 * (to - from));
+                plot.set_plot_bounds_y(self.place(self.up[0])..=self.place(self.up[1]));
+                self.draw(plot, palette);
+            });
+        response.response.widget_info(|| {
+            let [from, to] = self.across.map(|x| theme::fine(x, across_unit));
+            let label = format!("{} from {from} to {to}", self.title);
+            WidgetInfo::labeled(Role::Figure, true, label)
+        });
+        response
+    }
+
+    fn draw(&self, plot: &mut PlotUi<'_>, palette: &Palette) {
+        if let Some((name, band)) = &self.band {
+            let column = |i: usize| band.iter().map(|row| row[i]).collect::<Vec<f64>>();
+            let area = FilledArea::new(*name, &column(0), &column(1), &column(2));
+            plot.add(area.fill_color(palette.accent.gamma_multiply(BAND)).allow_hover(false));
+        }
+        for (name, look, at) in &self.posts {
+            let (stroke, style) = look.line(palette);
+            plot.vline(VLine::new(name.clone(), *at).stroke(stroke).style(style));
+        }
+        for (name, look, at) in &self.levels {
+            let (stroke, style) = look.line(palette);
+            plot.hline(HLine::new(*name, self.place(*at)).stroke(stroke).style(style));
+        }
+        for curve in &self.curves {
+            let (stroke, style) = curve.look.line(palette);
+            let line = Line::new(curve.name, self.points(&curve.points));
+            plot.line(line.stroke(stroke).style(style).allow_band(false));
+        }
+        for (x, text) in &self.tags {
+            let at = PlotPoint::new(*x, self.place(self.up[1]));
+            let text = RichText::new(text).small().color(palette.weak);
+            plot.text(Text::new("", at, text).anchor(egui::Align2::LEFT_TOP).allow_hover(false));
+        }
+        for marks in &self.marks {
+            let points = Points::new(marks.name, self.points(&marks.at));
+            let points = points.shape(marks.shape).radius(marks.radius).color(marks.color);
+            plot.points(points);
+        }
+    }
+}
+
+/// Whether a unit is too long to stand behind every number of an axis.
+fn long(unit: &str) -> bool {
+    unit.len() > 3
+}
+
+/// Opacity of a band.
+const BAND: f32 = 0.22;
+
+/// Grid lines of a logarithmic axis: powers of ten, and twice and five times them where there is
+/// room.
+fn decades(input: GridInput, height: f32) -> Vec<GridMark> {
+    let (low, high) = input.bounds;
+    let room = f64::from(height) / (high - low).max(1e-9);
+    let fine: &[f64] = if room > 90.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+    let (first, last) = ((low - 1.0).floor() as i64, high.ceil() as i64);
+    // An axis of any length has few lines.
+    let step = ((last - first) / 12).max(1) as usize;
+    let places = (first..=last)
+        .step_by(step)
+        .flat_map(|decade| fine.iter().map(move |factor| decade as f64 + log10(*factor)));
+    let inside = places.filter(|place| (low..=high).contains(place));
+    inside.map(|value| GridMark { value, step_size: 1.0 }).collect()
+}
+
+fn decade(mark: GridMark) -> String {
+    let value = pow(10.0, mark.value);
+    let decimals = (-(mark.value + 1e-9).floor()).clamp(0.0, 9.0) as usize;
+    format!("{value:.decimals$}")
+}
+
+/// A range that holds all finite `values` with a margin at both ends.
+pub fn range_of(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let [low, high] = extent(values.filter(|x| x.is_finite()));
+    if low > high {
+        return [0.0, 1.0];
+    }
+    let margin = 0.08 * (high - low).max(1e-9);
+    [low - margin, high + margin]
+}
+
+/// A logarithmic range that holds all positive `values`, at most `decades` long.
+pub fn decades_of(values: impl Iterator<Item = f64>, decades: f64) -> [f64; 2] {
+    let [low, high] = extent(values.filter(|x| x.is_finite() && *x > 0.0));
+    if low > high {
+        return [0.1, 1.0];
+    }
+    let high = 1.6 * high;
+    [(0.7 * low).max(high * pow(10.0, -decades)), high]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn logarithmic_axes_have_round_lines() {
+        let input = GridInput { bounds: (-1.2, 3.1), base_step_size: 0.1 };
+        let marks = |height| {
+            let input = GridInput { bounds: input.bounds, base_step_size: 0.1 };
+            decades(input, height).into_iter().map(decade).collect::<Vec<String>>()
+        };
+        assert_eq!(marks(200.0), ["0.1", "1", "10", "100", "1000"]);
+        assert_eq!(marks(500.0)[..4], ["0.1", "0.2", "0.5", "1"]);
+        let wide = GridInput { bounds: (-300.0, 300.0), base_step_size: 0.1 };
+        assert!(decades(wide, 300.0).len() < 20);
+    }
+
+    #[test]
+    fn ranges_hold_their_values_and_survive_none() {
+        let [low, high] = range_of([2.0, 5.0, f64::NAN].into_iter());
+        assert!(low < 2.0 && high > 5.0 && high < 6.0);
+        assert_eq!(range_of(std::iter::empty()), [0.0, 1.0]);
+        let [low, high] = decades_of([1e-9, 1.0, 100.0, 0.0].into_iter(), 4.0);
+        assert!(high > 100.0 && low > 1e-2 && low < 1.0);
+        assert_eq!(decades_of(std::iter::empty(), 3.0), [0.1, 1.0]);
+    }
+}

@@ -1,0 +1,267 @@
+//! The tool's life: wear, sound and roughness at a share of it, the sound's spectrum, the trends
+//! side by side, and the life foretold from the sound.
+
+use egui::{ProgressBar, RichText, Role, Sense, Slider, Ui, WidgetInfo};
+use egui_plot::MarkerShape;
+
+use super::life::Life;
+use super::plot::{Curve, Figure, Marks, decades_of, range_of};
+use crate::app::theme::{self, Look, Palette};
+use crate::base::math::extent;
+use crate::base::model::machine_trend::{Line, TrendPoint};
+use crate::base::model::wear::WearModel;
+use crate::study::machine_life::CLAIMS;
+
+/// From this width on, points, two plots stand beside each other.
+const BESIDE_FROM: f32 = 620.0;
+/// Points of a curve.
+const DRAWN: usize = 240;
+/// Decades of the spectrum's axis at most.
+const DECADES: f64 = 4.0;
+/// Room for the words below the plots, points.
+const WORDS: f32 = 76.0;
+
+/// See the head of this file.
+pub struct WearView {
+    /// Share of the tool's life that is looked at and heard.
+    pub x: f64,
+    /// Whether it is that of the cut, where the tool wears in it.
+    follows: bool,
+    /// Whether the speed of the tool that is foretold is adjusted.
+    pub adjusts: bool,
+}
+
+impl Default for WearView {
+    fn default() -> Self {
+        Self { x: 0.5, follows: true, adjusts: false }
+    }
+}
+
+impl WearView {
+    /// Takes over how much of its life the tool has behind it in the cut; none where it does not
+    /// wear.
+    pub fn follow(&mut self, used_life: Option<f64>) {
+        if let Some(used_life) = used_life.filter(|_| self.follows) {
+            self.x = used_life.clamp(0.0, 1.0);
+        }
+    }
+
+    /// Draws all of it; in a narrow window one plot below the other.
+    pub fn show(&mut self, ui: &mut Ui, life: &Life, seen_height: f32) {
+        let now = life.model().at(self.x);
+        let top = ui.cursor().top();
+        self.slider(ui, &now, life);
+        let used = ui.cursor().top() - top;
+        if ui.available_width() < BESIDE_FROM {
+            let height = theme::PLOT_HEIGHT_SCROLLED;
+            spectrum(ui, life, self.x, height);
+            self.wear(ui, life, &now, height);
+            trends(ui, life, self.x, height);
+            self.forecast(ui, life, height);
+        } else {
+            let height = (0.5 * (seen_height - used - WORDS)).max(theme::PLOT_HEIGHT_MIN + 30.0);
+            ui.columns_const(|[left, right]| {
+                spectrum(left, life, self.x, height);
+                self.wear(right, life, &now, height);
+            });
+            ui.columns_const(|[left, right]| {
+                trends(left, life, self.x, height);
+                self.forecast(right, life, height);
+            });
+        }
+        words(ui, life);
+    }
+
+    /// The slider of the life, and what is so far.
+    fn slider(&mut self, ui: &mut Ui, now: &TrendPoint, life: &Life) {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().slider_width = 160.0;
+            ui.label(RichText::new("Tool life used").strong());
+            // The slider rounds what it is given.
+            let mut x = (100.0 * self.x).round() / 100.0;
+            let response = ui.add(Slider::new(&mut x, 0.0..=1.0).step_by(0.01).fixed_decimals(2));
+            response.widget_info(|| WidgetInfo::slider(true, x, "Share of the tool's life"));
+            if response.changed() {
+                (self.x, self.follows) = (x, false);
+            }
+            response.on_hover_text("Share τ/T of the tool's life that is looked at and heard");
+            if life.model().wear.model == WearModel::Life {
+                let help = "The tool of the running cut, which wears in it";
+                ui.checkbox(&mut self.follows, "As in the cut").on_hover_text(help);
+            }
+            if life.findings.is_none() {
+                let bar = ProgressBar::new(life.progress() as f32).show_percentage();
+                ui.add(bar.desired_width(120.0).desired_height(14.0));
+            }
+        });
+        let (factor, unit) = sound_unit(life);
+        let text = format!(
+            "wear land {}, force {}, sound {}, Ra {}",
+            theme::fine(now.flank_mm, "mm"),
+            theme::quantity(now.force_n, "N"),
+            theme::fine(factor * now.sound, unit),
+            theme::quantity(now.ra_um, "um"),
+        );
+        let label = ui.label(RichText::new(&text).color(Palette::at(ui).weak));
+        label.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
+    }
+
+    fn wear(&self, ui: &mut Ui, life: &Life, now: &TrendPoint, height: f32) {
+        let wear = &life.model().wear;
+        let mut figure = Figure::new("Wear land VB", ["", "mm"], [0.0, 1.0]);
+        let points = (0..=DRAWN).map(|i| {
+            let x = i as f64 / DRAWN as f64;
+            [x, wear.flank_mm(wear.wear(x))]
+        });
+        let points = points.collect();
+        figure.curves =
+            vec![Curve { name: "over the share of the life", look: Look::Produced, points }];
+        figure.up = [-0.04 * wear.flank_end_mm, 1.1 * wear.flank_end_mm];
+        let color = Palette::at(ui).command;
+        let at = vec![[self.x, now.flank_mm]];
+        let mark = Marks { name: "now", at, shape: MarkerShape::Circle, color, radius: 4.5 };
+        figure.marks.push(mark);
+        draw(ui, &figure, height);
+    }
+
+    fn forecast(&mut self, ui: &mut Ui, life: &Life, height: f32) {
+        let top = ui.cursor().top();
+        let figure = forecast(life);
+        figure.legend(ui);
+        ui.horizontal_wrapped(|ui| {
+            let help = "Every ten minutes the cutting speed is set so that the tool reaches the \
+                        desired durability, as far as its sound tells";
+            ui.checkbox(&mut self.adjusts, "Adjust the speed").on_hover_text(help);
+            let said = match (life.tool_done, life.tool.end_min()) {
+                (_, Some(end_min)) => format!("worn out after {}", theme::quantity(end_min, "min")),
+                (true, None) => "not worn out in ten times the desired durability".to_owned(),
+                (false, None) => format!("cutting: minute {}", life.tool.minutes().len()),
+            };
+            let speed = life.tool.minutes().last().map_or(0.0, |minute| minute.cutting_speed_m_min);
+            let text = format!("{said}, at last {}", theme::quantity(speed, "m/min"));
+            ui.label(RichText::new(text).small().color(Palette::at(ui).weak));
+        });
+        let height = height - (ui.cursor().top() - top);
+        figure.show(ui, height.max(90.0), Sense::hover());
+    }
+}
+
+/// Factor and unit in which the sound is written.
+fn sound_unit(life: &Life) -> (f64, &'static str) {
+    match life.model().life.sound_exponent {
+        0 => (1e6, "um"),
+        1 => (1e3, "mm/s"),
+        _ => (1.0, "m/s2"),
+    }
+}
+
+/// A plot with its legend, `height` points high together.
+fn draw(ui: &mut Ui, figure: &Figure, height: f32) {
+    let top = ui.cursor().top();
+    figure.legend(ui);
+    let height = height - (ui.cursor().top() - top);
+    figure.show(ui, height.max(90.0), Sense::hover());
+}
+
+fn spectrum(ui: &mut Ui, life: &Life, x: f64, height: f32) {
+    let (factor, unit) = sound_unit(life);
+    let points = |lines: &mut dyn Iterator<Item = Line>| {
+        lines.map(|line| [line.f_hz, factor * line.sound]).collect::<Vec<[f64; 2]>>()
+    };
+    let mut figure = Figure::new("Sound spectrum", ["Hz", unit], [0.0, 3000.0]);
+    let curve =
+        |name, look, x: f64| Curve { name, look, points: points(&mut life.model().spectrum(x)) };
+    figure.curves = vec![
+        curve("sharp tool", Look::Twin, 0.0),
+        curve("worn out", Look::Limit, 1.0),
+        curve("now", Look::Produced, x),
+    ];
+    let values = figure.curves.iter().flat_map(|curve| &curve.points).map(|point| point[1]);
+    (figure.up, figure.logarithmic) = (decades_of(values, DECADES), true);
+    draw(ui, &figure, height);
+}
+
+/// A quantity of the trends from 0 for the sharp tool to 1 at the end of its life.
+fn share(of: fn(&TrendPoint) -> f64, life: &Life) -> impl Fn(&TrendPoint) -> f64 {
+    let [first, last] = life.ends.map(|point| of(&point));
+    move |point| (of(point) - first) / (last - first)
+}
+
+fn trends(ui: &mut Ui, life: &Life, x: f64, height: f32) {
+    let points = life.trends.points();
+    let step = (points.len() / DRAWN).max(1);
+    let curve = |name, look, of: fn(&TrendPoint) -> f64| {
+        let share = share(of, life);
+        let last = points.last().filter(|_| life.findings.is_some());
+        let some = points.iter().step_by(step).chain(last);
+        Curve { name, look, points: some.map(|point| [point.x, share(point)]).collect() }
+    };
+    let mut figure = Figure::new("Trends over the life, each from 0 to 1", ["", ""], [0.0, 1.0]);
+    figure.curves = vec![
+        curve("sound E_S", Look::Produced, |point| point.sound),
+        curve("roughness Ra", Look::Setpoint, |point| point.ra_um),
+    ];
+    figure.up = [-0.05, 1.08];
+    figure.posts.push(("now".to_owned(), Look::Twin, x));
+    draw(ui, &figure, height);
+}
+
+/// The life foretold over the time in cut, with the range of ninety percent.
+fn forecast(life: &Life) -> Figure {
+    let minutes = life.tool.minutes();
+    let wanted_min = life.model().life.durability_min;
+    let foretold = minutes.iter().filter_map(|minute| {
+        let (rest, range) = (minute.rest_min?, minute.rest_range_min?);
+        let total = |rest_min: f64| minute.time_min + rest_min;
+        Some((minute.time_min, total(rest), range.map(total)))
+    });
+    let foretold: Vec<_> = foretold.collect();
+    let [_, last_min] = extent(minutes.iter().map(|minute| minute.time_min));
+    let promised_min = life.model().wear.taylor_min(&life.model().cut);
+    let length_min = last_min.max(promised_min.min(10.0 * wanted_min)).max(1.0);
+    let mut figure = Figure::new("Foretold life", ["min", "min"], [0.0, length_min]);
+    let band = foretold.iter().map(|(time, _, [low, high])| [*time, *low, *high]);
+    figure.band = Some(("90 % of the belief", band.collect()));
+    let points = foretold.iter().map(|(time, total, _)| [*time, *total]);
+    figure.curves =
+        vec![Curve { name: "from the sound", look: Look::Produced, points: points.collect() }];
+    figure.levels.push(("desired", Look::Reference, wanted_min));
+    let known = foretold.iter().flat_map(|(_, _, range)| *range);
+    let end = life.tool.end_min();
+    if let Some(end_min) = end {
+        figure.levels.push(("true", Look::Ghost, end_min));
+    }
+    let [_, high] = range_of(known.chain([wanted_min, length_min]).chain(end));
+    figure.up = [-0.04 * high, high];
+    figure
+}
+
+/// What the trends show beside what the paper says.
+fn words(ui: &mut Ui, life: &Life) {
+    let palette = Palette::at(ui);
+    let r = |value: Option<f64>| value.map_or("none".to_owned(), |r| format!("{r:.4}"));
+    let Some(findings) = &life.findings else {
+        ui.label(RichText::new("The equations are being solved for every second.").small());
+        return;
+    };
+    let [trend_r, spectrum_r] = life.measured_r.map(r);
+    let found = [
+        format!(
+            "found R = {}, largest difference {:.3}",
+            r(findings.sound_roughness_r),
+            findings.largest_difference
+        ),
+        format!("with the noise of the settings R = {trend_r}"),
+        format!("with the noise of the settings R = {spectrum_r}"),
+    ];
+    ui.scope(|ui| {
+        ui.spacing_mut().interact_size.y = 14.0;
+        for (claim, found) in CLAIMS.iter().zip(found) {
+            ui.horizontal_wrapped(|ui| {
+                ui.spacing_mut().item_spacing.x = 4.0;
+                ui.label(RichText::new(format!("The paper: {claim}.")).small().color(palette.weak));
+                ui.label(RichText::new(format!("Here: {found}.")).small());
+            });
+        }
+    });
+}
