@@ -156,6 +156,33 @@ fn a_speed_that_is_adjusted_brings_the_tool_to_its_durability() {
 }
 
 #[test]
+fn the_life_looked_at_is_that_of_a_tool_that_wears_in_the_cut() {
+    for (_, size) in SIZES {
+        let mut screen = screen::open("tool-life", size.into(), "Machine", &[]);
+        press(&mut screen, "Wear and sound");
+        screen.run_steps(60);
+        press(&mut screen, "Pause");
+        let slider = |screen: &Screen<'_>| {
+            let slider = screen.get_by_role_and_label(Role::Slider, "Share of the tool's life");
+            slider.accesskit_node().numeric_value().unwrap()
+        };
+        let used_life = session(&screen).row().used_life;
+        assert!(used_life > 0.02 && (slider(&screen) - used_life).abs() < 0.006, "{used_life}");
+        // A hand on the slider looks ahead.
+        slide(&mut screen, "Share of the tool's life", 0.9);
+        screen.run_steps(3);
+        assert_eq!(slider(&screen), 0.9);
+        screen.get_by_role_and_label(Role::CheckBox, "As in the cut").click();
+        screen.run_steps(3);
+        assert!((slider(&screen) - used_life).abs() < 0.006);
+    }
+    // A tool that keeps its edge has no life to follow.
+    let mut screen = open(SIZES[0].1, &[]);
+    press(&mut screen, "Wear and sound");
+    assert!(!texts(&screen).contains("As in the cut"));
+}
+
+#[test]
 fn the_chart_judges_the_present_cut() {
     for (_, size) in SIZES {
         let mut screen = open(size, &[("machine.specific_force_n_mm2", Value::Float(6000.0))]);
@@ -173,6 +200,10 @@ fn the_chart_judges_the_present_cut() {
         ("machine.specific_force_n_mm2", Value::Float(20_000.0)),
         ("machine.spindle_quality", Value::Float(60.0)),
     ];
+    let none = [("machine.chip_direction", Value::Float(0.0))];
+    let mut screen = open(SIZES[0].1, &none);
+    press(&mut screen, "Stability");
+    assert!(wait_for(&mut screen, "Stable at").contains("Nothing can chatter"));
     let mut screen = open(SIZES[0].1, &deep);
     press(&mut screen, "Stability");
     assert!(wait_for(&mut screen, "Chatter at").contains("a disturbance grows"));

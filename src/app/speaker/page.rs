@@ -1,7 +1,7 @@
 //! A page's loudspeaker: Web Audio.
 
 use wasm_bindgen::JsValue;
-use web_sys::{AudioBufferSourceNode, AudioContext, GainNode};
+use web_sys::{AudioBufferSourceNode, AudioContext, AudioScheduledSourceNode, GainNode};
 
 use super::FADE_S;
 
@@ -55,7 +55,7 @@ impl Speaker {
         let now_s = self.context.current_time();
         if let Some((source, share)) = self.playing.take() {
             share.gain().set_target_at_time(0.0, now_s, FADE_S / 3.0)?;
-            source.stop_with_when(now_s + 4.0 * FADE_S)?;
+            AudioScheduledSourceNode::stop_with_when(&source, now_s + 4.0 * FADE_S)?;
         }
         if block.is_empty() {
             return Ok(());

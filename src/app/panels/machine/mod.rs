@@ -21,6 +21,7 @@ use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::theme;
 use crate::app::widgets::zoom::by_touch;
+use crate::base::model::wear::WearModel;
 use crate::base::units::rev_s_from_rpm;
 use crate::blocks::cutting::tool::R216_16B20_040;
 use life::Life;
@@ -108,6 +109,8 @@ impl MachinePanel {
             }
             Part::Stability => self.stability.follow(scenario),
         };
+        let wears = scenario.wear.model == WearModel::Life;
+        self.wear.follow(wears.then_some(view.session.row().used_life));
         self.sound.advance(view.session, self.wear.x, dt_s);
         if busy {
             ui.ctx().request_repaint();

@@ -40,6 +40,8 @@ pub struct Marks {
 pub struct Figure {
     /// Its name.
     pub title: &'static str,
+    /// What the horizontal axis is, named where its unit is long.
+    pub over: &'static str,
     /// Units of the two axes.
     pub units: [&'static str; 2],
     /// Range of the horizontal axis.
@@ -67,6 +69,7 @@ impl Figure {
     pub fn new(title: &'static str, units: [&'static str; 2], across: [f64; 2]) -> Self {
         Self {
             title,
+            over: "",
             units,
             across,
             up: [0.0, 1.0],
@@ -116,7 +119,7 @@ impl Figure {
             text += &format!(" [{}]", theme::unit(up));
         }
         if long(across) {
-            text += &format!(" over [{across}]");
+            text += &format!(" over the {} [{across}]", self.over);
         }
         ui.label(RichText::new(text).strong());
     }

@@ -15,6 +15,9 @@ use crate::study::sound::{CutSound, SAMPLES};
 /// Least time from one block to the next, s: one costs some ten milliseconds, and fades in.
 const CHANGE_EVERY_S: f64 = 0.25;
 
+/// Steps in the share of the tool's life from one block to the next.
+const X_STEPS: f64 = 50.0;
+
 /// What a block of samples depends on.
 #[derive(Clone, Debug, PartialEq)]
 struct Key {
@@ -120,6 +123,8 @@ impl SoundControl {
         let row = session.row();
         let rate_hz = speaker.rate_hz();
         let line_hz = f64::from(rate_hz.max(1)) / SAMPLES as f64;
+        // Finer steps than these are not heard.
+        let x = (x * X_STEPS).round() / X_STEPS;
         let cuts = session.playback().playing && !row.has(flag::AIR) && row.spindle_rpm > 0.0;
         let wanted = cuts.then(|| Key {
             model: model(session.current()),

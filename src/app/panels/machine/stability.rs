@@ -7,7 +7,7 @@ use egui_plot::MarkerShape;
 use super::plot::{Curve, Figure, Marks};
 use crate::app::command::Command;
 use crate::app::theme::{self, Look, Palette};
-use crate::base::math::extent;
+use crate::base::math::{extent, limit};
 use crate::base::model::machine::MachineSettings;
 use crate::base::model::machine::parameters::{QUALITY_PRINTED, SPINDLE_QUALITY};
 use crate::base::settings::Value;
@@ -163,8 +163,14 @@ fn verdict(ui: &mut Ui, now: Operating, grown: Option<f64>, job: &ChartJob) {
     ui.horizontal_wrapped(|ui| {
         let label = ui.label(RichText::new(&text).strong().color(color));
         label.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
-        let any = theme::quantity(job.any_speed_mm(), "mm");
-        let text = format!("Stable at every speed up to {any}, by the lobes.");
+        let any_speed_mm = job.any_speed_mm();
+        let text = match any_speed_mm.is_finite() {
+            true => {
+                let any = theme::quantity(any_speed_mm, "mm");
+                format!("Stable at every speed up to {any}, by the lobes.")
+            }
+            false => "Nothing can chatter: the chip does not feel the vibration.".to_owned(),
+        };
         ui.label(RichText::new(text).color(palette.weak));
     });
 }
@@ -174,6 +180,7 @@ fn figure(job: &ChartJob, now: Operating, grown: Option<f64>, palette: &Palette)
     let across = [from_rpm.min(now.speed_rpm), to_rpm.max(now.speed_rpm)];
     let across = if grown.is_some() { across } else { SPEEDS_RPM };
     let mut figure = Figure::new("Limit depth", ["1/min", "mm"], across);
+    figure.over = "speed";
     let curve = |name, look, of: fn(&Point) -> Option<f64>| {
         let points = job.points().iter();
         let points = points.map(|point| [point.speed_rpm, of(point).unwrap_or(f64::INFINITY)]);
@@ -184,10 +191,12 @@ fn figure(job: &ChartJob, now: Operating, grown: Option<f64>, palette: &Palette)
         curve("interrupted cut", Look::Produced, |point| point.interrupted_mm),
     ];
     let any_speed_mm = job.any_speed_mm();
-    figure.levels.push(("stable at every speed", Look::Limit, any_speed_mm));
+    if any_speed_mm.is_finite() {
+        figure.levels.push(("stable at every speed", Look::Limit, any_speed_mm));
+    }
     let found = job.points().iter().filter_map(|point| point.interrupted_mm);
     let [_, highest] = extent(found);
-    let highest = highest.clamp(1.2 * any_speed_mm, SHOWN * any_speed_mm);
+    let highest = limit(highest, 1.2 * any_speed_mm, SHOWN * any_speed_mm);
     let highest = highest.max(1.3 * now.depth_mm);
     let highest = if highest.is_finite() { 1.05 * highest } else { 10.0 };
     figure.up = [-0.03 * highest, highest];

@@ -9,6 +9,7 @@ use super::plot::{Curve, Figure, Marks, decades_of, range_of};
 use crate::app::theme::{self, Look, Palette};
 use crate::base::math::extent;
 use crate::base::model::machine_trend::{Line, TrendPoint};
+use crate::base::model::wear::WearModel;
 use crate::study::machine_life::CLAIMS;
 
 /// From this width on, points, two plots stand beside each other.
@@ -24,17 +25,27 @@ const WORDS: f32 = 76.0;
 pub struct WearView {
     /// Share of the tool's life that is looked at and heard.
     pub x: f64,
+    /// Whether it is that of the cut, where the tool wears in it.
+    follows: bool,
     /// Whether the speed of the tool that is foretold is adjusted.
     pub adjusts: bool,
 }
 
 impl Default for WearView {
     fn default() -> Self {
-        Self { x: 0.5, adjusts: false }
+        Self { x: 0.5, follows: true, adjusts: false }
     }
 }
 
 impl WearView {
+    /// Takes over how much of its life the tool has behind it in the cut; none where it does not
+    /// wear.
+    pub fn follow(&mut self, used_life: Option<f64>) {
+        if let Some(used_life) = used_life.filter(|_| self.follows) {
+            self.x = used_life.clamp(0.0, 1.0);
+        }
+    }
+
     /// Draws all of it; in a narrow window one plot below the other.
     pub fn show(&mut self, ui: &mut Ui, life: &Life, seen_height: f32) {
         let now = life.model().at(self.x);
@@ -66,10 +77,18 @@ impl WearView {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().slider_width = 160.0;
             ui.label(RichText::new("Tool life used").strong());
-            let slider = Slider::new(&mut self.x, 0.0..=1.0).step_by(0.01).fixed_decimals(2);
-            let response = ui.add(slider);
-            response.widget_info(|| WidgetInfo::slider(true, self.x, "Share of the tool's life"));
+            // The slider rounds what it is given.
+            let mut x = (100.0 * self.x).round() / 100.0;
+            let response = ui.add(Slider::new(&mut x, 0.0..=1.0).step_by(0.01).fixed_decimals(2));
+            response.widget_info(|| WidgetInfo::slider(true, x, "Share of the tool's life"));
+            if response.changed() {
+                (self.x, self.follows) = (x, false);
+            }
             response.on_hover_text("Share τ/T of the tool's life that is looked at and heard");
+            if life.model().wear.model == WearModel::Life {
+                let help = "The tool of the running cut, which wears in it";
+                ui.checkbox(&mut self.follows, "As in the cut").on_hover_text(help);
+            }
             if life.findings.is_none() {
                 let bar = ProgressBar::new(life.progress() as f32).show_percentage();
                 ui.add(bar.desired_width(120.0).desired_height(14.0));
