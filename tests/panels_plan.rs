@@ -149,7 +149,7 @@ fn the_optimum_becomes_the_programmed_values_in_one_undoable_change() {
         assert_eq!([row.feed_mm_min, row.spindle_rpm], [optimum.feed_mm_min, optimum.speed_rpm]);
         assert!(console(&screen).state_json().contains("\"screen\":\"console\""));
 
-        screen.key_press_modifiers(egui::Modifiers::COMMAND, Key::Num3);
+        screen.key_press_modifiers(egui::Modifiers::COMMAND, Key::Num4);
         screen.run_steps(2);
         let [feed, speed] = [optimum.feed_mm_min, optimum.speed_rpm];
         let said = format!("{feed:.0} mm/min, {speed:.0} 1/min, the optimum");

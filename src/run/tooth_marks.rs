@@ -7,6 +7,7 @@
 
 use super::scenario::Scenario;
 use super::signals::{Row, flag};
+use crate::base::model::machine::RoughnessFrom;
 use crate::base::model::part::APPROACH_MM;
 use crate::base::units::{mm_from_um, rev_s_from_rpm};
 use crate::blocks::cutting::process::ForceModel;
@@ -34,6 +35,9 @@ pub struct ToothMarks {
     /// How much too far out one tooth is, mm; the other one is as much too far in.
     runout_mm: f64,
     by_teeth: bool,
+    /// Whether vibration makes Ra with dynamics, and its share that is normal to the surface.
+    vibrates: bool,
+    vibrating: f64,
     /// Teeth that have come past.
     passed: f64,
     rows: usize,
@@ -64,6 +68,9 @@ impl ToothMarks {
             teeth: tool.teeth,
             runout_mm: if by_teeth { mm_from_um(scenario.plant.runout_um) } else { 0.0 },
             by_teeth,
+            vibrates: scenario.machine.coupled
+                && scenario.machine.roughness_from == RoughnessFrom::Vibration,
+            vibrating: scenario.profile.normal_share,
             passed: 0.0,
             rows: 0,
         }
@@ -95,10 +102,12 @@ impl ToothMarks {
             let share = (tooth - before) / turned;
             let position_mm = from.position_mm + share * (to.position_mm - from.position_mm);
             let out = if tooth % 2.0 == 0.0 { self.runout_mm } else { -self.runout_mm };
+            // Vibration is in the marks themselves; without it, Ra with dynamics stands for it.
+            let ra_um = if self.vibrates { to.ra_um } else { to.ra_dyn_um };
             cut.surface.push(Mark {
                 x_mm: position_mm - cut.begins_mm,
-                z_mm: out,
-                ra_um: if self.by_teeth { 0.0 } else { to.ra_dyn_um },
+                z_mm: out + self.vibrating * mm_from_um(to.vibration_um),
+                ra_um: if self.by_teeth { 0.0 } else { ra_um },
             });
             tooth += 1.0;
         }
