@@ -12,7 +12,7 @@
 //! ```
 //!
 //! The first two samples after contact hold the override. Both networks really learn while the cut
-//! runs; with the rates at zero they stay as they began. [`cold`] is the scheme without networks
+//! runs; with the rates at zero they stay as they began. `unks/cold.rs` is the scheme without networks
 //! that were trained before.
 
 mod cold;
