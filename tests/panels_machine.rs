@@ -300,3 +300,19 @@ fn every_part_looks_as_its_picture() {
         }
     }
 }
+
+#[test]
+fn the_running_cut_foretells_the_life_of_its_own_tool() {
+    for (_, size) in SIZES {
+        let mut screen = screen::open("machine-life", size.into(), "Machine", &[]);
+        press(&mut screen, "Wear and sound");
+        screen.key_press(egui::Key::End);
+        let shown = wait_for(&mut screen, "left at the programmed cut");
+        assert!(!shown.contains("Adjust the speed"), "{shown}");
+        screen.get_by_role_and_label(Role::CheckBox, "In the cut").click_accesskit();
+        screen.run_steps(2);
+        let shown = texts(&screen);
+        assert!(!shown.contains("left at the programmed cut"), "{shown}");
+        assert!(shown.contains("Adjust the speed"), "{shown}");
+    }
+}

@@ -1,9 +1,12 @@
 //! What is worked out over the tool's life, in slices beside the picture: the trends, and one tool
-//! whose life is foretold.
+//! whose life is foretold; and what the cut in the console foretells of its own.
 
+use crate::app::session::Session;
 use crate::base::model::machine_trend::{MachineTrend, TrendPoint};
+use crate::base::model::wear::WearModel;
 use crate::run::scenario::Scenario;
 use crate::study::machine_life::adaptive::AdaptiveLife;
+use crate::study::machine_life::listening::{Heard, listen};
 use crate::study::machine_life::measurement::measure;
 use crate::study::machine_life::{Findings, LifeJob, model};
 
@@ -98,6 +101,49 @@ impl Life {
     pub fn progress(&self) -> f64 {
         let (done, all) = self.trends.progress();
         done as f64 / all.max(1) as f64
+    }
+}
+
+/// What the sound of the cut in the console has foretold, up to the playhead.
+#[derive(Default)]
+pub struct InCut {
+    /// Changes and rows of the run that was listened to.
+    of: Option<(u64, usize)>,
+    heard: Vec<Heard>,
+    /// Why nothing can be heard.
+    pub problem: Option<String>,
+}
+
+impl InCut {
+    /// Whether the cut can be listened to: the machine vibrates in it, and the tool wears.
+    #[must_use]
+    pub fn possible(scenario: &Scenario) -> bool {
+        scenario.machine.coupled && scenario.wear.model == WearModel::Life
+    }
+
+    /// Listens to the run once it is simulated to its end, and again when it has changed.
+    pub fn follow(&mut self, session: &Session) {
+        let cut = session.chosen();
+        let of = (session.changes(), cut.run().recording().rows().len());
+        if !Self::possible(session.scenario()) || !cut.is_over() || self.of == Some(of) {
+            return;
+        }
+        self.of = Some(of);
+        let found = listen(session.scenario(), cut.run().recording());
+        self.problem = found.as_ref().err().map(ToString::to_string);
+        self.heard = found.unwrap_or_default();
+    }
+
+    /// What was heard up to a time of the run in s.
+    #[must_use]
+    pub fn until(&self, time_s: f64) -> &[Heard] {
+        &self.heard[..self.heard.partition_point(|heard| heard.time_s <= time_s)]
+    }
+
+    /// Whether the run has been listened to.
+    #[must_use]
+    pub fn is_ready(&self) -> bool {
+        self.of.is_some()
     }
 }
 

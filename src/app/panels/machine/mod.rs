@@ -24,7 +24,7 @@ use crate::app::widgets::zoom::by_touch;
 use crate::base::model::wear::WearModel;
 use crate::base::units::rev_s_from_rpm;
 use crate::blocks::cutting::tool::R216_16B20_040;
-use life::Life;
+use life::{InCut, Life};
 use sound::SoundControl;
 use stability::{Operating, StabilityView};
 use state::Machine;
@@ -63,6 +63,7 @@ pub struct MachinePanel {
     part: Part,
     machine: Option<Machine>,
     life: Option<Life>,
+    in_cut: InCut,
     vibration: VibrationView,
     wear: WearView,
     stability: StabilityView,
@@ -104,6 +105,7 @@ impl MachinePanel {
         let busy = match self.part {
             Part::Vibration => self.vibration.advance(dt_s),
             Part::Life => {
+                self.in_cut.follow(view.session);
                 let life = self.life.get_or_insert_with(|| Life::new(scenario, adjusts));
                 life.follow(scenario, adjusts)
             }
@@ -182,7 +184,9 @@ impl MachinePanel {
                 let force_n = scenario.life.contact_force_n;
                 self.vibration.show(ui, machine, tooth_hz, force_n, height);
             }
-            (Part::Life, _, Some(life)) => self.wear.show(ui, life, height),
+            (Part::Life, _, Some(life)) => {
+                self.wear.show(ui, life, (&self.in_cut, view.session), height)
+            }
             (Part::Stability, ..) => {
                 let now = Operating { speed_rpm: row.spindle_rpm, depth_mm: row.axial_depth_mm };
                 self.stability.show(ui, now, height, commands);

@@ -4,13 +4,15 @@
 use egui::{ProgressBar, RichText, Role, Sense, Slider, Ui, WidgetInfo};
 use egui_plot::MarkerShape;
 
-use super::life::Life;
+use super::life::{InCut, Life};
 use super::plot::{Curve, Figure, Marks, decades_of, range_of};
+use crate::app::session::Session;
 use crate::app::theme::{self, Look, Palette};
 use crate::base::math::extent;
 use crate::base::model::machine_trend::{Line, TrendPoint};
 use crate::base::model::wear::WearModel;
 use crate::study::machine_life::CLAIMS;
+use crate::study::machine_life::listening::Heard;
 
 /// From this width on, points, two plots stand beside each other.
 const BESIDE_FROM: f32 = 620.0;
@@ -29,11 +31,13 @@ pub struct WearView {
     follows: bool,
     /// Whether the speed of the tool that is foretold is adjusted.
     pub adjusts: bool,
+    /// Whether the life of the tool in the cut is foretold, where it can be.
+    of_cut: bool,
 }
 
 impl Default for WearView {
     fn default() -> Self {
-        Self { x: 0.5, follows: true, adjusts: false }
+        Self { x: 0.5, follows: true, adjusts: false, of_cut: true }
     }
 }
 
@@ -47,7 +51,13 @@ impl WearView {
     }
 
     /// Draws all of it; in a narrow window one plot below the other.
-    pub fn show(&mut self, ui: &mut Ui, life: &Life, seen_height: f32) {
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        life: &Life,
+        (in_cut, session): (&InCut, &Session),
+        seen_height: f32,
+    ) {
         let now = life.model().at(self.x);
         let top = ui.cursor().top();
         self.slider(ui, &now, life);
@@ -57,7 +67,7 @@ impl WearView {
             spectrum(ui, life, self.x, height);
             self.wear(ui, life, &now, height);
             trends(ui, life, self.x, height);
-            self.forecast(ui, life, height);
+            self.forecast(ui, life, (in_cut, session), height);
         } else {
             let height = (0.5 * (seen_height - used - WORDS)).max(theme::PLOT_HEIGHT_MIN + 30.0);
             ui.columns_const(|[left, right]| {
@@ -66,7 +76,7 @@ impl WearView {
             });
             ui.columns_const(|[left, right]| {
                 trends(left, life, self.x, height);
-                self.forecast(right, life, height);
+                self.forecast(right, life, (in_cut, session), height);
             });
         }
         words(ui, life);
@@ -124,11 +134,39 @@ impl WearView {
         draw(ui, &figure, height);
     }
 
-    fn forecast(&mut self, ui: &mut Ui, life: &Life, height: f32) {
+    fn forecast(
+        &mut self,
+        ui: &mut Ui,
+        life: &Life,
+        (in_cut, session): (&InCut, &Session),
+        height: f32,
+    ) {
         let top = ui.cursor().top();
-        let figure = forecast(life);
+        let possible = InCut::possible(session.scenario());
+        let of_cut = possible && self.of_cut;
+        let heard = in_cut.until(session.playback().playhead_s);
+        let figure = if of_cut { forecast_in_cut(life, heard) } else { forecast(life) };
         figure.legend(ui);
         ui.horizontal_wrapped(|ui| {
+            if possible {
+                let help = "The tool of the running cut, by the sound of the vibrating machine";
+                ui.checkbox(&mut self.of_cut, "In the cut").on_hover_text(help);
+            }
+            if of_cut {
+                let said = match (heard.last(), &in_cut.problem) {
+                    (_, Some(problem)) => problem.clone(),
+                    (Some(last), None) => {
+                        let rest = theme::quantity(last.forecast.rest_min(), "min");
+                        let alarm =
+                            if last.forecast.alarm { ", worn out by its sound" } else { "" };
+                        format!("{rest} left at the programmed cut{alarm}")
+                    }
+                    (None, None) if in_cut.is_ready() => "nothing heard yet".to_owned(),
+                    (None, None) => "heard once the cut is simulated".to_owned(),
+                };
+                ui.label(RichText::new(said).small().color(Palette::at(ui).weak));
+                return;
+            }
             let help = "Every ten minutes the cutting speed is set so that the tool reaches the \
                         desired durability, as far as its sound tells";
             ui.checkbox(&mut self.adjusts, "Adjust the speed").on_hover_text(help);
@@ -232,6 +270,33 @@ fn forecast(life: &Life) -> Figure {
         figure.levels.push(("true", Look::Ghost, end_min));
     }
     let [_, high] = range_of(known.chain([wanted_min, length_min]).chain(end));
+    figure.up = [-0.04 * high, high];
+    figure
+}
+
+/// The life that the sound of the running cut foretells, up to the playhead.
+fn forecast_in_cut(life: &Life, heard: &[Heard]) -> Figure {
+    let wanted_min = life.model().life.durability_min;
+    let promised_min = life.model().wear.taylor_min(&life.model().cut);
+    let [_, last_min] = extent(heard.iter().map(|heard| heard.forecast.age_min));
+    let length_min = last_min.max(promised_min).max(1.0);
+    let mut figure = Figure::new("Foretold life", ["min", "min"], [0.0, length_min]);
+    let band = heard.iter().map(|heard| {
+        let [low, high] = heard.forecast.life_range_min;
+        [heard.forecast.age_min, low, high]
+    });
+    figure.band = Some(("90 % of the belief", band.collect()));
+    let points = heard.iter().map(|heard| [heard.forecast.age_min, heard.forecast.life_min]);
+    figure.curves =
+        vec![Curve { name: "from the sound", look: Look::Produced, points: points.collect() }];
+    figure.levels.push(("desired", Look::Reference, wanted_min));
+    // What really is: the age over the share of the life used so far.
+    let worn = heard.last().filter(|heard| heard.used_life > 0.0);
+    if let Some(worn) = worn {
+        figure.levels.push(("true", Look::Ghost, worn.forecast.age_min / worn.used_life));
+    }
+    let known = heard.iter().map(|heard| heard.forecast.life_range_min[1]);
+    let [_, high] = range_of(known.chain([wanted_min, length_min]));
     figure.up = [-0.04 * high, high];
     figure
 }
