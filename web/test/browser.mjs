@@ -147,13 +147,14 @@ test("the console draws, gives the golden digests and obeys the target-Ra slider
 
   await picture(page, "console");
 
-  await t.test("plan", async () => {
-    await page.keyboard.press("Control+3");
-    const shown = await untilState(page, (now) => now.screen === "plan");
-    // The swarm moves, and the page goes on drawing.
-    await untilState(page, (now, was) => now.frames > was.frames + 20, shown);
-    await picture(page, "plan");
-  });
+  for (const [key, screen] of [[2, "block_diagram"], [3, "workpiece"], [4, "plan"], [5, "machine"], [6, "compare"], [7, "papers"]]) {
+    await t.test(`screen ${screen}`, async () => {
+      await page.keyboard.press(`Control+${key}`);
+      const shown = await untilState(page, (now, screen) => now.screen === screen, screen);
+      await untilState(page, (now, was) => now.frames > was.frames + 5, shown);
+      await picture(page, screen);
+    });
+  }
   assert.deepEqual(wrong, []);
   await context.close();
 });
