@@ -5,8 +5,8 @@ mod screen;
 
 use egui::accesskit::Role;
 use egui::{Vec2, vec2};
-use egui_kittest::kittest::{NodeT, Queryable};
-use screen::Screen;
+use egui_kittest::kittest::Queryable;
+use screen::{Screen, texts};
 use steadycut::app::Console;
 use steadycut::base::settings::Value;
 use steadycut::blocks::control::ControllerKind;
@@ -22,14 +22,6 @@ fn open<'a>(size: Vec2) -> Screen<'a> {
 
 fn console<'a>(screen: &'a Screen<'_>) -> &'a Console {
     screen.state().as_ref().expect("made in the first frame")
-}
-
-fn texts(screen: &Screen<'_>) -> String {
-    let nodes = screen.root().children_recursive().map(|node| {
-        let node = node.accesskit_node();
-        node.label().or_else(|| node.value()).unwrap_or_default()
-    });
-    nodes.collect::<Vec<String>>().join("\n")
 }
 
 fn click(screen: &mut Screen, name: &str) {

@@ -4,8 +4,8 @@
 mod screen;
 
 use egui::accesskit::Role;
-use egui_kittest::kittest::{NodeT, Queryable};
-use screen::Screen;
+use egui_kittest::kittest::Queryable;
+use screen::{Screen, texts};
 use steadycut::app::command::Command;
 use steadycut::app::session::Session;
 use steadycut::base::model::unks::UnksStart;
@@ -20,14 +20,6 @@ const SIZES: [[f32; 2]; 2] = [[1280.0, 800.0], [390.0, 844.0]];
 
 fn session<'a>(screen: &'a Screen<'_>) -> &'a Session {
     screen.state().as_ref().expect("made in the first frame").session()
-}
-
-fn texts(screen: &Screen<'_>) -> String {
-    let nodes = screen.root().children_recursive().map(|node| {
-        let node = node.accesskit_node();
-        node.label().or_else(|| node.value()).unwrap_or_default()
-    });
-    nodes.collect::<Vec<String>>().join("\n")
 }
 
 fn press(screen: &mut Screen<'_>, name: &str) {

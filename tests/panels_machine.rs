@@ -7,7 +7,7 @@ use egui::Theme;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, SnapshotOptions, SnapshotResults};
-use screen::Screen;
+use screen::{Screen, texts};
 use steadycut::app::Console;
 use steadycut::app::session::Session;
 use steadycut::base::settings::Value;
@@ -21,14 +21,6 @@ const SIZES: [(&str, [f32; 2]); 2] = [("desktop", [1280.0, 800.0]), ("phone", [3
 
 fn session<'a>(screen: &'a Screen<'_>) -> &'a Session {
     screen.state().as_ref().expect("made in the first frame").session()
-}
-
-fn texts(screen: &Screen<'_>) -> String {
-    let nodes = screen.root().children_recursive().map(|node| {
-        let node = node.accesskit_node();
-        node.label().or_else(|| node.value()).unwrap_or_default()
-    });
-    nodes.collect::<Vec<String>>().join("\n")
 }
 
 fn open<'a>(size: [f32; 2], changes: &[(&str, Value)]) -> Screen<'a> {

@@ -6,7 +6,7 @@ mod screen;
 use egui::accesskit::{Role, Toggled};
 use egui::{Key, Vec2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
-use screen::Screen;
+use screen::{Screen, texts};
 use steadycut::app::Console;
 use steadycut::base::settings::Value;
 use steadycut::run::scenario::Scenario;
@@ -43,15 +43,6 @@ fn click(screen: &mut Screen, name: &str) {
 fn finish(screen: &mut Screen) {
     click(screen, "To the end");
     screen.run_steps(3);
-}
-
-/// Every text on the screen.
-fn texts(screen: &Screen<'_>) -> String {
-    let nodes = screen.root().children_recursive().map(|node| {
-        let node = node.accesskit_node();
-        node.label().or_else(|| node.value()).unwrap_or_default()
-    });
-    nodes.collect::<Vec<String>>().join("\n")
 }
 
 fn iteration(screen: &Screen) -> u32 {

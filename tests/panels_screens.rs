@@ -5,7 +5,7 @@ mod screen;
 
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT, Queryable};
-use screen::Screen;
+use screen::{Screen, texts};
 use steadycut::app::Console;
 use steadycut::app::panels::equation_cards::CARDS;
 use steadycut::base::model::feed_drive::FeedDriveKind;
@@ -27,15 +27,6 @@ fn open<'a>(preset: &str, size: [f32; 2], title: &str, change: &[(&str, Value)])
 
 fn console<'a>(harness: &'a Screen<'_>) -> &'a Console {
     harness.state().as_ref().expect("made in the first frame")
-}
-
-/// Every text on the screen.
-fn texts(harness: &Screen<'_>) -> String {
-    let nodes = harness.root().children_recursive().map(|node| {
-        let node = node.accesskit_node();
-        node.label().or_else(|| node.value()).unwrap_or_default()
-    });
-    nodes.collect::<Vec<String>>().join("\n")
 }
 
 const SIZES: [[f32; 2]; 2] = [[1280.0, 800.0], [390.0, 844.0]];

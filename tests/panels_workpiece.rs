@@ -9,7 +9,7 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Theme, Vec2, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{SnapshotOptions, SnapshotResults};
-use screen::Screen;
+use screen::{Screen, texts};
 use steadycut::app::Console;
 use steadycut::base::settings::Value;
 use steadycut::blocks::cutting::tool_path::ToolPath;
@@ -29,14 +29,6 @@ fn open<'a>(preset: &str, size: Vec2, changes: &[(&str, Value)]) -> Screen<'a> {
 
 fn console<'a>(screen: &'a Screen<'_>) -> &'a Console {
     screen.state().as_ref().expect("made in the first frame")
-}
-
-fn texts(screen: &Screen<'_>) -> String {
-    let nodes = screen.root().children_recursive().map(|node| {
-        let node = node.accesskit_node();
-        node.label().or_else(|| node.value()).unwrap_or_default()
-    });
-    nodes.collect::<Vec<String>>().join("\n")
 }
 
 fn click(screen: &mut Screen, name: &str) {

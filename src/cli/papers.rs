@@ -7,6 +7,7 @@ use super::Outcome;
 use super::args::{ComparedPaper, PapersArgs};
 use super::papers_2005;
 use super::papers_2019;
+use crate::study::errata::Erratum;
 use crate::study::papers::{Cell, PaperTable, Verdict, table};
 use crate::study::published::PaperId;
 use crate::study::train::data::NOTE;
@@ -117,8 +118,13 @@ fn print(out: &mut impl Write, id: PaperId, paper: &PaperTable) -> std::io::Resu
         writeln!(out, "\nfinal values as they are: the table's forces come from the formula")?;
         writeln!(out, "{NOTE}")?;
     }
+    errata(out, paper.errata)
+}
+
+/// The errata of a paper.
+pub(super) fn errata(out: &mut impl Write, errata: &[Erratum]) -> std::io::Result<()> {
     writeln!(out, "\nerrata")?;
-    for erratum in paper.errata {
+    for erratum in errata {
         writeln!(
             out,
             "{:>3}. {}\n     problem: {}\n     here: {}",

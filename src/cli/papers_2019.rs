@@ -7,6 +7,7 @@ use serde_json::json;
 
 use super::Outcome;
 use super::args::PapersArgs;
+use super::papers::errata;
 use crate::study::errata_2019::MACHINE_2019;
 use crate::study::papers_2019::{NOT_REPRODUCED, REPRODUCED, measured, table};
 
@@ -59,13 +60,5 @@ fn print(out: &mut impl Write) -> std::io::Result<()> {
         writeln!(out, "\n{title}")?;
         lines.iter().try_for_each(|line| writeln!(out, "  {line}"))?;
     }
-    writeln!(out, "\nerrata")?;
-    for erratum in MACHINE_2019 {
-        writeln!(
-            out,
-            "{:>3}. {}\n     problem: {}\n     here: {}",
-            erratum.number, erratum.printed, erratum.problem, erratum.resolution
-        )?;
-    }
-    Ok(())
+    errata(out, MACHINE_2019)
 }

@@ -3,7 +3,7 @@
 use egui::Vec2;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use steadycut::app::Console;
 use steadycut::base::settings::Value;
 use steadycut::run::edits::Edits;
@@ -42,4 +42,13 @@ pub fn show(screen: &mut Screen<'_>, title: &str) {
     }
     screen.get_by_role_and_label(Role::Button, title).click();
     screen.run_steps(2);
+}
+
+/// Every text on the screen.
+pub fn texts(screen: &Screen<'_>) -> String {
+    let nodes = screen.root().children_recursive().map(|node| {
+        let node = node.accesskit_node();
+        node.label().or_else(|| node.value()).unwrap_or_default()
+    });
+    nodes.collect::<Vec<String>>().join("\n")
 }

@@ -173,6 +173,28 @@ pub fn show(
     response.transform.frame().x_range()
 }
 
+/// A plot that is only looked at: nothing in it is dragged, scrolled or zoomed.
+#[must_use]
+pub fn still(title: &str, palette: &Palette, [width, height]: [f32; 2]) -> Plot<'static> {
+    Plot::new(title)
+        .height(height)
+        .allow_zoom(false)
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .allow_axis_zoom_drag(false)
+        .sense(egui::Sense::hover())
+        .y_axis_min_width(44.0)
+        .grid_color(palette.grid)
+        .grid_fade(0.0)
+        .x_grid_spacer(move |input| grid(input, width / 80.0))
+        .y_grid_spacer(move |input| grid(input, height / 27.0))
+        .x_axis_formatter(|mark, _| tick(mark))
+        .y_axis_formatter(|mark, _| tick(mark))
+        .grid_spacing(egui::Rangef::new(16.0, 300.0))
+}
+
 /// Grid lines at round values, about as many as asked for.
 pub fn grid(input: GridInput, count: f32) -> Vec<GridMark> {
     let (low, high) = input.bounds;

@@ -2,6 +2,7 @@
 
 use std::io::{Result, Write};
 
+use super::super::papers::errata;
 use super::{Report, Step};
 use crate::study::compare::claims::Claim;
 use crate::study::compare::outcome::Measure;
@@ -45,15 +46,7 @@ pub fn report(out: &mut impl Write, report: &Report) -> Result<()> {
         writeln!(out, "\n{title}")?;
         lines.iter().try_for_each(|line| writeln!(out, "  {line}"))?;
     }
-    writeln!(out, "\nerrata")?;
-    for erratum in COMBINED_2005 {
-        writeln!(
-            out,
-            "{:>3}. {}\n     problem: {}\n     here: {}",
-            erratum.number, erratum.printed, erratum.problem, erratum.resolution
-        )?;
-    }
-    Ok(())
+    errata(out, COMBINED_2005)
 }
 
 fn table(out: &mut impl Write, table: &[Compared], printed: &[Printed]) -> Result<()> {

@@ -1,12 +1,12 @@
 //! Box plots of a measure: least and largest value, quartiles and median over the seeds, the mean
 //! as a dot, the printed figure as a diamond.
 
-use egui::{Role, Sense, Shape, Stroke, Ui, WidgetInfo};
-use egui_plot::{BoxElem, BoxPlot, BoxSpread, MarkerShape, Plot, Points};
+use egui::{Role, Shape, Stroke, Ui, WidgetInfo};
+use egui_plot::{BoxElem, BoxPlot, BoxSpread, MarkerShape, Points};
 
 use super::table::{printed_of, title, value};
 use crate::app::theme::Palette;
-use crate::app::widgets::chart::{grid, tick};
+use crate::app::widgets::chart::{grid, still};
 use crate::app::widgets::legend;
 use crate::study::compare::outcome::Measure;
 use crate::study::compare::tournament::{Compared, Tournament};
@@ -91,27 +91,15 @@ pub fn show(
     let names: Vec<String> = compared.iter().rev().map(|one| one.name.clone()).collect();
     let rows = compared.len();
     let width = ui.available_width();
-    let response = Plot::new("boxes")
-        .height(ROW * rows as f32 + AXIS)
-        .allow_zoom(false)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .allow_axis_zoom_drag(false)
-        .sense(Sense::hover())
+    let response = still("boxes", palette, [width, ROW * rows as f32 + AXIS])
         .y_axis_min_width(96.0)
-        .grid_color(palette.grid)
-        .grid_fade(0.0)
         .show_y(false)
         .x_grid_spacer(move |input| grid(input, width / 110.0))
         .y_grid_spacer(move |_| {
             let mark = |k: usize| egui_plot::GridMark { value: k as f64, step_size: 1.0 };
             (0..rows).map(mark).collect()
         })
-        .grid_spacing(egui::Rangef::new(16.0, 300.0))
         .x_axis_label(title(measure))
-        .x_axis_formatter(|mark, _| tick(mark))
         .y_axis_formatter(move |mark, _| {
             names.get(mark.value.round() as usize).cloned().unwrap_or_default()
         })

@@ -1,13 +1,13 @@
 //! Learning curves up to the playhead: the feedback's share of the override, and NM-1's error.
 
 use egui::{RichText, Ui};
-use egui_plot::{Line, Plot, PlotPoints, VLine};
+use egui_plot::{Line, PlotPoints, VLine};
 
 use super::BESIDE_FROM;
 use crate::app::history::LearningSample;
 use crate::app::panels::View;
 use crate::app::theme::{Look, Palette};
-use crate::app::widgets::chart::{grid, tick};
+use crate::app::widgets::chart::still;
 use crate::base::model::unks::UnksStart;
 use crate::base::units::percent_from_ratio;
 
@@ -77,24 +77,8 @@ fn plot(
     let length_s = all.last().map_or(1.0, |last| last.time_s).max(view.session.length_s());
     let playhead_s = view.session.playback().playhead_s;
     let width = ui.available_width();
-    Plot::new(title)
-        .height(height)
-        .allow_zoom(false)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .allow_axis_zoom_drag(false)
+    still(title, palette, [width, height])
         .link_cursor(egui::Id::unique("learning time"), [true, false])
-        .sense(egui::Sense::hover())
-        .y_axis_min_width(44.0)
-        .grid_color(palette.grid)
-        .grid_fade(0.0)
-        .x_grid_spacer(move |input| grid(input, width / 80.0))
-        .y_grid_spacer(move |input| grid(input, height / 27.0))
-        .x_axis_formatter(|mark, _| tick(mark))
-        .y_axis_formatter(|mark, _| tick(mark))
-        .grid_spacing(egui::Rangef::new(16.0, 300.0))
         .show(ui, |plot| {
             // With room for the last number of the axis.
             plot.set_plot_bounds_x(0.0..=1.02 * length_s);

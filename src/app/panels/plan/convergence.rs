@@ -2,10 +2,10 @@
 //! allowed place, over the iterations.
 
 use egui::{RichText, Ui};
-use egui_plot::{Line, Plot, PlotPoints};
+use egui_plot::{Line, PlotPoints};
 
 use crate::app::theme::{Look, Palette};
-use crate::app::widgets::chart::{grid, tick};
+use crate::app::widgets::chart::still;
 use crate::app::widgets::legend;
 use crate::base::units::percent_from_ratio;
 use crate::study::plan::swarm::Iteration;
@@ -81,24 +81,8 @@ fn plot(
     let range = range.unwrap_or([low - margin, high + margin]);
     let width = ui.available_width();
     let height = height - (ui.cursor().top() - top);
-    Plot::new(title)
-        .height(height)
-        .allow_zoom(false)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .allow_axis_zoom_drag(false)
+    still(title, palette, [width, height])
         .link_cursor(egui::Id::unique("iterations"), [true, false])
-        .sense(egui::Sense::hover())
-        .y_axis_min_width(44.0)
-        .grid_color(palette.grid)
-        .grid_fade(0.0)
-        .x_grid_spacer(move |input| grid(input, width / 80.0))
-        .y_grid_spacer(move |input| grid(input, height / 27.0))
-        .x_axis_formatter(|mark, _| tick(mark))
-        .y_axis_formatter(|mark, _| tick(mark))
-        .grid_spacing(egui::Rangef::new(16.0, 300.0))
         .show(ui, |plot| {
             plot.set_plot_bounds_x(span[0]..=span[1]);
             plot.set_plot_bounds_y(range[0]..=range[1]);
