@@ -28,7 +28,8 @@ pub fn show(ui: &mut Ui, machine: &Machine, motion: &Motion, phase: f64, height:
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 6.0, palette.card);
-    let link = (rect.height() - ENDS[0] - ENDS[1] - 3.0 * MASS) / 3.0;
+    // Three springs, and room above for the topmost mass to move.
+    let link = (rect.height() - ENDS[0] - ENDS[1] - 3.0 * MASS) / (3.0 + REACH);
     let largest = motion.largest();
     let wanted = f64::from(REACH * link);
     let scale = Scale::new(largest, wanted, motion.in_metres);
