@@ -63,24 +63,27 @@ impl ComparePanel {
         controls::show(ui, &mut self.contests);
         let printed = self.contests.is_table_1();
         let Some(contest) = self.contests.shown() else {
-            theme::card(palette).show(ui, |ui| {
-                ui.set_width(ui.available_width());
-                ui.label(RichText::new("Nobody takes part").strong());
-                ui.label("Choose at least one way of control above.");
-            });
+            // A set-up that is refused says why above.
+            if self.contests.refused.is_none() {
+                theme::card(palette).show(ui, |ui| {
+                    ui.set_width(ui.available_width());
+                    ui.label(RichText::new("Nobody takes part").strong());
+                    ui.label("Choose at least one way of control above.");
+                });
+            }
             return;
         };
         let compared = contest.table();
         ui.add_space(4.0);
         if narrow {
-            table::cards(ui, contest.tournament(), &compared, printed, commands);
+            table::cards(ui, contest.tournament(), compared, printed, commands);
         } else {
-            table::table(ui, contest.tournament(), &compared, printed, commands);
+            table::table(ui, contest.tournament(), compared, printed, commands);
         }
         ui.add_space(8.0);
-        boxes::show(ui, contest.tournament(), &compared, &mut self.measure, printed);
+        boxes::show(ui, contest.tournament(), compared, &mut self.measure, printed);
         step::show(ui, contest, printed);
-        told::show(ui, &compared, printed);
+        told::show(ui, compared, printed);
         robust::show(ui, &mut self.contests.robust);
     }
 }

@@ -27,14 +27,14 @@ pub fn report(out: &mut impl Write, report: &Report) -> Result<()> {
          printed figures in brackets, * where the mean lies more than 6 % away; Nsn over all samples\n\
          in contact, Nsn20 the paper's form; rows without brackets are not in the paper\n"
     )?;
-    table(out, &report.table, &printed)?;
+    table(out, &report.table, printed)?;
     writeln!(out, "\nverdicts")?;
     for Verdict { band, found, ok } in &report.verdicts {
         let word = if *ok { "ok" } else { "not reached" };
         writeln!(out, "  {word:<12}{band}: {found}")?;
     }
     writeln!(out, "\n{BY_A_HAIR}")?;
-    steps(out, &report.steps, &printed)?;
+    steps(out, &report.steps, printed)?;
     writeln!(out, "\nclaims of the paper")?;
     for Claim { paper, holds, found } in &report.claims {
         let word = if *holds { "true" } else { "not true" };

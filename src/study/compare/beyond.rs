@@ -5,7 +5,8 @@
 
 use serde::Serialize;
 
-use super::entrants::{BEYOND, Entrant, Method, TABLE_1, experiment_2, experiment_2_per_cut};
+use super::entrants::{BEYOND, Entrant, Method, TABLE_1, set_dead_time};
+use super::entrants::{experiment_2, experiment_2_per_cut};
 use super::outcome::Measure;
 use super::table_1::Verdict;
 use super::tournament::Compared;
@@ -55,8 +56,7 @@ impl Condition {
 
     fn scenario(&self) -> Scenario {
         let mut scenario = if self.per_cut { experiment_2_per_cut() } else { experiment_2() };
-        (scenario.cnc.dead_time_s, scenario.belief.dead_time_s) =
-            (self.dead_time_s, self.dead_time_s);
+        set_dead_time(&mut scenario, self.dead_time_s);
         scenario
     }
 }

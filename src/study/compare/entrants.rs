@@ -63,6 +63,11 @@ pub const BEYOND: &[Method] = &[
     Method { name: "Preview", apply: |s| s.controller.kind = ControllerKind::Preview },
 ];
 
+/// Sets a dead time in s that the controllers know.
+pub fn set_dead_time(scenario: &mut Scenario, dead_time_s: f64) {
+    (scenario.cnc.dead_time_s, scenario.belief.dead_time_s) = (dead_time_s, dead_time_s);
+}
+
 /// Every method on a scenario.
 #[must_use]
 pub fn on(base: &Scenario, methods: &[Method]) -> Vec<Entrant> {

@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::claims::Claim;
-use super::entrants::{BEYOND, Entrant, Method, TABLE_1, experiment_2};
+use super::entrants::{BEYOND, Entrant, Method, TABLE_1, experiment_2, set_dead_time};
 use super::outcome::Measure;
 use super::tournament::Compared;
 use crate::blocks::cutting::material::Material;
@@ -37,10 +37,6 @@ pub const CONDITIONS: [Condition; 4] = [
         },
     },
 ];
-
-fn set_dead_time(scenario: &mut Scenario, dead_time_s: f64) {
-    (scenario.cnc.dead_time_s, scenario.belief.dead_time_s) = (dead_time_s, dead_time_s);
-}
 
 /// The methods of Table 1, and P with the Smith predictor.
 pub fn methods() -> impl Iterator<Item = &'static Method> {

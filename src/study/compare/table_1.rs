@@ -5,8 +5,11 @@
 //! of conventional milling in view; so were run-out, inhomogeneity and air feed, and the gains of
 //! P and MRAC ([`DISCLOSED`]). Nothing is tuned to a seed, and the plant is the same for every row.
 
+use std::sync::LazyLock;
+
 use serde::{Deserialize, Serialize};
 
+use super::entrants;
 use super::outcome::Measure;
 use super::tournament::Compared;
 use crate::base::units::percent_from_ratio;
@@ -94,15 +97,26 @@ impl Printed {
     }
 }
 
+static PRINTED: LazyLock<Vec<Printed>> = LazyLock::new(|| {
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(TABLE_1.as_bytes());
+    let rows: Result<Vec<Printed>, csv::Error> = reader.deserialize().collect();
+    rows.expect("the shipped table is checked by a test")
+});
+
 /// The rows as printed, in the order of [`super::entrants::TABLE_1`].
 ///
 /// # Panics
 /// Never: a test reads the shipped table.
 #[must_use]
-pub fn printed() -> Vec<Printed> {
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(TABLE_1.as_bytes());
-    let rows: Result<Vec<Printed>, csv::Error> = reader.deserialize().collect();
-    rows.expect("the shipped table is checked by a test")
+pub fn printed() -> &'static [Printed] {
+    &PRINTED
+}
+
+/// The printed row of an entrant, if the table has one of this name.
+#[must_use]
+pub fn printed_of(name: &str) -> Option<&'static Printed> {
+    let row = entrants::TABLE_1.iter().position(|method| method.name == name)?;
+    printed().get(row)
 }
 
 /// A band, and whether the runs keep it.
@@ -144,6 +158,10 @@ const UNKS: usize = 5;
 pub fn verdicts(table: &[Compared]) -> Vec<Verdict> {
     let printed = printed();
     let Some(methods) = table.get(..printed.len()) else { return Vec::new() };
+    // A table that somebody of the six is missing from has other rows in their places.
+    if methods.iter().zip(&entrants::TABLE_1).any(|(row, method)| row.name != method.name) {
+        return Vec::new();
+    }
     let against = |row: usize, measure: Measure, percent: f64| {
         let wanted = printed[row].get(measure).unwrap_or(f64::NAN);
         let name = &methods[row].name;
@@ -191,4 +209,28 @@ fn told(measure: Measure) -> String {
 #[must_use]
 pub fn far(printed: f64, found: f64) -> bool {
     percent_from_ratio(found / printed - 1.0).abs() > TIME_PERCENT
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_without_one_of_the_six_is_not_judged() {
+        use crate::run::presets;
+        use crate::study::compare::tournament::Tournament;
+        let mut base = presets::load("table3-5-noise").unwrap();
+        base.run.duration_s = 0.2;
+        let judged = |methods: &[entrants::Method]| {
+            let mut tournament = Tournament::new(entrants::on(&base, methods), 1);
+            tournament.advance(u64::MAX);
+            verdicts(&tournament.table())
+        };
+        let mut methods = entrants::TABLE_1.to_vec();
+        methods.extend_from_slice(entrants::BEYOND);
+        assert!(!judged(&methods).is_empty());
+        // The others would stand in its place, and be judged by its figures.
+        methods.remove(2);
+        assert!(judged(&methods).is_empty());
+    }
 }

@@ -7,9 +7,9 @@ use crate::run::edits::Edits;
 use crate::run::one_run::Run;
 use crate::run::scenario::Scenario;
 use crate::study::compare::entrants::{BEYOND, Method, TABLE_1};
-use crate::study::compare::entrants::{experiment_2, experiment_2_per_cut, on};
+use crate::study::compare::entrants::{experiment_2, experiment_2_per_cut, on, set_dead_time};
 use crate::study::compare::load_step::{self, Transient};
-use crate::study::compare::robustness;
+use crate::study::compare::robustness::{self, Row};
 use crate::study::compare::tournament::{Compared, Tournament};
 
 /// Set-ups whose results are kept.
@@ -100,8 +100,7 @@ impl Setup {
             DeadTime::Long => Some(0.08),
         };
         if let Some(dead_time_s) = dead_time_s {
-            base.set("cnc.dead_time_s", Value::Float(dead_time_s))?;
-            base.set("belief.dead_time_s", Value::Float(dead_time_s))?;
+            set_dead_time(&mut base, dead_time_s);
         }
         let material = match self.stock {
             Stock::AsIs => None,
@@ -167,8 +166,8 @@ impl Contest {
     }
 
     /// The table so far.
-    pub fn table(&self) -> Vec<Compared> {
-        self.table.1.clone()
+    pub fn table(&self) -> &[Compared] {
+        &self.table.1
     }
 
     fn refresh(&mut self) {
@@ -180,11 +179,38 @@ impl Contest {
 }
 
 /// Everybody under changed conditions.
+#[derive(Default)]
 pub struct Robust {
-    /// All runs.
-    pub tournament: Tournament,
+    /// All runs; made when they are first wanted.
+    tournament: Option<Tournament>,
     /// Whether it runs.
     pub running: bool,
+    /// The rows, and the number of runs that they are of.
+    rows: (usize, Vec<Row>),
+}
+
+impl Robust {
+    /// Runs done, the present one by its share, and all runs.
+    pub fn progress(&self) -> (f64, usize) {
+        let all = robustness::CONDITIONS.len() * robustness::methods().count();
+        let none = (0.0, all * ROBUST_SEEDS as usize);
+        self.tournament.as_ref().map_or(none, Tournament::progress)
+    }
+
+    /// The rows so far.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows.1
+    }
+
+    fn advance(&mut self, ticks: u64) {
+        let new = || Tournament::new(robustness::entrants(), ROBUST_SEEDS);
+        let tournament = self.tournament.get_or_insert_with(new);
+        self.running = !tournament.advance(ticks);
+        let done = tournament.progress().0 as usize;
+        if done != self.rows.0 {
+            self.rows = (done, robustness::rows(tournament.table()));
+        }
+    }
 }
 
 /// See the head of this file.
@@ -198,6 +224,8 @@ pub struct Contests {
     /// The table of changed conditions.
     pub robust: Robust,
     kept: Vec<Contest>,
+    /// The set-up that is shown, and the open scenario where that is its part.
+    followed: Option<(Setup, Option<Scenario>)>,
     /// The one that is shown; none where nobody takes part or the set-up is refused.
     shown: Option<usize>,
     /// Why a set-up is refused.
@@ -213,10 +241,8 @@ impl Default for Contests {
             setup: Setup::default(),
             seeds: 20,
             running: false,
-            robust: Robust {
-                tournament: Tournament::new(robustness::entrants(), ROBUST_SEEDS),
-                running: false,
-            },
+            robust: Robust::default(),
+            followed: None,
             kept: Vec::new(),
             shown: None,
             refused: None,
@@ -229,6 +255,21 @@ impl Default for Contests {
 impl Contests {
     /// Shows the tournament of the present set-up, a new one if there is none.
     pub fn follow(&mut self, open: &Scenario) {
+        let open_part = (self.setup.part == Part::Open).then_some(open);
+        let same = self.followed.as_ref().is_some_and(|(setup, scenario)| {
+            *setup == self.setup && scenario.as_ref() == open_part
+        });
+        if !same {
+            self.followed = Some((self.setup.clone(), open_part.cloned()));
+            self.show(open);
+        }
+        if let Some(contest) = self.shown.and_then(|index| self.kept.get_mut(index)) {
+            contest.tournament.set_seeds(self.seeds);
+            contest.refresh();
+        }
+    }
+
+    fn show(&mut self, open: &Scenario) {
         self.refused = None;
         self.shown = None;
         if !self.setup.chosen.contains(&true) {
@@ -261,9 +302,6 @@ impl Contests {
             });
             self.kept.len() - 1
         });
-        let contest = &mut self.kept[found];
-        contest.tournament.set_seeds(self.seeds);
-        contest.refresh();
         self.shown = Some(found);
     }
 
@@ -289,9 +327,7 @@ impl Contests {
                 self.running = !contest.advance(self.ticks);
                 contest.refresh();
             }
-            _ if self.robust.running => {
-                self.robust.running = !self.robust.tournament.advance(self.ticks);
-            }
+            _ if self.robust.running => self.robust.advance(self.ticks),
             _ => {}
         }
         true

@@ -8,7 +8,7 @@ use super::table::value;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::study::compare::outcome::Measure;
-use crate::study::compare::robustness::{CONDITIONS, Row, material_claim, methods, rows};
+use crate::study::compare::robustness::{CONDITIONS, Row, material_claim, methods};
 
 /// Size of type of the prototype's figures.
 const NOTE: f32 = 11.5;
@@ -24,7 +24,7 @@ pub fn show(ui: &mut Ui, robust: &mut Robust) {
                 which they do not. Below each figure that of an independent prototype of the same \
                 equations, where it has one: it is no figure of the paper.";
     ui.label(RichText::new(text).color(palette.weak));
-    let (done, all) = robust.tournament.progress();
+    let (done, all) = robust.progress();
     ui.horizontal_wrapped(|ui| {
         let over = done >= all as f64;
         if robust.running {
@@ -42,10 +42,10 @@ pub fn show(ui: &mut Ui, robust: &mut Robust) {
         ui.add(ProgressBar::new(share).desired_width(120.0).desired_height(10.0));
         ui.label(RichText::new(format!("{:.0} of {all} runs", done.floor())).color(palette.weak));
     });
-    if done < 1.0 {
+    let rows = robust.rows();
+    if rows.is_empty() {
         return;
     }
-    let rows = rows(robust.tournament.table());
     let each = methods().count();
     ScrollArea::horizontal().id_salt("robustness").show(ui, |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
@@ -69,7 +69,7 @@ pub fn show(ui: &mut Ui, robust: &mut Robust) {
             }
         });
     });
-    if let Some(claim) = material_claim(&rows) {
+    if let Some(claim) = material_claim(rows) {
         let (mark, color) =
             if claim.holds { ("holds", palette.good) } else { ("does not hold", palette.bad) };
         ui.horizontal_wrapped(|ui| {

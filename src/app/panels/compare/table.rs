@@ -8,7 +8,7 @@ use crate::app::theme::{self, Palette};
 use crate::run::edits::Edits;
 use crate::run::scenario_file;
 use crate::study::compare::outcome::Measure;
-use crate::study::compare::table_1::{Printed, printed as printed_rows};
+use crate::study::compare::table_1::{self, Printed};
 use crate::study::compare::tournament::{Compared, Tournament};
 
 /// Size of type of deviations and printed figures.
@@ -40,10 +40,8 @@ pub fn title(measure: Measure) -> String {
 }
 
 /// The printed row of an entrant, if the table has one and belongs here.
-pub fn printed_of(name: &str, belongs: bool) -> Option<Printed> {
-    let row =
-        crate::study::compare::entrants::TABLE_1.iter().position(|method| method.name == name);
-    row.filter(|_| belongs).and_then(|row| printed_rows().into_iter().nth(row))
+pub fn printed_of(name: &str, belongs: bool) -> Option<&'static Printed> {
+    table_1::printed_of(name).filter(|_| belongs)
 }
 
 /// The best mean of a measure where there is anything to compare.
@@ -138,7 +136,7 @@ pub fn table(
                 });
                 load(ui, tournament, index, commands);
                 for measure in Measure::ALL {
-                    let figure = figure(one, compared, *measure, printed.as_ref());
+                    let figure = figure(one, compared, *measure, printed);
                     ui.vertical(|ui| {
                         ui.horizontal(|ui| {
                             ui.spacing_mut().item_spacing.x = 4.0;
@@ -187,7 +185,7 @@ pub fn cards(
             }
             Grid::new(("compared", index)).num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
                 for measure in Measure::ALL {
-                    let figure = figure(one, compared, *measure, printed.as_ref());
+                    let figure = figure(one, compared, *measure, printed);
                     ui.label(RichText::new(title(*measure)).size(NOTE))
                         .on_hover_text(doc(*measure));
                     ui.horizontal(|ui| {
