@@ -13,7 +13,7 @@ use screen::{Screen, texts};
 use steadycut::app::Console;
 use steadycut::base::settings::Value;
 use steadycut::blocks::cutting::tool_path::ToolPath;
-use steadycut::run::tooth_marks::ToothMarks;
+use steadycut::run::tooth_marks::MarkedPart;
 use steadycut::study::profilometer::{Line, measure};
 
 const DESKTOP: Vec2 = vec2(1280.0, 800.0);
@@ -77,7 +77,7 @@ fn set(screen: &mut Screen, name: &str, value: f64) {
 /// The screen shows what the core finds along the line in the fields.
 fn agrees_with_core(screen: &Screen) {
     let session = console(screen).session();
-    let mut marks = ToothMarks::new(session.scenario());
+    let mut marks = MarkedPart::new(session.scenario());
     marks.extend(session.revealed());
     let [x0, y0, x1, y1] = ["From x", "From y", "To x", "To y"].map(|name| field(screen, name));
     let line = Line { from_mm: [x0, y0], to_mm: [x1, y1] };

@@ -6,7 +6,7 @@ use steadycut::blocks::cutting::tool_path::ToolPath;
 use steadycut::run::edits::Edits;
 use steadycut::run::one_run::Run;
 use steadycut::run::presets::load;
-use steadycut::run::tooth_marks::ToothMarks;
+use steadycut::run::tooth_marks::MarkedPart;
 use steadycut::study::profilometer::{Line, measure};
 
 const LINE: Line = Line { from_mm: [30.0, 3.5], to_mm: [56.0, 3.5] };
@@ -16,10 +16,10 @@ fn a_measured_profile_has_the_roughness_of_the_run_and_slices_and_the_command_li
     let scenario = load("table3-5").unwrap();
     let run = Run::complete(&scenario, &Edits::none());
     let rows = run.recording().rows();
-    let mut marks = ToothMarks::new(&scenario);
+    let mut marks = MarkedPart::new(&scenario);
     marks.extend(rows);
     let path = ToolPath::new(&scenario.workpiece);
-    let measured = |marks: &ToothMarks| {
+    let measured = |marks: &MarkedPart| {
         measure(&marks.cuts()[0].surface, path.of(0), &LINE, &scenario.profile).unwrap()
     };
     let found = measured(&marks);
@@ -31,7 +31,7 @@ fn a_measured_profile_has_the_roughness_of_the_run_and_slices_and_the_command_li
     assert!((found.run_ra_um / (sum / count) - 1.0).abs() < 0.01, "{}", found.run_ra_um);
 
     let mut slices = Run::new(&scenario, &Edits::none());
-    let mut marked = ToothMarks::new(&scenario);
+    let mut marked = MarkedPart::new(&scenario);
     while !slices.advance(777) {
         marked.extend(slices.recording().rows());
     }

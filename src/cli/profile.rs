@@ -11,7 +11,7 @@ use crate::blocks::cutting::tool_path::ToolPath;
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
 use crate::run::scenario::Scenario;
-use crate::run::tooth_marks::ToothMarks;
+use crate::run::tooth_marks::MarkedPart;
 use crate::study::profilometer::{Line, measure};
 
 /// The JSON object of a measurement.
@@ -40,7 +40,7 @@ pub fn execute(
 ) -> Outcome {
     let mut run = Run::new(scenario, edits);
     complete(&mut run);
-    let mut marks = ToothMarks::new(scenario);
+    let mut marks = MarkedPart::new(scenario);
     marks.extend(run.recording().rows());
     let number = cut.unwrap_or(marks.cut() + 1);
     let reached = marks.cut() + 1;

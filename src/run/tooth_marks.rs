@@ -13,6 +13,7 @@ use crate::base::units::{mm_from_um, rev_s_from_rpm};
 use crate::blocks::cutting::process::ForceModel;
 use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::tool_path::ToolPath;
+use crate::blocks::surface::profile::Passing;
 use crate::blocks::surface::topography::{Mark, Topography};
 
 /// A straight cut of the part.
@@ -26,9 +27,9 @@ pub struct MarkedCut {
     pub surface: Topography,
 }
 
-/// The surface of a run, as far as it has come.
+/// The part with the surface of a run, as far as it has come.
 #[derive(Clone, Debug)]
-pub struct ToothMarks {
+pub struct MarkedPart {
     cuts: Vec<MarkedCut>,
     cut: usize,
     teeth: f64,
@@ -38,12 +39,11 @@ pub struct ToothMarks {
     /// Whether vibration makes Ra with dynamics, and its share that is normal to the surface.
     vibrates: bool,
     vibrating: f64,
-    /// Teeth that have come past.
-    passed: f64,
+    passing: Passing,
     rows: usize,
 }
 
-impl ToothMarks {
+impl MarkedPart {
     /// The part before the first tooth.
     #[must_use]
     pub fn new(scenario: &Scenario) -> Self {
@@ -71,7 +71,7 @@ impl ToothMarks {
             vibrates: scenario.machine.coupled
                 && scenario.machine.roughness_from == RoughnessFrom::Vibration,
             vibrating: scenario.profile.normal_share,
-            passed: 0.0,
+            passing: Passing::default(),
             rows: 0,
         }
     }
@@ -87,30 +87,25 @@ impl ToothMarks {
     /// The teeth that come past between two rows.
     fn between(&mut self, from: &Row, to: &Row) {
         let turned = rev_s_from_rpm(to.spindle_rpm) * (to.time_s - from.time_s) * self.teeth;
-        let before = self.passed;
-        self.passed += turned;
         if self.cut + 1 < self.cuts.len() {
             let next_mm = self.cuts[self.cut + 1].begins_mm;
             self.cut += usize::from(to.position_mm >= next_mm - APPROACH_MM);
         }
-        if to.has(flag::AIR) || turned <= 0.0 {
-            return;
-        }
         let cut = &mut self.cuts[self.cut];
-        let mut tooth = before.floor() + 1.0;
-        while tooth <= self.passed {
-            let share = (tooth - before) / turned;
+        // Vibration is in the marks themselves; without it, Ra with dynamics stands for it.
+        let ra_um = if self.vibrates { to.ra_um } else { to.ra_dyn_um };
+        self.passing.advance(turned, |tooth, share| {
+            if to.has(flag::AIR) {
+                return;
+            }
             let position_mm = from.position_mm + share * (to.position_mm - from.position_mm);
-            let out = if tooth % 2.0 == 0.0 { self.runout_mm } else { -self.runout_mm };
-            // Vibration is in the marks themselves; without it, Ra with dynamics stands for it.
-            let ra_um = if self.vibrates { to.ra_um } else { to.ra_dyn_um };
+            let out = if tooth % 2 == 1 { self.runout_mm } else { -self.runout_mm };
             cut.surface.push(Mark {
                 x_mm: position_mm - cut.begins_mm,
                 z_mm: out + self.vibrating * mm_from_um(to.vibration_um),
                 ra_um: if self.by_teeth { 0.0 } else { ra_um },
             });
-            tooth += 1.0;
-        }
+        });
     }
 
     /// The cuts.
@@ -128,7 +123,7 @@ impl ToothMarks {
     /// Turns of the spindle so far.
     #[must_use]
     pub fn turns(&self) -> f64 {
-        self.passed / self.teeth
+        self.passing.teeth() / self.teeth
     }
 
     /// Rows taken in so far.
@@ -150,14 +145,14 @@ mod tests {
         let scenario = load("table3-5").unwrap();
         let run = Run::complete(&scenario, &Edits::none());
         let rows = run.recording().rows();
-        let mut whole = ToothMarks::new(&scenario);
+        let mut whole = MarkedPart::new(&scenario);
         whole.extend(rows);
         let marks = whole.cuts()[0].surface.marks();
         let last = rows.last().unwrap();
         let feed_mm = last.feed_mm_min / last.spindle_rpm / 2.0;
         let [.., a, b] = marks else { panic!("{} marks", marks.len()) };
         assert!(((b.x_mm - a.x_mm) / feed_mm - 1.0).abs() < 1e-3, "{a:?} {b:?} {feed_mm}");
-        let mut pieces = ToothMarks::new(&scenario);
+        let mut pieces = MarkedPart::new(&scenario);
         for end in (0..rows.len()).step_by(777).chain([rows.len()]) {
             pieces.extend(&rows[..end]);
         }
@@ -169,7 +164,7 @@ mod tests {
         let mut scenario = load("experiment-2").unwrap();
         scenario.run.duration_s = 60.0;
         let run = Run::complete(&scenario, &Edits::none());
-        let mut marks = ToothMarks::new(&scenario);
+        let mut marks = MarkedPart::new(&scenario);
         marks.extend(run.recording().rows());
         assert!(marks.cut() >= 2, "cut {}", marks.cut());
         for cut in &marks.cuts()[..2] {

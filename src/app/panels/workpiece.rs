@@ -21,7 +21,7 @@ use crate::app::widgets::legend;
 use crate::blocks::cutting::process::ForceModel;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::reference::Reference;
-use crate::run::tooth_marks::ToothMarks;
+use crate::run::tooth_marks::MarkedPart;
 use judged::Lengths;
 use picture::{Kept, SLOWER};
 use profilometer::{Measured, Profilometer};
@@ -44,7 +44,7 @@ pub struct WorkpiecePanel {
 /// Tooth marks of the run as far as it is revealed, and how good the surface is.
 struct Marked {
     changes: u64,
-    marks: ToothMarks,
+    marks: MarkedPart,
     lengths: Lengths,
 }
 
@@ -109,7 +109,7 @@ impl WorkpiecePanel {
         let rows = session.revealed();
         let current = self.marks.as_ref();
         if current.is_none_or(|m| m.changes != session.changes() || m.marks.rows() > rows.len()) {
-            let marks = ToothMarks::new(session.scenario());
+            let marks = MarkedPart::new(session.scenario());
             let lengths = Lengths::default();
             self.marks = Some(Marked { changes: session.changes(), marks, lengths });
         }

@@ -10,6 +10,36 @@
 use crate::base::model::roughness_profile::Mark;
 use crate::base::rng::Stream;
 
+/// Counts the teeth that come past.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Passing {
+    tooth: u64,
+    /// Share of the way to the next tooth's instant.
+    phase: f64,
+}
+
+impl Passing {
+    /// Lets `teeth` teeth pass in a step; `each` is told the number of every one whose instant lies in
+    /// it, counted from 0, and the share of the step that is over then.
+    pub fn advance(&mut self, teeth: f64, mut each: impl FnMut(u64, f64)) {
+        let before = self.phase;
+        self.phase += teeth;
+        let mut at = 1.0;
+        while at <= self.phase {
+            each(self.tooth, (at - before) / teeth);
+            self.tooth += 1;
+            at += 1.0;
+        }
+        self.phase -= at - 1.0;
+    }
+
+    /// Teeth so far, with the share of the next one.
+    #[must_use]
+    pub fn teeth(&self) -> f64 {
+        self.tooth as f64 + self.phase
+    }
+}
+
 /// One step of the cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CutStep {
@@ -29,9 +59,7 @@ pub struct ToothMarks {
     /// How far each tooth stands back, mm.
     stands_back_mm: Vec<f64>,
     random: Stream,
-    tooth: u64,
-    /// Share of the way to the next tooth's instant.
-    phase: f64,
+    passing: Passing,
     last: CutStep,
 }
 
@@ -44,34 +72,26 @@ impl ToothMarks {
         Self {
             stands_back_mm: (0..teeth.max(1)).map(back).collect(),
             random: Stream::new(seed, "surface.marks"),
-            tooth: 0,
-            phase: 0.0,
+            passing: Passing::default(),
             last: CutStep { turns: 0.0, position_mm, vibration_mm: 0.0, random_mm: 0.0 },
         }
     }
 
     /// Lets a step pass; the marks of the teeth that pass in it go to `leave`, first to last.
     pub fn update(&mut self, step: &CutStep, mut leave: impl FnMut(Mark)) {
-        let passing = step.turns * self.stands_back_mm.len() as f64;
-        let before = self.phase;
-        self.phase += passing;
-        let mut at = 1.0;
-        while at <= self.phase {
+        let Self { stands_back_mm, random, passing, last } = self;
+        let teeth = stands_back_mm.len();
+        passing.advance(step.turns * teeth as f64, |tooth, share| {
             // Between the ends of the step position and vibration are lines.
-            let share = (at - before) / passing;
             let between = |from: f64, to: f64| from + share * (to - from);
-            let back =
-                self.stands_back_mm[(self.tooth % self.stands_back_mm.len() as u64) as usize];
+            let back = stands_back_mm[(tooth % teeth as u64) as usize];
             leave(Mark {
-                x_mm: between(self.last.position_mm, step.position_mm),
+                x_mm: between(last.position_mm, step.position_mm),
                 z_mm: back
-                    + between(self.last.vibration_mm, step.vibration_mm)
-                    + step.random_mm * self.random.normal(self.tooth),
+                    + between(last.vibration_mm, step.vibration_mm)
+                    + step.random_mm * random.normal(tooth),
             });
-            self.tooth += 1;
-            at += 1.0;
-        }
-        self.phase -= at - 1.0;
+        });
         self.last = *step;
     }
 }

@@ -16,10 +16,10 @@
 //! difference (chosen), so that a measured profile has the run's Ra.
 
 use crate::base::math;
+use crate::base::model::roughness_profile::rise_mm;
+use crate::base::model::roughness_trend::CUSP_RATIO;
 use crate::base::rng::Stream;
 
-/// Ra of the parabolic feed marks over their height.
-const RA_OVER_HEIGHT: f64 = 0.256_600_119_639_833_7;
 /// Standard deviation of a normal deviate over its mean magnitude: (pi/2)^1/2.
 const DEVIATION_OVER_RA: f64 = 1.253_314_137_315_5;
 /// Grid of the texture along and across the cut, mm.
@@ -96,23 +96,18 @@ impl Topography {
         let reach_mm =
             REACH_TEETH * feed_mm + (4.0 * self.radius_mm * 2.0 * self.deepest_mm).sqrt();
         let from = self.marks.partition_point(|mark| mark.x_mm < x_mm - reach_mm);
-        let squared = self.radius_mm * self.radius_mm - y_mm * y_mm;
-        let root = squared.sqrt();
+        let root = (self.radius_mm * self.radius_mm - y_mm * y_mm).sqrt();
         let mut lowest_mm = f64::INFINITY;
         for mark in self.marks[from..].iter().take_while(|mark| mark.x_mm <= x_mm + reach_mm) {
-            let off = x_mm - mark.x_mm;
-            let inside = squared - off * off;
-            if inside > 0.0 {
-                // root - inside^1/2 without its cancellation.
-                lowest_mm = lowest_mm.min(mark.z_mm + off * off / (root + inside.sqrt()));
-            }
+            // Across the cut the ball meets the surface in a smaller circle.
+            lowest_mm = lowest_mm.min(mark.z_mm + rise_mm(root, x_mm - mark.x_mm));
         }
         let marks_um = lowest_mm * 1000.0;
         marks_um.is_finite().then(|| marks_um + self.texture_um(x_mm, y_mm, &here, feed_mm, root))
     }
 
     fn texture_um(&self, x_mm: f64, y_mm: f64, mark: &Mark, feed_mm: f64, root_mm: f64) -> f64 {
-        let marks_ra_um = RA_OVER_HEIGHT * 1000.0 * feed_mm * feed_mm / (8.0 * root_mm);
+        let marks_ra_um = CUSP_RATIO * 1000.0 * feed_mm * feed_mm / (8.0 * root_mm);
         let rest = math::positive(mark.ra_um * mark.ra_um - marks_ra_um * marks_ra_um).sqrt();
         DEVIATION_OVER_RA * rest * self.field(x_mm / GRID_MM[0], y_mm / GRID_MM[1])
     }

@@ -46,7 +46,8 @@ pub struct Mark {
 /// Height in mm that a ball of `radius_mm` leaves `d_mm` beside its lowest point; infinite beyond
 /// the ball.
 #[inline]
-fn rise_mm(radius_mm: f64, d_mm: f64) -> f64 {
+#[must_use]
+pub fn rise_mm(radius_mm: f64, d_mm: f64) -> f64 {
     let squared = d_mm * d_mm;
     let rest = radius_mm * radius_mm - squared;
     if rest >= 0.0 { squared / (radius_mm + rest.sqrt()) } else { f64::INFINITY }
