@@ -1,4 +1,9 @@
-//! A looped block on its way to the loudspeaker, sample by sample.
+//! A looped block on its way to the loudspeaker, sample by sample, and what the console and the thread
+//! that plays it share.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use super::FADE_S;
 
 /// The block that sounds, the one before it as it fades, and the volume.
 #[derive(Clone, Debug, Default)]
@@ -44,6 +49,43 @@ impl Looped {
         self.share = (self.share + self.step).min(1.0);
         self.volume * mixed
     }
+}
+
+/// What is to sound, and what has gone wrong where it is played.
+#[derive(Clone, Debug)]
+pub struct Shared {
+    looped: Arc<Mutex<Looped>>,
+    failed: Arc<Mutex<Option<String>>>,
+}
+
+impl Shared {
+    /// Silence at so many samples per second.
+    #[must_use]
+    pub fn new(rate_hz: u32) -> Self {
+        let looped = Looped::new((FADE_S * f64::from(rate_hz)) as usize);
+        Self { looped: Arc::new(Mutex::new(looped)), failed: Arc::new(Mutex::new(None)) }
+    }
+
+    /// The block and its volume, for the thread that plays it.
+    pub fn looped(&self) -> MutexGuard<'_, Looped> {
+        lock(&self.looped)
+    }
+
+    /// It plays no more: why.
+    pub fn fail(&self, problem: String) {
+        *lock(&self.failed) = Some(problem);
+    }
+
+    /// Why it plays no more, if it does not.
+    #[must_use]
+    pub fn failure(&self) -> Option<String> {
+        lock(&self.failed).clone()
+    }
+}
+
+/// No panic can leave the values behind a lock half done.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 fn next(block: &[f32], place: &mut usize) -> f32 {

@@ -1,19 +1,15 @@
 //! The desktop's loudspeaker.
 
-use std::sync::{Arc, Mutex, PoisonError};
-
 use cpal::traits::{DeviceTrait, HostTrait, StreamTrait};
 use cpal::{FromSample, I24, SampleFormat, SizedSample, StreamConfig, U24};
 
-use super::FADE_S;
-use super::looped::Looped;
+use super::looped::Shared;
 
 /// The default output of the system, playing until it is dropped.
 pub struct Speaker {
     /// Keeps the stream running.
     _stream: cpal::Stream,
-    looped: Arc<Mutex<Looped>>,
-    failed: Arc<Mutex<Option<String>>>,
+    shared: Shared,
     rate_hz: u32,
 }
 
@@ -29,9 +25,8 @@ impl Speaker {
         let offered = device.default_output_config().map_err(problem)?;
         let config: StreamConfig = offered.into();
         let rate_hz = config.sample_rate;
-        let looped = Arc::new(Mutex::new(Looped::new((FADE_S * f64::from(rate_hz)) as usize)));
-        let failed = Arc::new(Mutex::new(None));
-        let ends = (Arc::clone(&looped), Arc::clone(&failed));
+        let shared = Shared::new(rate_hz);
+        let ends = shared.clone();
         let stream = match offered.sample_format() {
             SampleFormat::I8 => stream::<i8>(&device, config, ends),
             SampleFormat::I16 => stream::<i16>(&device, config, ends),
@@ -47,7 +42,7 @@ impl Speaker {
         };
         let stream = stream.map_err(problem)?;
         stream.play().map_err(problem)?;
-        Ok(Self { _stream: stream, looped, failed, rate_hz })
+        Ok(Self { _stream: stream, shared, rate_hz })
     }
 
     /// Samples per second.
@@ -58,36 +53,30 @@ impl Speaker {
 
     /// Plays `block`, samples within -1 to 1, over and over; an empty one is silence.
     pub fn play(&mut self, block: Vec<f32>) {
-        lock(&self.looped).play(block);
+        self.shared.looped().play(block);
     }
 
     /// Sets the volume, 0 to 1.
     pub fn set_volume(&mut self, volume: f32) {
-        lock(&self.looped).set_volume(volume);
+        self.shared.looped().set_volume(volume);
     }
 
     /// What has gone wrong since, if it plays no more: the output was unplugged, for example.
     #[must_use]
     pub fn failure(&self) -> Option<String> {
-        lock(&self.failed).clone()
+        self.shared.failure()
     }
 }
-
-/// No panic can leave the values behind a lock half done.
-fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-type Ends = (Arc<Mutex<Looped>>, Arc<Mutex<Option<String>>>);
 
 fn stream<T: SizedSample + FromSample<f32>>(
     device: &cpal::Device,
     config: StreamConfig,
-    (looped, failed): Ends,
+    ends: Shared,
 ) -> Result<cpal::Stream, cpal::Error> {
     let channels = usize::from(config.channels.max(1));
+    let failing = ends.clone();
     let fill = move |data: &mut [T], _: &cpal::OutputCallbackInfo| {
-        let mut looped = lock(&looped);
+        let mut looped = ends.looped();
         for frame in data.chunks_mut(channels) {
             frame.fill(T::from_sample(looped.sample()));
         }
@@ -101,7 +90,7 @@ fn stream<T: SizedSample + FromSample<f32>>(
                 | cpal::ErrorKind::RealtimeDenied
         );
         if !mended {
-            *lock(&failed) = Some(format!("the sound output has failed: {error}"));
+            failing.fail(format!("the sound output has failed: {error}"));
         }
     };
     device.build_output_stream(config, fill, complain, None)

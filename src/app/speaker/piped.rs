@@ -3,11 +3,10 @@
 
 use std::io::Write;
 use std::process::{Child, Command, Stdio};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
 
-use super::FADE_S;
-use super::looped::Looped;
+use super::looped::Shared;
 
 /// Samples per second, one channel, floats of 32 bits.
 const RATE_HZ: u32 = 44_100;
@@ -22,8 +21,7 @@ const PLAYERS: [(&str, &[&str]); 3] = [
 
 /// The player, playing until it is dropped.
 pub struct Speaker {
-    looped: Arc<Mutex<Looped>>,
-    failed: Arc<Mutex<Option<String>>>,
+    shared: Shared,
     over: Arc<AtomicBool>,
 }
 
@@ -42,22 +40,17 @@ impl Speaker {
             "no player was found: pacat (PulseAudio), pw-cat (PipeWire) or aplay (ALSA; Debian: \
              apt install alsa-utils)",
         )?;
-        let looped = Arc::new(Mutex::new(Looped::new((FADE_S * f64::from(RATE_HZ)) as usize)));
-        let speaker = Self {
-            looped: Arc::clone(&looped),
-            failed: Arc::new(Mutex::new(None)),
-            over: Arc::new(AtomicBool::new(false)),
-        };
-        let (failed, over) = (Arc::clone(&speaker.failed), Arc::clone(&speaker.over));
+        let speaker = Self { shared: Shared::new(RATE_HZ), over: Arc::new(AtomicBool::new(false)) };
+        let (shared, over) = (speaker.shared.clone(), Arc::clone(&speaker.over));
         std::thread::spawn(move || {
             // One that ends at once may lack its sound server: the next may have one.
             for player in std::iter::once(first).chain(players.filter_map(started)) {
-                if feed(player, &looped, &over) {
+                if feed(player, &shared, &over) {
                     return;
                 }
             }
             let problem = "the sound system's player has ended: is there a sound output?";
-            *lock(&failed) = Some(problem.to_owned());
+            shared.fail(problem.to_owned());
         });
         Ok(speaker)
     }
@@ -70,18 +63,18 @@ impl Speaker {
 
     /// Plays `block`, samples within -1 to 1, over and over; an empty one is silence.
     pub fn play(&mut self, block: Vec<f32>) {
-        lock(&self.looped).play(block);
+        self.shared.looped().play(block);
     }
 
     /// Sets the volume, 0 to 1.
     pub fn set_volume(&mut self, volume: f32) {
-        lock(&self.looped).set_volume(volume);
+        self.shared.looped().set_volume(volume);
     }
 
     /// What has gone wrong since, if it plays no more: there is no sound output, for example.
     #[must_use]
     pub fn failure(&self) -> Option<String> {
-        lock(&self.failed).clone()
+        self.shared.failure()
     }
 }
 
@@ -89,11 +82,6 @@ impl Drop for Speaker {
     fn drop(&mut self) {
         self.over.store(true, Ordering::Relaxed);
     }
-}
-
-/// No panic can leave the values behind a lock half done.
-fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A player, if there is one of this name.
@@ -105,13 +93,13 @@ fn started((name, arguments): &(&str, &[&str])) -> Option<Child> {
 
 /// Hands samples over until the speaker is dropped (`true`) or the player ends; the full pipe keeps
 /// the pace.
-fn feed(mut player: Child, looped: &Mutex<Looped>, over: &AtomicBool) -> bool {
+fn feed(mut player: Child, shared: &Shared, over: &AtomicBool) -> bool {
     let mut bytes = Vec::with_capacity(4 * CHUNK);
     if let Some(mut pipe) = player.stdin.take() {
         while !over.load(Ordering::Relaxed) {
             bytes.clear();
             {
-                let mut looped = lock(looped);
+                let mut looped = shared.looped();
                 (0..CHUNK).for_each(|_| bytes.extend_from_slice(&looped.sample().to_le_bytes()));
             }
             if pipe.write_all(&bytes).is_err() {

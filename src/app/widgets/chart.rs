@@ -125,24 +125,11 @@ pub fn show(
         }
         _ => None,
     };
-    let response = Plot::new(chart.id)
-        .height(height)
+    let response = still(chart.id, palette, [width, height])
         .link_cursor(group, [true, false])
-        .allow_drag(false)
-        .allow_scroll(false)
         .allow_zoom([true, false])
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .allow_axis_zoom_drag(false)
         .sense(drags)
-        .y_axis_min_width(44.0)
-        .grid_color(palette.grid)
-        .grid_fade(0.0)
-        .x_grid_spacer(move |input| grid(input, width / 80.0))
-        .y_grid_spacer(move |input| grid(input, height / 27.0))
         .x_axis_formatter(|mark, _| format!("{} s", tick(mark)))
-        .y_axis_formatter(|mark, _| tick(mark))
-        .grid_spacing(egui::Rangef::new(16.0, 300.0))
         .label_formatter(label)
         .show(ui, |plot| {
             plot.set_plot_bounds_x(range[0]..=range[1]);
@@ -173,9 +160,10 @@ pub fn show(
     response.transform.frame().x_range()
 }
 
-/// A plot that is only looked at: nothing in it is dragged, scrolled or zoomed.
+/// A plot as all of them look, which by itself is only looked at: nothing in it is dragged, scrolled or
+/// zoomed.
 #[must_use]
-pub fn still(title: &str, palette: &Palette, [width, height]: [f32; 2]) -> Plot<'static> {
+pub fn still<'a>(title: &str, palette: &Palette, [width, height]: [f32; 2]) -> Plot<'a> {
     Plot::new(title)
         .height(height)
         .allow_zoom(false)

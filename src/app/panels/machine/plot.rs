@@ -3,12 +3,12 @@
 
 use egui::{RichText, Role, Ui, WidgetInfo};
 use egui_plot::{
-    FilledArea, GridInput, GridMark, HLine, HoverPosition, Line, MarkerShape, Plot, PlotPoint,
+    FilledArea, GridInput, GridMark, HLine, HoverPosition, Line, MarkerShape, PlotPoint,
     PlotPoints, PlotResponse, PlotUi, Points, Text, VLine,
 };
 
 use crate::app::theme::{self, Look, Palette, log10};
-use crate::app::widgets::chart::{grid, tick};
+use crate::app::widgets::chart::{grid, still, tick};
 use crate::app::widgets::legend;
 use crate::base::math::{extent, pow};
 
@@ -147,19 +147,8 @@ impl Figure {
             }
             _ => None,
         };
-        let response = Plot::new(self.title)
-            .height(height)
-            .allow_drag(false)
-            .allow_scroll(false)
-            .allow_zoom(false)
-            .allow_boxed_zoom(false)
-            .allow_double_click_reset(false)
-            .allow_axis_zoom_drag(false)
+        let response = still(self.title, palette, [width, height])
             .sense(sense)
-            .y_axis_min_width(44.0)
-            .grid_color(palette.grid)
-            .grid_fade(0.0)
-            .x_grid_spacer(move |input| grid(input, width / 80.0))
             .y_grid_spacer(move |input| match logarithmic {
                 true => decades(input, height),
                 false => grid(input, height / 27.0),
@@ -172,7 +161,6 @@ impl Figure {
                 true => decade(mark),
                 false => tick(mark),
             })
-            .grid_spacing(egui::Rangef::new(16.0, 300.0))
             .label_formatter(label)
             .show(ui, |plot| {
                 // With room for the last number of the axis.

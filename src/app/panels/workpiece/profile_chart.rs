@@ -1,10 +1,10 @@
 //! The measured profile over the distance along the line: as the teeth left it, and filtered.
 
 use egui::{RichText, Role, Sense, Ui, WidgetInfo};
-use egui_plot::{HoverPosition, Line, Plot, PlotPoints};
+use egui_plot::{HoverPosition, Line, PlotPoints};
 
 use crate::app::theme::{self, Look, Palette};
-use crate::app::widgets::chart::{grid, tick};
+use crate::app::widgets::chart::{grid, still, tick};
 use crate::app::widgets::legend;
 use crate::base::math::extent;
 use crate::study::profilometer::Measurement;
@@ -79,23 +79,12 @@ pub fn show(ui: &mut Ui, curves: &Curves) {
         }
         _ => None,
     };
-    let response = Plot::new("profile")
-        .height(HEIGHT)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_zoom(false)
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .allow_axis_zoom_drag(false)
+    let response = still("profile", palette, [width, HEIGHT])
         .sense(Sense::click())
         .y_axis_min_width(40.0)
-        .grid_color(palette.grid)
-        .grid_fade(0.0)
         .x_grid_spacer(move |input| grid(input, width / 70.0))
         .y_grid_spacer(|input| grid(input, HEIGHT / 30.0))
         .x_axis_formatter(|mark, _| format!("{} mm", tick(mark)))
-        .y_axis_formatter(|mark, _| tick(mark))
-        .grid_spacing(egui::Rangef::new(16.0, 300.0))
         .label_formatter(label)
         .show(ui, |plot| {
             plot.set_plot_bounds_x(from..=to);

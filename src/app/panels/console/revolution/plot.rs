@@ -3,14 +3,14 @@
 
 use egui::{RichText, Role, Ui, WidgetInfo};
 use egui_plot::{
-    GridInput, GridMark, HLine, HoverPosition, Line, MarkerShape, Plot, PlotPoints, Points,
-    Polygon, VLine,
+    GridInput, GridMark, HLine, HoverPosition, Line, MarkerShape, PlotPoints, Points, Polygon,
+    VLine,
 };
 
 use super::{Axis, LINES, RevolutionWindow};
 use crate::app::panels::View;
 use crate::app::theme::{self, Look, Palette};
-use crate::app::widgets::chart::{grid, tick};
+use crate::app::widgets::chart::{grid, still, tick};
 use crate::app::widgets::zoom::{by_touch, zoom};
 use crate::base::units::ms_from_s;
 use crate::run::revolution::{Revolution, Sample};
@@ -107,18 +107,9 @@ impl RevolutionWindow {
             ui.available_height().max(theme::PLOT_HEIGHT_SCROLLED),
         );
         let sense = if by_touch(ui) { egui::Sense::click() } else { egui::Sense::click_and_drag() };
-        let response = Plot::new("revolution")
-            .height(size.y)
-            .allow_drag(false)
-            .allow_scroll(false)
+        let response = still("revolution", palette, [size.x, size.y])
             .allow_zoom([true, false])
-            .allow_boxed_zoom(false)
-            .allow_double_click_reset(false)
-            .allow_axis_zoom_drag(false)
             .sense(sense)
-            .y_axis_min_width(44.0)
-            .grid_color(palette.grid)
-            .grid_fade(0.0)
             .x_grid_spacer(move |input| lines_along(axis, input, size.x / GRID[0]))
             .y_grid_spacer(move |input| grid(input, size.y / GRID[1]))
             .x_axis_formatter(move |mark, _| {
@@ -126,7 +117,6 @@ impl RevolutionWindow {
                 format!("{} {}", tick(GridMark { value, ..mark }), theme::unit(unit))
             })
             .y_axis_formatter(|mark, _| format!("{} N", tick(mark)))
-            .grid_spacing(egui::Rangef::new(16.0, 300.0))
             .label_formatter(label)
             .show(ui, |plot| {
                 plot.set_plot_bounds_x(range[0]..=range[1]);
