@@ -518,9 +518,9 @@ fn bit(on: bool, bit: u32) -> u32 {
     if on { bit } else { 0 }
 }
 
-/// Limits of the commands in a cut, counted from 0. An adaptive controller also stays where the force model holds: below
-/// [`FEED_MIN_MM_MIN`] the force no longer falls with the feed, and below [`SPEED_MIN_RPM`] it
-/// would stop the spindle to raise the force.
+/// Limits of the commands in a cut, counted from 0. An adaptive controller also stays where the force
+/// model holds: below [`FEED_MIN_MM_MIN`] the force no longer falls with the feed, and below
+/// [`SPEED_MIN_RPM`] it would stop the spindle to raise the force.
 #[must_use]
 pub fn limits(scenario: &Scenario, cut: usize) -> Limits {
     let programmed = scenario.programmed(cut);

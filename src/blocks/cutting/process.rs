@@ -10,8 +10,8 @@
 //! instant and not a maximum.
 //!
 //! K4 and M4 belong to Ck45 at A_0 2 mm and R_0 3 mm with a sharp tool (those of the milling simulator
-//! to its reference cut); force is taken as proportional to the cross-section (chosen). The network knows depths and material
-//! itself; wear multiplies its force as well.
+//! to its reference cut); force is taken as proportional to the cross-section (chosen). The network
+//! knows depths and material itself; wear multiplies its force as well.
 
 use super::contact;
 use super::material::Material;
