@@ -1,14 +1,11 @@
-#![doc = include_str!("lib.md")]
+//! SteadyCut: the simulator's layers under one name, with its two front ends, command line and
+//! console. The simulation itself is [`steadycut_core`], many runs are [`steadycut_study`].
+
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
-pub mod base;
-
-pub mod blocks;
-
-pub mod run;
-
-pub mod study;
+pub use steadycut_core::{base, blocks, models, run};
+pub use steadycut_study as study;
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod cli;

@@ -2,7 +2,7 @@
 //! them without repeating the run. What a sample holds is the state of the controller at a tick, so
 //! rewinding leaves out what lies ahead and nothing else changes.
 
-use crate::base::model::unks::UnksStart;
+use crate::models::unks::UnksStart;
 use crate::run::one_run::Run;
 
 /// Most samples; with more, every other one goes and the distance doubles.

@@ -5,14 +5,14 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::machine_args::MachineArgs;
-use crate::base::model::gp::Calibration;
 use crate::base::network::Activation;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::process::ForceModel;
+use crate::models::genetic::Calibration;
 use crate::run::plan_settings::PlannedSection;
-use crate::study::profilometer::Line;
+use crate::study::profilometer::ProfileLine;
 use crate::study::published::PaperId;
-use crate::study::recommend::Engagement;
+use crate::study::recommend::EngagementCode;
 use crate::study::robust::MAX_RUNS;
 use crate::study::train::recipe::RecipeKind;
 
@@ -30,12 +30,12 @@ pub struct Cli {
     pub scenario: Option<String>,
     /// What to do; without it the console opens.
     #[command(subcommand)]
-    pub command: Option<Command>,
+    pub command: Option<CliCommand>,
 }
 
 /// A subcommand.
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub enum CliCommand {
     /// Run a scenario and print its metrics.
     Run(RunArgs),
     /// Re-run a paper's published table and compare.
@@ -91,17 +91,17 @@ pub struct RunArgs {
     /// in mm.
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = line, allow_hyphen_values = true,
         conflicts_with_all = ["out", "revolution"])]
-    pub profile: Option<Line>,
+    pub profile: Option<ProfileLine>,
     /// Which cut of the part `--profile` measures, counted from 1; without it the last one reached.
     #[arg(long, value_name = "NUMBER", requires = "profile")]
     pub cut: Option<usize>,
 }
 
-fn line(text: &str) -> Result<Line, String> {
+fn line(text: &str) -> Result<ProfileLine, String> {
     let numbers: Option<Vec<f64>> =
         text.split(',').map(|part| part.trim().parse::<f64>().ok()).collect();
     match numbers.as_deref() {
-        Some(&[x0, y0, x1, y1]) => Ok(Line { from_mm: [x0, y0], to_mm: [x1, y1] }),
+        Some(&[x0, y0, x1, y1]) => Ok(ProfileLine { from_mm: [x0, y0], to_mm: [x1, y1] }),
         _ => Err("allowed are four numbers in mm: X0,Y0,X1,Y1".to_owned()),
     }
 }
@@ -428,9 +428,9 @@ pub struct RecommendArgs {
     /// Diameter of the cutter.
     #[arg(long, value_name = "MM", required = true)]
     pub diameter: Option<f64>,
-    /// Engagement: 1 slot, 2 heavy side cut, 3 light side cut, 4 finishing.
+    /// EngagementCode: 1 slot, 2 heavy side cut, 3 light side cut, 4 finishing.
     #[arg(long, value_name = "1|2|3|4", required = true, value_parser = engagement)]
-    pub engagement: Option<Engagement>,
+    pub engagement: Option<EngagementCode>,
     /// Another table in the form of the shipped one, which is synthetic.
     #[arg(long, value_name = "FILE.csv")]
     pub table: Option<PathBuf>,
@@ -442,8 +442,8 @@ pub struct RecommendArgs {
     pub what: Option<RecommendWhat>,
 }
 
-fn engagement(text: &str) -> Result<Engagement, String> {
-    one_of(Engagement::ALL, Engagement::id, text)
+fn engagement(text: &str) -> Result<EngagementCode, String> {
+    one_of(EngagementCode::ALL, EngagementCode::id, text)
 }
 
 /// What `recommend` does besides.

@@ -17,7 +17,7 @@ use crate::run::scenario_file;
 use crate::study::combined::{Adjusted, Combined, Planned, Recommended, STEPS};
 use crate::study::plan::optimum::Optimum;
 use crate::study::plan::remarks::remarks;
-use crate::study::recommend::{Advisor, Engagement, NOTE};
+use crate::study::recommend::{Advisor, EngagementCode, NOTE};
 
 /// Ticks between updates of the progress bar.
 const SLICE: u64 = 100_000;
@@ -104,7 +104,7 @@ fn print(out: &mut impl Write, combined: &Combined, source: &str) -> std::io::Re
 
 fn recommended(out: &mut impl Write, found: &Recommended, source: &str) -> std::io::Result<()> {
     let asked = &found.recommendation;
-    let engagement = Engagement::from_id(asked.engagement).map_or("", Engagement::label);
+    let engagement = EngagementCode::from_id(asked.engagement).map_or("", EngagementCode::label);
     let [axial, radial] = found.depths_mm;
     writeln!(
         out,

@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::Outcome;
 use super::args::ForceArgs;
-use crate::study::compare::sections::{self, Section};
+use crate::study::compare::sections::{self, ComparedSection};
 use crate::study::train::static_peaks::{PeakRow, REFERENCE_SLICE_MM, SLICES_MM, table};
 
 pub fn execute(args: &ForceArgs) -> Outcome {
@@ -69,7 +69,7 @@ fn print(out: &mut impl Write, rows: &[PeakRow]) -> std::io::Result<()> {
 /// The sections, and to which radial depth the paper's 280 N belong.
 fn print_sections(
     out: &mut impl Write,
-    sections: &[Section],
+    sections: &[ComparedSection],
     rows: &[PeakRow],
 ) -> std::io::Result<()> {
     writeln!(

@@ -7,12 +7,12 @@ use serde_json::json;
 
 use super::Outcome;
 use super::args::ListArgs;
-use crate::base::model::feed_drive::FeedDriveKind;
-use crate::base::model::gp::{Calibration, ModelSet};
 use crate::base::settings::Choice;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::material::Material;
 use crate::blocks::cutting::process::ForceModel;
+use crate::models::feed_drive::FeedDriveKind;
+use crate::models::genetic::{Calibration, ModelSet};
 use crate::run::presets::{self, PRESETS};
 use crate::run::scenario::table;
 

@@ -10,10 +10,10 @@ use super::Outcome;
 use super::machine_args::{MachineArgs, MachineModel, MachineWhat};
 use super::run::apply;
 use super::{machine_stability, machine_wear};
-use crate::base::model::machine::FiveMass;
-use crate::base::model::machine::frf::{Response, frequencies_hz, gauss};
-use crate::base::model::machine::modes::{damped, undamped};
-use crate::base::model::machine::parameters::NODES;
+use crate::models::machine::FiveMass;
+use crate::models::machine::frf::{FrequencyResponse, frequencies_hz, gauss};
+use crate::models::machine::modes::{damped, undamped};
+use crate::models::machine::parameters::NODES;
 use crate::run::scenario::Scenario;
 use crate::study::machine_life::calibration::{CalibratedRow, calibrate};
 
@@ -163,19 +163,20 @@ fn roughness(model: &MachineModel) -> Outcome {
 const COLUMNS: [&str; 9] =
     ["f_hz", "h33_re", "h33_im", "hww_re", "hww_im", "h3w_re", "h3w_im", "grel_re", "grel_im"];
 
-fn numbers(response: &Response) -> [f64; 9] {
-    let Response { f_hz, h33, hww, h3w, grel } = response;
+fn numbers(response: &FrequencyResponse) -> [f64; 9] {
+    let FrequencyResponse { f_hz, h33, hww, h3w, grel } = response;
     [*f_hz, h33.re, h33.im, hww.re, hww.im, h3w.re, h3w.im, grel.re, grel.im]
 }
 
 fn frf(model: &MachineModel) -> Outcome {
     let scenario = scenario(model)?;
     let machine = FiveMass::new(&scenario.machine);
-    let sweep: Option<Vec<Response>> = frequencies_hz().map(|f| gauss(&machine, f)).collect();
+    let sweep: Option<Vec<FrequencyResponse>> =
+        frequencies_hz().map(|f| gauss(&machine, f)).collect();
     let sweep = sweep.ok_or("this machine's equations are singular")?;
     let mut text = String::new();
     if model.json {
-        let row = |response: &Response| {
+        let row = |response: &FrequencyResponse| {
             let cells = COLUMNS.iter().zip(numbers(response));
             let cells: Vec<String> =
                 cells.map(|(name, x)| format!("\"{name}\": {}", json!(x))).collect();

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand};
 
 use super::args::one_of;
-use crate::base::model::machine::parameters::Parameters;
+use crate::models::machine::parameters::Parameters;
 
 /// Arguments of `machine`.
 #[derive(Debug, Args)]

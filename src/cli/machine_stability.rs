@@ -9,7 +9,7 @@ use super::Outcome;
 use super::machine::{deliver, name, scenario};
 use super::machine_args::StabilityArgs;
 use super::train::bar;
-use crate::study::stability::chart::{BAND_PERCENT, ChartJob, DT_S, Point, Range};
+use crate::study::stability::chart::{BAND_PERCENT, ChartJob, DT_S, LobePoint, Range};
 
 /// Greatest depth that is looked at, in depths that are stable at every speed.
 const HIGHEST: f64 = 25.0;
@@ -37,7 +37,7 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
     progress.finish_and_clear();
     let worst = [0, 1].map(|which| worst(job.points(), which));
     let agreed = worst.iter().all(|(speeds, _)| *speeds >= CHECKED_SPEEDS)
-        && job.points().iter().all(Point::agrees);
+        && job.points().iter().all(LobePoint::agrees);
     let cut = job.cut();
     let mut text = String::new();
     if args.model.json {
@@ -109,7 +109,7 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
 
 /// Number of speeds at which simulation and chart are within the band, and their largest
 /// difference there in percent.
-fn worst(points: &[Point], which: usize) -> (usize, f64) {
+fn worst(points: &[LobePoint], which: usize) -> (usize, f64) {
     let found = points.iter().filter_map(|point| point.differences_percent()[which]);
     let within: Vec<f64> = found.filter(|percent| percent.abs() <= BAND_PERCENT).collect();
     let worst = within.iter().copied().max_by(|x, y| x.abs().total_cmp(&y.abs()));
@@ -120,7 +120,7 @@ fn cell(value: Option<f64>) -> String {
     value.map_or("-".to_owned(), |x| format!("{x:.3}"))
 }
 
-fn print(text: &mut String, simulated: bool, points: &[Point]) -> std::fmt::Result {
+fn print(text: &mut String, simulated: bool, points: &[LobePoint]) -> std::fmt::Result {
     write!(text, "{:>10}{:>12}{:>10}{:>14}", "1/min", "lobes mm", "at Hz", "interrupted")?;
     if simulated {
         write!(text, "{:>14}{:>8}{:>16}{:>8}", "simulated", "%", "sim. interrupted", "%")?;

@@ -11,8 +11,8 @@ use super::Outcome;
 use super::machine::{deliver, name, scenario};
 use super::machine_args::{LifeArgs, MachineModel};
 use super::train::bar;
-use crate::base::model::machine_trend::TrendPoint;
-use crate::base::model::tool_life::Growth;
+use crate::models::machine_trend::TrendPoint;
+use crate::models::tool_life::Growth;
 use crate::run::scenario::Scenario;
 use crate::study::machine_life::adaptive::{AdaptiveLife, Minute};
 use crate::study::machine_life::measurement::measure;
@@ -20,7 +20,7 @@ use crate::study::machine_life::monte_carlo::{
     Judgement, LifeMonteCarlo, REFERENCE_PERCENT, SHARES, Tools,
 };
 use crate::study::machine_life::surface::surface;
-use crate::study::machine_life::{CLAIMS, Findings, LifeJob};
+use crate::study::machine_life::{CLAIMS, LifeFindings, LifeJob};
 
 /// Points of time between two reports of progress.
 const SLICE: usize = 200;
@@ -99,7 +99,7 @@ pub fn wear(args: &MachineModel) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
-fn trends(text: &mut String, rows: &[TrendPoint], findings: &Findings) -> std::fmt::Result {
+fn trends(text: &mut String, rows: &[TrendPoint], findings: &LifeFindings) -> std::fmt::Result {
     writeln!(
         text,
         "{:>6}{:>10}{:>9}{:>10}{:>14}{:>14}{:>10}",
@@ -112,7 +112,7 @@ fn trends(text: &mut String, rows: &[TrendPoint], findings: &Findings) -> std::f
             row.x, row.wear, row.flank_mm, row.force_n, row.sound, row.vibration_rms_m, row.ra_um
         )?;
     }
-    let Findings { sound_ratio, vibration_ratio, ra_ratio, largest_difference, .. } = findings;
+    let LifeFindings { sound_ratio, vibration_ratio, ra_ratio, largest_difference, .. } = findings;
     writeln!(
         text,
         "\nend over start: sound {sound_ratio:.4}, vibration {vibration_ratio:.4}, Ra {ra_ratio:.4}"

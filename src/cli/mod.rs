@@ -25,28 +25,28 @@ mod unks;
 
 use std::process::ExitCode;
 
-use args::{Cli, Command};
+use args::{Cli, CliCommand};
 
 use crate::run::Start;
 use crate::run::presets::PRESETS;
 
 /// Runs a subcommand; prints its result, or its error in one line.
 #[must_use]
-pub fn execute(command: &Command) -> ExitCode {
+pub fn execute(command: &CliCommand) -> ExitCode {
     let result = match command {
-        Command::Run(args) => run::execute(args),
-        Command::Papers(args) => papers::execute(args),
-        Command::Identify(args) => identify::execute(args),
-        Command::Train(args) => train::execute(args),
-        Command::Force(args) => force::execute(args),
-        Command::List(args) => list::execute(args),
-        Command::Plan(args) => plan::execute(args),
-        Command::Check(args) => check::execute(args),
-        Command::Recommend(args) => recommend::execute(args),
-        Command::Combine(args) => combine::execute(args),
-        Command::Unks(args) => unks::execute(args),
-        Command::Machine(args) => machine::execute(args),
-        Command::Robust(args) => robust::execute(args),
+        CliCommand::Run(args) => run::execute(args),
+        CliCommand::Papers(args) => papers::execute(args),
+        CliCommand::Identify(args) => identify::execute(args),
+        CliCommand::Train(args) => train::execute(args),
+        CliCommand::Force(args) => force::execute(args),
+        CliCommand::List(args) => list::execute(args),
+        CliCommand::Plan(args) => plan::execute(args),
+        CliCommand::Check(args) => check::execute(args),
+        CliCommand::Recommend(args) => recommend::execute(args),
+        CliCommand::Combine(args) => combine::execute(args),
+        CliCommand::Unks(args) => unks::execute(args),
+        CliCommand::Machine(args) => machine::execute(args),
+        CliCommand::Robust(args) => robust::execute(args),
     };
     match result {
         Ok(code) => code,

@@ -8,7 +8,7 @@ use super::args::{ComparedPaper, PapersArgs};
 use super::papers_2005;
 use super::papers_2019;
 use crate::study::errata::Erratum;
-use crate::study::papers::{Cell, PaperTable, Verdict, table};
+use crate::study::papers::{Cell, CellVerdict, PaperTable, table};
 use crate::study::published::PaperId;
 use crate::study::train::data::NOTE;
 
@@ -34,10 +34,10 @@ pub fn execute(args: &PapersArgs) -> Outcome {
 
 fn word(cell: &Cell) -> &'static str {
     match cell.verdict {
-        Verdict::Met => "met",
-        Verdict::Missed => "MISSED",
-        Verdict::Given => "given",
-        Verdict::Reported => "-",
+        CellVerdict::Met => "met",
+        CellVerdict::Missed => "MISSED",
+        CellVerdict::Given => "given",
+        CellVerdict::Reported => "-",
     }
 }
 
@@ -106,11 +106,11 @@ fn print(out: &mut impl Write, id: PaperId, paper: &PaperTable) -> std::io::Resu
     }
     let (mut met, mut all) = (0, 0);
     for cell in paper.rows.iter().flat_map(|row| row.compared()) {
-        if cell.verdict == Verdict::Reported {
+        if cell.verdict == CellVerdict::Reported {
             continue;
         }
         all += 1;
-        met += usize::from(cell.verdict == Verdict::Met);
+        met += usize::from(cell.verdict == CellVerdict::Met);
     }
     if all > 0 {
         writeln!(out, "\n{met} of {all} cells within their bands")?;

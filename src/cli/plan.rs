@@ -13,7 +13,7 @@ use crate::run::scenario_file;
 use crate::study::plan::PlanJob;
 use crate::study::plan::constraints::{Checked, ORIGIN};
 use crate::study::plan::field::exhaustive;
-use crate::study::plan::machine::{Machine, Source};
+use crate::study::plan::machine::{MachineLimits, Source};
 use crate::study::plan::optimum::Optimum;
 use crate::study::plan::remarks::remarks;
 use crate::study::plan::swarm::Iteration;
@@ -26,7 +26,7 @@ const GRID: usize = 200;
 #[derive(Serialize)]
 struct Report<'a> {
     scenario: &'a str,
-    machine: &'a Machine,
+    machine: &'a MachineLimits,
     verdict: String,
     optimum: &'a Optimum,
     iterations: u32,
@@ -84,13 +84,13 @@ pub fn execute(args: &PlanArgs) -> Outcome {
 }
 
 /// The machine of a file, or the papers'.
-pub fn read_machine(path: Option<&Path>) -> Result<Machine, Box<dyn std::error::Error>> {
+pub fn read_machine(path: Option<&Path>) -> Result<MachineLimits, Box<dyn std::error::Error>> {
     let Some(path) = path else {
-        return Ok(Machine::heller_bea_01());
+        return Ok(MachineLimits::heller_bea_01());
     };
     let name = path.display();
     let text = std::fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
-    Ok(Machine::parse(&text).map_err(|error| format!("{name}: {error}"))?)
+    Ok(MachineLimits::parse(&text).map_err(|error| format!("{name}: {error}"))?)
 }
 
 fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {

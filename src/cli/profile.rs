@@ -12,7 +12,7 @@ use crate::run::edits::Edits;
 use crate::run::one_run::Run;
 use crate::run::scenario::Scenario;
 use crate::run::tooth_marks::MarkedPart;
-use crate::study::profilometer::{Line, measure};
+use crate::study::profilometer::{ProfileLine, measure};
 
 /// The JSON object of a measurement.
 #[derive(Serialize)]
@@ -34,7 +34,7 @@ struct Report<'a> {
 pub fn execute(
     scenario: &Scenario,
     edits: &Edits,
-    line: Line,
+    line: ProfileLine,
     cut: Option<usize>,
     json: bool,
 ) -> Outcome {

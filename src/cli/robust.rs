@@ -13,7 +13,7 @@ use super::train::bar;
 use crate::base::settings::SettingError;
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
-use crate::study::robust::{self, DRAWN, Findings, LIMIT_KN, Percentiles, Robustness};
+use crate::study::robust::{self, DRAWN, LIMIT_KN, Percentiles, RobustFindings, Robustness};
 
 /// Runs the command.
 pub fn execute(args: &RobustArgs) -> Outcome {
@@ -56,9 +56,12 @@ pub fn execute(args: &RobustArgs) -> Outcome {
 /// All runs, spread over the machine's cores: every run stands for itself, so how they are spread changes
 /// nothing.
 #[expect(clippy::disallowed_methods, reason = "threads come from the front end")]
-fn all(study: &Robustness, progress: &ProgressBar) -> Result<Vec<robust::Outcome>, SettingError> {
+fn all(
+    study: &Robustness,
+    progress: &ProgressBar,
+) -> Result<Vec<robust::RobustOutcome>, SettingError> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let share = |first: usize| -> Result<Vec<(usize, robust::Outcome)>, SettingError> {
+    let share = |first: usize| -> Result<Vec<(usize, robust::RobustOutcome)>, SettingError> {
         let mine = (first..study.runs()).step_by(threads);
         mine.map(|index| {
             let run = Run::complete(&study.scenario(index)?, &Edits::none());
@@ -79,7 +82,7 @@ fn all(study: &Robustness, progress: &ProgressBar) -> Result<Vec<robust::Outcome
     Ok(found.into_iter().map(|(_, outcome)| outcome).collect())
 }
 
-fn print(out: &mut impl Write, findings: &Findings) -> std::io::Result<()> {
+fn print(out: &mut impl Write, findings: &RobustFindings) -> std::io::Result<()> {
     writeln!(out, "  {:<28}{:>9}{:>9}{:>9}", "", "median", "95 %", "largest")?;
     for (name, p, digits) in [
         ("largest force, kN", findings.max_force_kn, 3),

@@ -11,7 +11,7 @@ use crate::run::edits::Edits;
 use crate::run::plan_settings::PlannedSection;
 use crate::run::scenario::Scenario;
 use crate::run::scenario_file;
-use crate::study::plan::machine::Machine;
+use crate::study::plan::machine::MachineLimits;
 use crate::study::plan::schedule::ScheduleJob;
 
 /// Plans all cuts, prints their feeds and writes the scenario.
@@ -19,7 +19,7 @@ pub fn execute(
     args: &PlanArgs,
     scenario: &Scenario,
     edits: &Edits,
-    machine: &Machine,
+    machine: &MachineLimits,
     sized_by: PlannedSection,
 ) -> Outcome {
     let mut job = ScheduleJob::on(scenario, machine, sized_by)?;

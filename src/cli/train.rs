@@ -9,13 +9,13 @@ use serde_json::json;
 
 use super::Outcome;
 use super::args::{TrainArgs, TrainForceArgs, TrainWhat};
-use crate::base::model::neural_force::INPUTS;
-use crate::study::train::Session;
+use crate::models::neural_force::INPUTS;
+use crate::study::train::TrainingSession;
 use crate::study::train::comparison::{EPOCHS, LEVEL_PERCENT, Trial, recipes, trial};
-use crate::study::train::data::{FRESH_ROWS, Generator, NOTE, Row};
-use crate::study::train::errors::Errors;
-use crate::study::train::findings::{Findings, findings};
-use crate::study::train::recipe::{LN_INPUTS, Recipe, RecipeKind};
+use crate::study::train::data::{FRESH_ROWS, Generator, NOTE, TrainingRow};
+use crate::study::train::errors::TrainingErrors;
+use crate::study::train::findings::{TrainingFindings, findings};
+use crate::study::train::recipe::{LN_INPUTS, RecipeKind, TrainingRecipe};
 use crate::study::train::report::{Report, report};
 
 pub fn execute(args: &TrainArgs) -> Outcome {
@@ -35,15 +35,15 @@ pub(super) fn bar(length: u64, what: &'static str) -> ProgressBar {
     style.map_or(bar.clone(), |style| bar.with_style(style))
 }
 
-fn rows(generator: Generator, what: &'static str) -> Vec<Row> {
+fn rows(generator: Generator, what: &'static str) -> Vec<TrainingRow> {
     let bar = bar(generator.len() as u64, what);
     let rows = bar.wrap_iter(generator).collect();
     bar.finish_and_clear();
     rows
 }
 
-fn trained(recipe: &Recipe, measured: &[Row]) -> Result<Session, String> {
-    let mut session = Session::new(recipe, measured)?;
+fn trained(recipe: &TrainingRecipe, measured: &[TrainingRow]) -> Result<TrainingSession, String> {
+    let mut session = TrainingSession::new(recipe, measured)?;
     let bar = bar(recipe.epochs.into(), "epochs");
     for _ in 0..recipe.epochs {
         session.epoch();
@@ -53,7 +53,7 @@ fn trained(recipe: &Recipe, measured: &[Row]) -> Result<Session, String> {
     Ok(session)
 }
 
-fn recipe_of(args: &TrainForceArgs) -> Recipe {
+fn recipe_of(args: &TrainForceArgs) -> TrainingRecipe {
     let mut recipe = args.recipe.recipe();
     if let Some(activation) = args.activation.filter(|chosen| *chosen != recipe.activation) {
         recipe.activation = activation;
@@ -141,7 +141,7 @@ fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {
     )
 }
 
-fn line(out: &mut impl Write, name: &str, errors: &Errors) -> std::io::Result<()> {
+fn line(out: &mut impl Write, name: &str, errors: &TrainingErrors) -> std::io::Result<()> {
     write!(
         out,
         "{name:<42}{:>7.2}{:>8.2}{:>9.2}{:>7.2}",
@@ -160,7 +160,7 @@ fn line(out: &mut impl Write, name: &str, errors: &Errors) -> std::io::Result<()
 fn check(json: bool) -> Outcome {
     let mut out = std::io::stdout().lock();
     let mut results = serde_json::Map::new();
-    let mut measured: Option<((u32, u32), Vec<Row>)> = None;
+    let mut measured: Option<((u32, u32), Vec<TrainingRow>)> = None;
     for kind in RecipeKind::ALL {
         let Some(shipped) = kind.shipped() else { continue };
         let recipe = kind.recipe();
@@ -209,7 +209,11 @@ fn study(json: bool) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
-fn print_study(out: &mut impl Write, trials: &[Trial], found: &Findings) -> std::io::Result<()> {
+fn print_study(
+    out: &mut impl Write,
+    trials: &[Trial],
+    found: &TrainingFindings,
+) -> std::io::Result<()> {
     writeln!(
         out,
         "{NOTE}\n{} networks 8-N-3, {EPOCHS} epochs each; error: mean of F_xy over the rows held \

@@ -8,7 +8,7 @@ use serde_json::json;
 use super::Outcome;
 use super::args::TrainUnksArgs;
 use super::train::bar;
-use crate::base::model::unks::FILES;
+use crate::models::unks::FILES;
 use crate::study::train::unks::{
     CUTS, NOTE, SEED, Trained, WORKPIECES, networks, process_patterns,
 };

@@ -10,12 +10,12 @@ use super::Outcome;
 use super::args::UnksArgs;
 use super::run::{apply, load};
 use super::train::bar;
-use crate::base::model::unks::{Stored, UnksStart};
 use crate::base::settings::Value;
 use crate::base::units::percent_from_ratio;
+use crate::models::unks::{Stored, UnksStart};
 use crate::run::scenario::Scenario;
 use crate::study::unks_passes::{
-    BETTER, Pass, Passes, REFERENCE, Verdict, beginning_anew, beginning_with,
+    BETTER, Pass, Passes, PassesVerdict, REFERENCE, beginning_anew, beginning_with,
 };
 
 /// Control periods between updates of the progress bar.
@@ -137,7 +137,7 @@ fn print(out: &mut impl Write, passes: &[Pass]) -> std::io::Result<()> {
     Ok(())
 }
 
-fn judge(out: &mut impl Write, verdict: &Verdict, passes: usize) -> std::io::Result<()> {
+fn judge(out: &mut impl Write, verdict: &PassesVerdict, passes: usize) -> std::io::Result<()> {
     if passes < 2 {
         return Ok(());
     }

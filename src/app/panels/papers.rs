@@ -14,12 +14,12 @@ use egui::{Frame, Margin, RichText, ScrollArea, Ui};
 use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
-use crate::base::model::gp::Calibration;
 use crate::base::settings::Choice;
 use crate::blocks::cutting::process::ForceModel;
+use crate::models::genetic::Calibration;
 use crate::study::errata::{COMBINED_2005, Erratum};
 use crate::study::errata_2019::MACHINE_2019;
-use crate::study::papers::{self, PaperTable, Verdict};
+use crate::study::papers::{self, CellVerdict, PaperTable};
 use crate::study::papers_2019;
 use crate::study::published::PaperId;
 
@@ -178,10 +178,10 @@ fn summary(ui: &mut Ui, table: &PaperTable) {
     let palette = Palette::at(ui);
     let judged = || {
         let cells = table.rows.iter().flat_map(|row| row.compared());
-        cells.filter(|cell| cell.verdict != Verdict::Reported)
+        cells.filter(|cell| cell.verdict != CellVerdict::Reported)
     };
     let (met, all) =
-        (judged().filter(|cell| cell.verdict == Verdict::Met).count(), judged().count());
+        (judged().filter(|cell| cell.verdict == CellVerdict::Met).count(), judged().count());
     let (text, color) = if all == 0 {
         let text = "Final values as they are: the table's forces come from the formula, another \
                     force model of the plant gives others by nature";

@@ -29,7 +29,7 @@ use crate::app::theme::{self, Palette};
 use crate::app::widgets::zoom::by_touch;
 use map::Map;
 use marks::Moving;
-use recommended::Recommended;
+use recommended::RecommendedCard;
 use relief::Relief;
 use search::Search;
 
@@ -59,7 +59,7 @@ pub struct PlanPanel {
     /// Whether the surface is shown in space.
     in_space: bool,
     /// What a cutting-data table recommends.
-    recommended: Recommended,
+    recommended: RecommendedCard,
     /// The constraint that is explained.
     open: Option<usize>,
 }

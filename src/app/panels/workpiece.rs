@@ -24,7 +24,7 @@ use crate::blocks::reference::Reference;
 use crate::run::tooth_marks::MarkedPart;
 use judged::Lengths;
 use picture::{Kept, SLOWER};
-use profilometer::{Measured, Profilometer};
+use profilometer::{MeasuredLine, Profilometer};
 use view::Looking;
 
 /// Width of the column beside the picture, points.
@@ -50,9 +50,9 @@ struct Marked {
 
 impl Marked {
     /// The cut under the tool.
-    fn measured<'a>(&'a self, path: &'a ToolPath) -> Measured<'a> {
+    fn measured<'a>(&'a self, path: &'a ToolPath) -> MeasuredLine<'a> {
         let number = self.marks.cut();
-        Measured { number, path: path.of(number), surface: &self.marks.cuts()[number].surface }
+        MeasuredLine { number, path: path.of(number), surface: &self.marks.cuts()[number].surface }
     }
 }
 

@@ -3,9 +3,9 @@
 use super::{Command, HAIR_S, MAX_UNDO, Plan, Session, TICKS_PER_FRAME};
 use crate::app::cut::{Ghost, first_difference};
 use crate::app::twin;
-use crate::base::model::unks::Stored;
 use crate::base::settings::{SettingError, Value};
 use crate::blocks::control::ControllerKind;
+use crate::models::unks::Stored;
 use crate::run::edits::{Edit, Edits};
 use crate::run::scenario::param;
 use crate::run::{presets, scenario_file};

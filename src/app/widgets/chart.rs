@@ -16,7 +16,7 @@ use crate::run::signals::SIGNALS;
 
 /// One signal in a chart.
 #[derive(Clone, Copy, Debug)]
-pub struct Curve {
+pub struct ChartCurve {
     /// Its id in the table of signals.
     pub signal: &'static str,
     /// How it is drawn.
@@ -33,7 +33,7 @@ pub struct Chart<'a> {
     /// Its title.
     pub title: &'static str,
     /// Its signals, the first ones at the back; all of one unit.
-    pub curves: &'a [Curve],
+    pub curves: &'a [ChartCurve],
     /// A signal with the half-width of the band around it, as a share of it.
     pub band: Option<(&'static str, f64)>,
     /// Levels that are marked, with their names.
@@ -46,7 +46,7 @@ pub struct Chart<'a> {
 
 impl<'a> Chart<'a> {
     /// The curves that it is about: those compared with the twin, or else all.
-    fn foremost(&self) -> impl Iterator<Item = &'a Curve> {
+    fn foremost(&self) -> impl Iterator<Item = &'a ChartCurve> {
         let any = self.curves.iter().any(|curve| curve.compared);
         self.curves.iter().filter(move |curve| curve.compared || !any)
     }

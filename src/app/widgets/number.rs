@@ -9,7 +9,7 @@ use super::super::theme;
 
 /// What a field holds.
 #[derive(Clone, Copy, Debug)]
-pub struct Field<'a> {
+pub struct NumberField<'a> {
     /// Its name, for messages.
     pub name: &'a str,
     /// Its unit as the tables write it; empty for none.
@@ -24,7 +24,7 @@ pub struct Field<'a> {
     pub suffix: &'a str,
 }
 
-impl Field<'_> {
+impl NumberField<'_> {
     /// The field; what there is to say about a text that was typed goes to `said`.
     pub fn show(&self, ui: &mut Ui, value: &mut f64, said: &mut Option<String>) -> Response {
         let [min, max] = self.range;
@@ -133,7 +133,7 @@ mod tests {
 
     #[test]
     fn what_is_wrong_is_said_with_field_text_and_range() {
-        let field = Field {
+        let field = NumberField {
             name: "Target Ra",
             unit: "um",
             range: [0.05, 4.0],

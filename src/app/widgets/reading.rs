@@ -3,7 +3,7 @@
 use egui::{Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::super::theme::Palette;
-use super::chart::{Curve, index};
+use super::chart::{ChartCurve, index};
 use crate::run::signals::{Row, SIGNALS, flag};
 
 const SIZE: f32 = 15.0;
@@ -11,7 +11,7 @@ const SIZE: f32 = 15.0;
 const WIDTH_STEP: f32 = 24.0;
 
 /// The value of a curve in a row, in the curve's colour.
-pub(super) fn reading(ui: &mut Ui, curve: &Curve, row: &Row, write: fn(f64, &str) -> String) {
+pub(super) fn reading(ui: &mut Ui, curve: &ChartCurve, row: &Row, write: fn(f64, &str) -> String) {
     let signal = &SIGNALS[index(curve.signal)];
     // In the air there is neither force nor roughness.
     let none = row.has(flag::AIR) && matches!(signal.unit, "um" | "N");

@@ -6,7 +6,7 @@ use egui::{ComboBox, Response, Slider, Ui, WidgetInfo};
 use super::super::command::Command;
 use super::super::theme;
 use super::icon::{self, Icon};
-use super::number::Field;
+use super::number::NumberField;
 use crate::base::settings::{DepthStep, Kind, MAX_STEPS, Value};
 use crate::run::scenario::{Param, Scenario, param, parse_value};
 
@@ -120,7 +120,7 @@ fn number(
     let whole = matches!(spec.allowed, Kind::Int { .. });
     let decimals = if whole { 0 } else { decimals(min, max) };
     let (label, response) = labelled(ui, param, |ui| {
-        let field = Field {
+        let field = NumberField {
             name: spec.label,
             unit: spec.unit,
             range: [min, max],
@@ -283,7 +283,8 @@ fn steps(
         ui.horizontal(|ui| {
             let mut edit = |value: &mut f64, what: &str, range, speed: f64, suffix: &str| {
                 let name = format!("{what} of depth step {}", i + 1);
-                let field = Field { name: &name, unit: "mm", range, speed, decimals: 3, suffix };
+                let field =
+                    NumberField { name: &name, unit: "mm", range, speed, decimals: 3, suffix };
                 let response = field.show(ui, value, said);
                 response.widget_info(|| WidgetInfo {
                     label: Some(name.clone()),

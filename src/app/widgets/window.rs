@@ -7,7 +7,7 @@ use super::super::theme;
 
 /// Where a window may stand.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
+pub struct WindowPlace {
     /// The rectangle of the screen that it is over.
     pub screen: Rect,
     /// Whether that is as narrow as a phone's.
@@ -17,7 +17,13 @@ pub struct Place {
 }
 
 /// Shows the window `title` while it is `open`.
-pub fn show(ctx: &Context, title: &str, place: Place, open: &mut bool, body: impl FnOnce(&mut Ui)) {
+pub fn show(
+    ctx: &Context,
+    title: &str,
+    place: WindowPlace,
+    open: &mut bool,
+    body: impl FnOnce(&mut Ui),
+) {
     /// Height of the title with its margins, points.
     const TITLE: f32 = 44.0;
     /// Distance from the screen's top at most, points.

@@ -7,9 +7,9 @@ use serde_json::json;
 
 use super::print::cell;
 use super::{Outcome, played};
-use crate::study::compare::beyond::{CHOSEN, Row, entrants, rows, verdicts};
+use crate::study::compare::beyond::{BeyondRow, CHOSEN, entrants, rows, verdicts};
 use crate::study::compare::outcome::Measure;
-use crate::study::compare::table_1::Verdict;
+use crate::study::compare::table_1::Table1Verdict;
 use crate::study::compare::tournament::Tournament;
 
 pub fn execute(seeds: u32, json: bool) -> Outcome {
@@ -30,8 +30,8 @@ pub fn execute(seeds: u32, json: bool) -> Outcome {
 fn print(
     out: &mut impl Write,
     seeds: u32,
-    rows: &[Row],
-    verdicts: &[Verdict],
+    rows: &[BeyondRow],
+    verdicts: &[Table1Verdict],
 ) -> std::io::Result<()> {
     writeln!(
         out,
@@ -57,7 +57,7 @@ fn print(
         }
     }
     writeln!(out, "\nverdicts")?;
-    for Verdict { band, found, ok } in verdicts {
+    for Table1Verdict { band, found, ok } in verdicts {
         let word = if *ok { "ok" } else { "not reached" };
         writeln!(out, "  {word:<12}{band}: {found}")?;
     }

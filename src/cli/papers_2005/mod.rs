@@ -15,11 +15,11 @@ use serde_json::json;
 use super::Outcome;
 use super::args::PapersArgs;
 use super::train::bar;
-use crate::study::compare::claims::{self, Claim, Evidence};
+use crate::study::compare::claims::{self, ControlClaim, Evidence};
 use crate::study::compare::cost::Replay;
 use crate::study::compare::entrants::{self, Entrant};
 use crate::study::compare::load_step::{self, Transient};
-use crate::study::compare::table_1::{self, BY_A_HAIR, DISCLOSED, NOT_REACHED, Verdict};
+use crate::study::compare::table_1::{self, BY_A_HAIR, DISCLOSED, NOT_REACHED, Table1Verdict};
 use crate::study::compare::tournament::{Compared, Tournament};
 use crate::study::errata::COMBINED_2005;
 
@@ -42,9 +42,9 @@ struct Step {
 struct Report {
     seeds: u32,
     table: Vec<Compared>,
-    verdicts: Vec<Verdict>,
+    verdicts: Vec<Table1Verdict>,
     steps: Vec<Step>,
-    claims: Vec<Claim>,
+    claims: Vec<ControlClaim>,
 }
 
 pub fn execute(args: &PapersArgs) -> Outcome {

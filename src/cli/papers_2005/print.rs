@@ -4,9 +4,11 @@ use std::io::{Result, Write};
 
 use super::super::papers::errata;
 use super::{Report, Step};
-use crate::study::compare::claims::Claim;
+use crate::study::compare::claims::ControlClaim;
 use crate::study::compare::outcome::Measure;
-use crate::study::compare::table_1::{self, BY_A_HAIR, DISCLOSED, NOT_REACHED, Printed, Verdict};
+use crate::study::compare::table_1::{
+    self, BY_A_HAIR, DISCLOSED, NOT_REACHED, Table1Printed, Table1Verdict,
+};
 use crate::study::compare::tournament::Compared;
 use crate::study::errata::COMBINED_2005;
 
@@ -29,14 +31,14 @@ pub fn report(out: &mut impl Write, report: &Report) -> Result<()> {
     )?;
     table(out, &report.table, printed)?;
     writeln!(out, "\nverdicts")?;
-    for Verdict { band, found, ok } in &report.verdicts {
+    for Table1Verdict { band, found, ok } in &report.verdicts {
         let word = if *ok { "ok" } else { "not reached" };
         writeln!(out, "  {word:<12}{band}: {found}")?;
     }
     writeln!(out, "\n{BY_A_HAIR}")?;
     steps(out, &report.steps, printed)?;
     writeln!(out, "\nclaims of the paper")?;
-    for Claim { paper, holds, found } in &report.claims {
+    for ControlClaim { paper, holds, found } in &report.claims {
         let word = if *holds { "true" } else { "not true" };
         writeln!(out, "  {word:<10}{paper}\n            {found}")?;
     }
@@ -49,7 +51,7 @@ pub fn report(out: &mut impl Write, report: &Report) -> Result<()> {
     errata(out, COMBINED_2005)
 }
 
-fn table(out: &mut impl Write, table: &[Compared], printed: &[Printed]) -> Result<()> {
+fn table(out: &mut impl Write, table: &[Compared], printed: &[Table1Printed]) -> Result<()> {
     write!(out, "{:<18}", "")?;
     COLUMNS.iter().try_for_each(|(_, title, _, width)| write!(out, "{title:>width$}"))?;
     writeln!(out)?;
@@ -78,7 +80,7 @@ pub fn cell(method: &Compared, measure: Measure, beside: Option<f64>, digits: us
     beside.map_or_else(|| format!("{found} "), bracket)
 }
 
-fn steps(out: &mut impl Write, steps: &[Step], printed: &[Printed]) -> Result<()> {
+fn steps(out: &mut impl Write, steps: &[Step], printed: &[Table1Printed]) -> Result<()> {
     writeln!(
         out,
         "\nafter a load step from 493 to 772 N (forces at 100 %, no noise): control periods of 20 ms \
@@ -128,7 +130,8 @@ mod tests {
             overshoot_percent: 1.0,
             offset_percent: 2.0,
         };
-        let claim = |holds: bool| Claim { paper: "a claim", holds, found: "a figure".to_owned() };
+        let claim =
+            |holds: bool| ControlClaim { paper: "a claim", holds, found: "a figure".to_owned() };
         let told = Report {
             seeds: 1,
             verdicts: table_1::verdicts(&table),

@@ -7,9 +7,9 @@ use serde_json::json;
 
 use super::print::cell;
 use super::{Outcome, played};
-use crate::study::compare::claims::Claim;
+use crate::study::compare::claims::ControlClaim;
 use crate::study::compare::outcome::Measure;
-use crate::study::compare::robustness::{Row, entrants, material_claim, rows};
+use crate::study::compare::robustness::{RobustnessRow, entrants, material_claim, rows};
 use crate::study::compare::tournament::Tournament;
 
 const NOTE: &str = "in brackets the figures of an independent prototype of the same simulator and \
@@ -18,7 +18,7 @@ const NOTE: &str = "in brackets the figures of an independent prototype of the s
                     the noise drawn, which is another one there.";
 
 pub fn execute(seeds: u32, json: bool) -> Outcome {
-    let rows: Vec<Row> = rows(played(Tournament::new(entrants(), seeds), "conditions"));
+    let rows: Vec<RobustnessRow> = rows(played(Tournament::new(entrants(), seeds), "conditions"));
     let mut out = std::io::stdout().lock();
     if json {
         let object = json!({ "paper": "2005", "seeds": seeds, "note": NOTE, "robustness": rows, "claim": material_claim(&rows),
@@ -30,7 +30,7 @@ pub fn execute(seeds: u32, json: bool) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
-fn print(out: &mut impl Write, seeds: u32, rows: &[Row]) -> std::io::Result<()> {
+fn print(out: &mut impl Write, seeds: u32, rows: &[RobustnessRow]) -> std::io::Result<()> {
     writeln!(
         out,
         "Combined system 2005, Experiment 2 under changed conditions, nothing retuned: mean and\n\
@@ -58,7 +58,7 @@ fn print(out: &mut impl Write, seeds: u32, rows: &[Row]) -> std::io::Result<()> 
             stops => writeln!(out, "  {stops} of {} stopped by extreme force", row.found.runs)?,
         }
     }
-    if let Some(Claim { paper, holds, found }) = material_claim(rows) {
+    if let Some(ControlClaim { paper, holds, found }) = material_claim(rows) {
         let word = if holds { "true" } else { "not true" };
         writeln!(out, "\nclaim of the paper\n  {word:<10}{paper}\n            {found}")?;
     }

@@ -9,7 +9,7 @@ use crate::run::scenario::Scenario;
 use crate::study::compare::entrants::{BEYOND, Method, TABLE_1};
 use crate::study::compare::entrants::{experiment_2, experiment_2_per_cut, on, set_dead_time};
 use crate::study::compare::load_step::{self, Transient};
-use crate::study::compare::robustness::{self, Row};
+use crate::study::compare::robustness::{self, RobustnessRow};
 use crate::study::compare::tournament::{Compared, Tournament};
 
 /// Set-ups whose results are kept.
@@ -21,9 +21,9 @@ const TICKS: [u64; 3] = [20_000, 5_000, 400_000];
 /// Time that a frame may take, s: the page stays usable.
 const FRAME_S: f64 = 0.04;
 
-crate::choice! {
+steadycut_core::choice! {
     /// The part that is milled.
-    pub enum Part {
+    pub enum ContestPart {
         /// Experiment 2 of 2005, five straight cuts, one programmed feed: that of Table 1.
         Experiment2 = "experiment_2", "Experiment 2";
         /// The same with a programmed feed for every cut, as the plan finds them for the lightest
@@ -34,9 +34,9 @@ crate::choice! {
     }
 }
 
-crate::choice! {
+steadycut_core::choice! {
     /// Dead time of the machine; the controllers know it.
-    pub enum DeadTime {
+    pub enum ContestDeadTime {
         /// As the part's scenario has it.
         AsIs = "as_is", "as it is";
         /// None.
@@ -48,7 +48,7 @@ crate::choice! {
     }
 }
 
-crate::choice! {
+steadycut_core::choice! {
     /// Material of the part; no controller is set anew for it.
     pub enum Stock {
         /// As the part's scenario has it.
@@ -62,11 +62,11 @@ crate::choice! {
 
 /// What is compared.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Setup {
+pub struct ContestSetup {
     /// The part.
-    pub part: Part,
+    pub part: ContestPart,
     /// The dead time.
-    pub dead_time: DeadTime,
+    pub dead_time: ContestDeadTime,
     /// The material.
     pub stock: Stock,
     /// Who takes part, in the order of [`methods`].
@@ -78,26 +78,27 @@ pub fn methods() -> impl Iterator<Item = &'static Method> {
     TABLE_1.iter().chain(BEYOND)
 }
 
-impl Default for Setup {
+impl Default for ContestSetup {
     fn default() -> Self {
-        let (part, dead_time, stock) = (Part::Experiment2, DeadTime::AsIs, Stock::AsIs);
+        let (part, dead_time, stock) =
+            (ContestPart::Experiment2, ContestDeadTime::AsIs, Stock::AsIs);
         Self { part, dead_time, stock, chosen: methods().map(|_| true).collect() }
     }
 }
 
-impl Setup {
+impl ContestSetup {
     /// The part's scenario as it is milled.
     fn base(&self, open: &Scenario) -> Result<Scenario, SettingError> {
         let mut base = match self.part {
-            Part::Experiment2 => experiment_2(),
-            Part::PerCut => experiment_2_per_cut(),
-            Part::Open => open.clone(),
+            ContestPart::Experiment2 => experiment_2(),
+            ContestPart::PerCut => experiment_2_per_cut(),
+            ContestPart::Open => open.clone(),
         };
         let dead_time_s = match self.dead_time {
-            DeadTime::AsIs => None,
-            DeadTime::None => Some(0.0),
-            DeadTime::Short => Some(0.04),
-            DeadTime::Long => Some(0.08),
+            ContestDeadTime::AsIs => None,
+            ContestDeadTime::None => Some(0.0),
+            ContestDeadTime::Short => Some(0.04),
+            ContestDeadTime::Long => Some(0.08),
         };
         if let Some(dead_time_s) = dead_time_s {
             set_dead_time(&mut base, dead_time_s);
@@ -115,8 +116,8 @@ impl Setup {
 
     /// Whether the printed table belongs to it.
     fn is_table_1(&self) -> bool {
-        self.part == Part::Experiment2
-            && matches!(self.dead_time, DeadTime::AsIs | DeadTime::Short)
+        self.part == ContestPart::Experiment2
+            && matches!(self.dead_time, ContestDeadTime::AsIs | ContestDeadTime::Short)
             && self.stock != Stock::MnCrSi5
     }
 }
@@ -186,7 +187,7 @@ pub struct Robust {
     /// Whether it runs.
     pub running: bool,
     /// The rows, and the number of runs that they are of.
-    rows: (usize, Vec<Row>),
+    rows: (usize, Vec<RobustnessRow>),
 }
 
 impl Robust {
@@ -198,7 +199,7 @@ impl Robust {
     }
 
     /// The rows so far.
-    pub fn rows(&self) -> &[Row] {
+    pub fn rows(&self) -> &[RobustnessRow] {
         &self.rows.1
     }
 
@@ -216,7 +217,7 @@ impl Robust {
 /// See the head of this file.
 pub struct Contests {
     /// What is compared.
-    pub setup: Setup,
+    pub setup: ContestSetup,
     /// Number of seeds.
     pub seeds: u32,
     /// Whether it runs.
@@ -225,7 +226,7 @@ pub struct Contests {
     pub robust: Robust,
     kept: Vec<Contest>,
     /// The set-up that is shown, and the open scenario where that is its part.
-    followed: Option<(Setup, Option<Scenario>)>,
+    followed: Option<(ContestSetup, Option<Scenario>)>,
     /// The one that is shown; none where nobody takes part or the set-up is refused.
     shown: Option<usize>,
     /// Why a set-up is refused.
@@ -238,7 +239,7 @@ pub struct Contests {
 impl Default for Contests {
     fn default() -> Self {
         Self {
-            setup: Setup::default(),
+            setup: ContestSetup::default(),
             seeds: 20,
             running: false,
             robust: Robust::default(),
@@ -255,7 +256,7 @@ impl Default for Contests {
 impl Contests {
     /// Shows the tournament of the present set-up, a new one if there is none.
     pub fn follow(&mut self, open: &Scenario) {
-        let open_part = (self.setup.part == Part::Open).then_some(open);
+        let open_part = (self.setup.part == ContestPart::Open).then_some(open);
         let same = self.followed.as_ref().is_some_and(|(setup, scenario)| {
             *setup == self.setup && scenario.as_ref() == open_part
         });

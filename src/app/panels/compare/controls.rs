@@ -2,10 +2,10 @@
 
 use egui::{Label, ProgressBar, RichText, Role, Ui, WidgetInfo};
 
-use super::contest::{Contests, DeadTime, Part, Stock, methods};
+use super::contest::{ContestDeadTime, ContestPart, Contests, Stock, methods};
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
-use crate::app::widgets::number::Field;
+use crate::app::widgets::number::NumberField;
 use crate::base::settings::Choice;
 
 /// Least and most seeds.
@@ -15,13 +15,13 @@ const SEEDS: [u32; 2] = [1, 500];
 pub fn show(ui: &mut Ui, contests: &mut Contests) {
     let palette = Palette::at(ui);
     let setup = &mut contests.setup;
-    choose(ui, "Part", Part::ALL, Part::OPTIONS, Part::label, &mut setup.part);
+    choose(ui, "Part", ContestPart::ALL, ContestPart::OPTIONS, ContestPart::label, &mut setup.part);
     choose(
         ui,
         "Dead time",
-        DeadTime::ALL,
-        DeadTime::OPTIONS,
-        DeadTime::label,
+        ContestDeadTime::ALL,
+        ContestDeadTime::OPTIONS,
+        ContestDeadTime::label,
         &mut setup.dead_time,
     );
     choose(ui, "Material", Stock::ALL, Stock::OPTIONS, Stock::label, &mut setup.stock);
@@ -49,7 +49,7 @@ pub fn show(ui: &mut Ui, contests: &mut Contests) {
             }
         }
         let name = ui.label("Seeds").id;
-        let field = Field {
+        let field = NumberField {
             name: "Seeds",
             unit: "",
             range: SEEDS.map(f64::from),

@@ -8,7 +8,7 @@ use super::table::value;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::study::compare::outcome::Measure;
-use crate::study::compare::robustness::{CONDITIONS, Row, material_claim, methods};
+use crate::study::compare::robustness::{CONDITIONS, RobustnessRow, material_claim, methods};
 
 /// Size of type of the prototype's figures.
 const NOTE: f32 = 11.5;
@@ -80,7 +80,7 @@ pub fn show(ui: &mut Ui, robust: &mut Robust) {
     }
 }
 
-fn cell(ui: &mut Ui, row: &Row, palette: &Palette) {
+fn cell(ui: &mut Ui, row: &RobustnessRow, palette: &Palette) {
     let figures = |of: &dyn Fn(Measure) -> Option<f64>| {
         let each =
             MEASURES.map(|measure| of(measure).map_or("-".to_owned(), |x| value(measure, x)));

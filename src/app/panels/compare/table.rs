@@ -8,7 +8,7 @@ use crate::app::theme::{self, Palette};
 use crate::run::edits::Edits;
 use crate::run::scenario_file;
 use crate::study::compare::outcome::Measure;
-use crate::study::compare::table_1::{self, Printed};
+use crate::study::compare::table_1::{self, Table1Printed};
 use crate::study::compare::tournament::{Compared, Tournament};
 
 /// Size of type of deviations and printed figures.
@@ -40,7 +40,7 @@ pub fn title(measure: Measure) -> String {
 }
 
 /// The printed row of an entrant, if the table has one and belongs here.
-pub fn printed_of(name: &str, belongs: bool) -> Option<&'static Printed> {
+pub fn printed_of(name: &str, belongs: bool) -> Option<&'static Table1Printed> {
     table_1::printed_of(name).filter(|_| belongs)
 }
 
@@ -59,7 +59,12 @@ struct Figure {
     is_best: bool,
 }
 
-fn figure(one: &Compared, all: &[Compared], measure: Measure, printed: Option<&Printed>) -> Figure {
+fn figure(
+    one: &Compared,
+    all: &[Compared],
+    measure: Measure,
+    printed: Option<&Table1Printed>,
+) -> Figure {
     let printed = printed.and_then(|row| row.get(measure));
     let Some(spread) = one.get(measure) else {
         let printed = printed.map(|printed| as_printed(measure, printed));

@@ -44,7 +44,7 @@ pub fn total_height(view: &View<'_>, beside: bool) -> f32 {
 
 /// Where the bands stand.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
+pub struct BandPlace {
     /// The time axis of the charts above: the bands share it.
     pub axis: Rangef,
     /// The range of time on it, s.
@@ -61,7 +61,7 @@ struct Stretch {
 }
 
 /// The bands below the charts.
-pub fn show(ui: &mut Ui, view: &View<'_>, place: Place) {
+pub fn show(ui: &mut Ui, view: &View<'_>, place: BandPlace) {
     let palette = Palette::at(ui);
     let kind = view.session.current().controller.kind.label();
     let mut bands = vec![("Controller", controllers(view), palette.accent, kind.to_owned())];
@@ -153,7 +153,7 @@ fn band(
     color: Color32,
     playhead_s: f64,
     text: &str,
-    place: Place,
+    place: BandPlace,
 ) {
     let palette = Palette::at(ui);
     let font = egui::TextStyle::Small.resolve(ui.style());

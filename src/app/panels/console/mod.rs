@@ -15,7 +15,7 @@ use workpiece::WorkpieceWindow;
 use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::theme::{self, Look};
-use crate::app::widgets::chart::{self, Axes, Chart, Curve};
+use crate::app::widgets::chart::{self, Axes, Chart, ChartCurve};
 use crate::app::widgets::zoom::by_touch;
 use crate::base::units::ratio_from_percent;
 
@@ -34,12 +34,12 @@ struct Windows {
     workpiece: WorkpieceWindow,
 }
 
-const fn main(signal: &'static str) -> Curve {
-    Curve { signal, look: Look::Produced, compared: true }
+const fn main(signal: &'static str) -> ChartCurve {
+    ChartCurve { signal, look: Look::Produced, compared: true }
 }
 
-const fn other(signal: &'static str, look: Look) -> Curve {
-    Curve { signal, look, compared: false }
+const fn other(signal: &'static str, look: Look) -> ChartCurve {
+    ChartCurve { signal, look, compared: false }
 }
 
 /// The paper's six quantities, with overrides and depth of cut.
@@ -241,7 +241,7 @@ impl ConsolePanel {
             }
             let range = self.axes.range(view.session);
             if let Some(axis) = axis {
-                bands::show(ui, view, bands::Place { axis, range, beside });
+                bands::show(ui, view, bands::BandPlace { axis, range, beside });
             }
         });
     }

@@ -9,7 +9,7 @@ use super::super::View;
 use crate::app::command::Command;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::legend;
-use crate::app::widgets::window::{self, Place};
+use crate::app::widgets::window::{self, WindowPlace};
 use crate::base::settings::Value;
 use crate::blocks::cutting::process::ForceModel;
 use crate::run::one_run::Repeat;
@@ -82,7 +82,7 @@ impl RevolutionWindow {
     /// Shows it, if it is open.
     pub fn show(&mut self, ui: &Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let height = theme::OVERLAY_HEIGHTS[1];
-        let place = Place { screen: ui.max_rect(), narrow: view.narrow, height };
+        let place = WindowPlace { screen: ui.max_rect(), narrow: view.narrow, height };
         let mut open = self.open;
         window::show(ui.ctx(), "Within a revolution", place, &mut open, |ui| {
             self.content(ui, view, commands);

@@ -12,15 +12,15 @@ use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::setting::{Size, setting};
-use crate::app::widgets::window::{self, Place};
-use crate::base::model::part::APPROACH_MM;
+use crate::app::widgets::window::{self, WindowPlace};
 use crate::base::settings::{MAX_CUTS, MAX_SECTIONS, MIN_SECTION_MM, Section, Value};
 use crate::blocks::cutting::process::ForceModel;
 use crate::blocks::cutting::tool_path::{ToolPath, wall_mm};
 use crate::blocks::cutting::workpiece::{DepthProfile, Workpiece};
+use crate::models::part::APPROACH_MM;
 use crate::run::presets;
-use material::Material;
-use picture::Part;
+use material::MaterialPicture;
+use picture::PicturePart;
 
 const CUTS: &str = "workpiece.cuts";
 /// The parts of the papers, as shipped scenarios have them.
@@ -37,7 +37,7 @@ pub struct WorkpieceWindow {
     cut: usize,
     /// What was wrong with the last number that was typed.
     said: Option<String>,
-    material: Material,
+    material: MaterialPicture,
 }
 
 /// The cut that the tool is in, and where its axis is along it, mm.
@@ -77,7 +77,7 @@ impl WorkpieceWindow {
     /// Shows it, if it is open.
     pub fn show(&mut self, ui: &Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let height = theme::OVERLAY_HEIGHTS[0];
-        let place = Place { screen: ui.max_rect(), narrow: view.narrow, height };
+        let place = WindowPlace { screen: ui.max_rect(), narrow: view.narrow, height };
         let mut open = self.open;
         window::show(ui.ctx(), "Workpiece", place, &mut open, |ui| {
             self.content(ui, view, commands);
@@ -111,7 +111,7 @@ impl WorkpieceWindow {
                 std::cmp::Ordering::Equal => tool_mm,
                 std::cmp::Ordering::Greater => f64::INFINITY,
             };
-            let part = Part { sections: sections.clone(), open: false, tool_mm };
+            let part = PicturePart { sections: sections.clone(), open: false, tool_mm };
             let begin_mm = ToolPath::begins_of(workpiece)[self.cut] + APPROACH_MM;
             self.pictures(ui, view, &part, begin_mm);
             table::sections(ui, self.cut, &mut cuts, &mut self.said);
@@ -162,7 +162,7 @@ impl WorkpieceWindow {
         let tool_mm = view.session.row().position_mm;
         let by_teeth = scenario.plant.force_model == ForceModel::Mechanistic;
         let sections = if by_teeth { path_sections } else { path_by_formula };
-        let part = Part { sections: sections(&scenario.workpiece), open: true, tool_mm };
+        let part = PicturePart { sections: sections(&scenario.workpiece), open: true, tool_mm };
         self.pictures(ui, view, &part, 0.0);
         table::profile(ui, scenario, commands, &mut self.said);
         let playback = view.session.playback();
@@ -173,7 +173,7 @@ impl WorkpieceWindow {
     }
 
     /// Side view, view from above and material on one axis.
-    fn pictures(&mut self, ui: &mut Ui, view: &View<'_>, part: &Part, begin_mm: f64) {
+    fn pictures(&mut self, ui: &mut Ui, view: &View<'_>, part: &PicturePart, begin_mm: f64) {
         let length_mm: f64 = part.sections.iter().map(|section| section[0]).sum();
         let place = match part.tool_mm {
             at if at == f64::NEG_INFINITY => "still to be cut".to_owned(),

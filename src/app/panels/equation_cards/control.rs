@@ -3,18 +3,18 @@
 use super::formula::number;
 use super::live::Live;
 use super::models::{feed, speed};
-use crate::base::model::gp::GpModels;
-use crate::base::model::unks::UnksStart;
 use crate::base::units::ratio_from_percent;
 use crate::blocks::control::force::division::Divided;
 use crate::blocks::control::force::mrac::Adapted;
 use crate::blocks::control::{ControllerKind, FeedSpeed};
 use crate::blocks::cutting::tool_path::ToolPath;
+use crate::models::genetic::GeneticModels;
+use crate::models::unks::UnksStart;
 use crate::run::scenario::Scenario;
 use crate::run::signals::{Row, flag};
 
 /// The controller's law with its models 2 and 3.
-pub fn controller(belief: &GpModels, row: &Row, scenario: &Scenario) -> Vec<Live> {
+pub fn controller(belief: &GeneticModels, row: &Row, scenario: &Scenario) -> Vec<Live> {
     let (desired, measured) = (row.force_ref_n, row.force_measured_n);
     match scenario.controller.kind {
         ControllerKind::ConstantFeed => {

@@ -3,11 +3,11 @@
 use super::formula::number;
 use super::live::Live;
 use super::neural::neural;
-use crate::base::model::force_formula::{FEED_MIN_MM_MIN, INCH, SPEED_MIN_RPM};
 use crate::base::units::mm_from_um;
 use crate::blocks::cutting::process::{ForceModel, Process};
 use crate::blocks::cutting::tool::R216_16B20_040;
-use crate::blocks::cutting::tool_path::Place;
+use crate::blocks::cutting::tool_path::Engagement;
+use crate::models::genetic::force_formula::{FEED_MIN_MM_MIN, INCH, SPEED_MIN_RPM};
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 
@@ -20,7 +20,7 @@ pub fn cutting(row: &Row, scenario: &Scenario) -> Vec<Live> {
     let (feed, speed, depth) = (row.feed_mm_min, row.spindle_rpm, row.axial_depth_mm);
     let radial_depth_mm = row.radial_depth_mm;
     let mut process = Process::new(plant, radial_depth_mm, depth, scenario.dt_s());
-    let force = process.update(feed, speed, &Place { axial_depth_mm: depth, radial_depth_mm });
+    let force = process.update(feed, speed, &Engagement { axial_depth_mm: depth, radial_depth_mm });
     if let Some(kind) = plant.force_model.network() {
         return neural(kind, row, scenario, force);
     }

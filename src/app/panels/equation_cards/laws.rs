@@ -3,9 +3,9 @@
 
 use super::formula::number;
 use crate::base::math;
-use crate::base::model::curve::Curve;
-use crate::base::model::exponential::Exponential;
-use crate::base::model::quartic::Quartic;
+use crate::models::genetic::curve::Curve;
+use crate::models::genetic::exponential::Exponential;
+use crate::models::genetic::quartic::Quartic;
 
 /// A coefficient with all its digits; a small one with a power of ten.
 fn exact(x: f64) -> String {
@@ -156,7 +156,7 @@ pub fn curve_inverse(curve: &Curve, y: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::model::gp_2013;
+    use crate::models::genetic::strategy_2013;
 
     #[test]
     fn continuations_are_written_as_the_model_computes_them() {
@@ -167,17 +167,17 @@ mod tests {
         let line = Curve { coefficients: [136.65, 53.755, 0.0], low: 0.4, high: 1.11 };
         assert_eq!(curve_formula(&line, "Ra"), "136.650 + 53.755 Ra");
         assert_eq!(curve_inverse_formula(&line, "F"), "(F - 136.650) / 53.755");
-        let beyond = quartic_with(&gp_2013::M2_RESTORED, 140.0, [157.5, 197.0]);
+        let beyond = quartic_with(&strategy_2013::M2_RESTORED, 140.0, [157.5, 197.0]);
         assert!(beyond.ends_with("(140 - 157.5)"), "{beyond}");
     }
 
     #[test]
     fn laws_are_written_with_the_digits_of_the_paper() {
-        let printed = polynomial(&gp_2013::M2.coefficients, "F");
+        let printed = polynomial(&strategy_2013::M2.coefficients, "F");
         assert_eq!(printed, "10^{-5} F^4 - 0.01 F^3 + 2.7568 F^2 - 333.75 F + 15348");
-        assert_eq!(exponential(&gp_2013::M3, "F"), "7641.3 e^{-0.004 F}");
-        assert_eq!(exponential_with(&gp_2013::M3, 180.0), "7641.3 e^{-0.004 · 180}");
-        let restored = polynomial(&gp_2013::M2_RESTORED.coefficients, "F");
+        assert_eq!(exponential(&strategy_2013::M3, "F"), "7641.3 e^{-0.004 F}");
+        assert_eq!(exponential_with(&strategy_2013::M3, 180.0), "7641.3 e^{-0.004 · 180}");
+        let restored = polynomial(&strategy_2013::M2_RESTORED.coefficients, "F");
         assert!(restored.starts_with("1.426371·10^{-5} F^4 - 0.01015767 F^3"), "{restored}");
     }
 }

@@ -8,9 +8,9 @@ use super::formula::{number, sum};
 use super::machine::{marks, vibration};
 use super::models::{desired_force, roughness};
 use super::overrides::overrides;
-use crate::base::model::gp::GpModels;
-use crate::base::model::machine::RoughnessFrom;
 use crate::base::units::percent_from_ratio;
+use crate::models::genetic::GeneticModels;
+use crate::models::machine::RoughnessFrom;
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 
@@ -50,8 +50,8 @@ impl Live {
 #[must_use]
 pub fn live(block: Block, moment: &Moment<'_>) -> Vec<Live> {
     let Moment { row, scenario, delayed } = *moment;
-    let belief = GpModels::new(scenario.belief.model_set, scenario.belief.calibration);
-    let plant = GpModels::new(scenario.plant.model_set, scenario.plant.calibration);
+    let belief = GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration);
+    let plant = GeneticModels::new(scenario.plant.model_set, scenario.plant.calibration);
     match block {
         Block::Reference => vec![desired_force(&belief, row)],
         Block::Controller => controller(&belief, row, scenario),

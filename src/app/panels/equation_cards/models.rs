@@ -8,12 +8,12 @@ use super::laws::{
 use super::live::Live;
 use crate::app::theme;
 use crate::base::math;
-use crate::base::model::Valued;
-use crate::base::model::gp::{
-    FORCE_REF_MIN_N, FeedLaw, ForceRoughness, GpModels, M2_RESTORED_RANGE_N, SpeedLaw,
+use crate::models::Valued;
+use crate::models::genetic::sdnrp_2007::{K2_MIN_N, K3_MAX_N, K5_MAX_N};
+use crate::models::genetic::strategy_2013;
+use crate::models::genetic::{
+    FORCE_REF_MIN_N, FeedLaw, ForceRoughness, GeneticModels, M2_RESTORED_RANGE_N, SpeedLaw,
 };
-use crate::base::model::gp_2007::{K2_MIN_N, K3_MAX_N, K5_MAX_N};
-use crate::base::model::gp_2013;
 use crate::run::signals::Row;
 
 /// Coefficients of M1 (2013 eq. 2), from the constant on.
@@ -38,7 +38,7 @@ fn live(symbol: &str, (formula, values, range): Law, answer: Valued, unit: &str)
 }
 
 /// Model 1 at the target.
-pub fn desired_force(belief: &GpModels, row: &Row) -> Live {
+pub fn desired_force(belief: &GeneticModels, row: &Row) -> Live {
     let ra = row.ra_target_um;
     let force = belief.force_from_ra(ra);
     let mut law = match belief.roughness {
@@ -50,7 +50,7 @@ pub fn desired_force(belief: &GpModels, row: &Row) -> Live {
         ForceRoughness::M1M5 { .. } => (
             polynomial(&M1, "Ra"),
             polynomial_with(&M1, ra),
-            from_to("Ra", gp_2013::RA_RANGE_UM, "um"),
+            from_to("Ra", strategy_2013::RA_RANGE_UM, "um"),
         ),
         ForceRoughness::Curve(curve) => (
             curve_formula(&curve, "Ra"),
@@ -65,7 +65,7 @@ pub fn desired_force(belief: &GpModels, row: &Row) -> Live {
 }
 
 /// Model 2 at a force.
-pub fn feed(belief: &GpModels, force_n: f64) -> Live {
+pub fn feed(belief: &GeneticModels, force_n: f64) -> Live {
     let law = match belief.feed {
         FeedLaw::K2 => (
             "25.4 (189 - 5926160 / F_s^2)".to_owned(),
@@ -73,8 +73,8 @@ pub fn feed(belief: &GpModels, force_n: f64) -> Live {
             format!("F_s from {} N on; below it the feed is negative", number(K2_MIN_N)),
         ),
         FeedLaw::M2 => (
-            polynomial(&gp_2013::M2.coefficients, "F_s"),
-            polynomial_with(&gp_2013::M2.coefficients, force_n),
+            polynomial(&strategy_2013::M2.coefficients, "F_s"),
+            polynomial_with(&strategy_2013::M2.coefficients, force_n),
             "F_s where the feed is positive and rises with it".to_owned(),
         ),
         FeedLaw::M2Restored(quartic) => (
@@ -92,7 +92,7 @@ pub fn feed(belief: &GpModels, force_n: f64) -> Live {
 }
 
 /// Model 3 at a force.
-pub fn speed(belief: &GpModels, force_n: f64) -> Live {
+pub fn speed(belief: &GeneticModels, force_n: f64) -> Live {
     let answer = belief.speed_from_force(force_n);
     let law = match belief.speed {
         SpeedLaw::K3 => {
@@ -122,7 +122,7 @@ pub fn speed(belief: &GpModels, force_n: f64) -> Live {
 }
 
 /// Model 5 or 6 at a force, with the symbols of its output and input.
-pub fn roughness(plant: &GpModels, force_n: f64, ra_symbol: &str, force_symbol: &str) -> Live {
+pub fn roughness(plant: &GeneticModels, force_n: f64, ra_symbol: &str, force_symbol: &str) -> Live {
     if force_n <= 0.0 {
         let formula = format!("{ra_symbol}: the tool is in the air");
         return Live::everywhere(formula, "no force, so no surface is cut");
@@ -147,7 +147,7 @@ pub fn roughness(plant: &GpModels, force_n: f64, ra_symbol: &str, force_symbol: 
 }
 
 /// K5, beyond its end with the slope that the model goes on with.
-fn k5(plant: &GpModels, force_n: f64, symbol: &str) -> Law {
+fn k5(plant: &GeneticModels, force_n: f64, symbol: &str) -> Law {
     let values = if force_n <= K5_MAX_N {
         format!("0.0254 (593 / (293 - {}))^2", number(force_n))
     } else {
@@ -163,7 +163,7 @@ fn k5(plant: &GpModels, force_n: f64, symbol: &str) -> Law {
 fn m5(leading: f64, force_n: f64, symbol: &str) -> Law {
     let coefficients = [M5[0], M5[1], leading];
     let turns_n = -M5[1] / (2.0 * leading);
-    let [low, high] = gp_2013::FORCE_RANGE_N;
+    let [low, high] = strategy_2013::FORCE_RANGE_N;
     let low = math::limit(turns_n, low, high);
     (
         polynomial(&coefficients, symbol),

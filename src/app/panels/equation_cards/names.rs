@@ -1,8 +1,8 @@
 //! What boxes, models and lamps are called: K1..K6 or M1..M6, as the model set in use has it.
 
 use super::{Block, Card, Lamp};
-use crate::base::model::gp::{Calibration, ModelSet};
 use crate::blocks::cutting::process::{ForceModel, Plant};
+use crate::models::genetic::{Calibration, ModelSet};
 use crate::run::scenario::Scenario;
 use crate::run::signals::{FlagInfo, flag};
 

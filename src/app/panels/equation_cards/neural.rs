@@ -4,13 +4,13 @@
 use super::formula::number;
 use super::live::Live;
 use crate::app::theme;
-use crate::base::model::Valued;
-use crate::base::model::neural_force::{
+use crate::blocks::cutting::material::Material;
+use crate::blocks::cutting::neural::NeuralCut;
+use crate::models::Valued;
+use crate::models::neural_force::{
     AXIAL_DEPTH_MM, AXIAL_PER_DIAMETER, CutPoint, FEED_PER_TOOTH_MM, HARDNESS_HB, NeuralForce,
     NeuralKind, RADIAL_PER_DIAMETER, SPEED_M_MIN, speed_m_min,
 };
-use crate::blocks::cutting::material::Material;
-use crate::blocks::cutting::neural::NeuralCut;
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 

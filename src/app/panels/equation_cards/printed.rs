@@ -1,9 +1,9 @@
 //! The equations as their sources print them, for the model sets and the drive in use.
 
 use super::Block;
-use crate::base::model::feed_drive::FeedDriveKind;
-use crate::base::model::gp::ModelSet;
 use crate::blocks::cutting::process::ForceModel;
+use crate::models::feed_drive::FeedDriveKind;
+use crate::models::genetic::ModelSet;
 use crate::run::scenario::Scenario;
 
 /// An equation as its source prints it.

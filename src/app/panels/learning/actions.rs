@@ -6,7 +6,7 @@ use crate::app::command::Command;
 use crate::app::panels::View;
 use crate::app::theme::Palette;
 use crate::app::widgets::setting::{Size, setting};
-use crate::base::model::unks::UnksStart;
+use crate::models::unks::UnksStart;
 use crate::study::unks_passes::{beginning_anew, beginning_with, learned};
 
 /// The controls.

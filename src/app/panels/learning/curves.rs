@@ -8,8 +8,8 @@ use crate::app::history::LearningSample;
 use crate::app::panels::View;
 use crate::app::theme::{Look, Palette};
 use crate::app::widgets::chart::still;
-use crate::base::model::unks::UnksStart;
 use crate::base::units::percent_from_ratio;
+use crate::models::unks::UnksStart;
 
 /// Least and largest height of the range of values, in percent: the first moments of a cut are
 /// foretold so badly that they would flatten all that follows.

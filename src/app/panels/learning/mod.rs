@@ -15,8 +15,8 @@ use crate::app::command::Command;
 use crate::app::history::LearningSample;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::legend;
-use crate::base::model::unks::UnksStart;
-use net::{Drawn, Shown};
+use crate::models::unks::UnksStart;
+use net::{DrawnNet, Shown};
 use passes::PassesView;
 
 /// From this width on, points, the networks stand beside each other.
@@ -85,7 +85,7 @@ impl LearningView {
         });
         let cold = now.start == UnksStart::Cold;
         let drawn =
-            |i: usize| Drawn::new(i, cold, &first.weights[i], &now.weights[i], now.lessons[i]);
+            |i: usize| DrawnNet::new(i, cold, &first.weights[i], &now.weights[i], now.lessons[i]);
         let [forward, inverse] = [drawn(0), drawn(1)];
         if ui.available_width() < BESIDE_FROM {
             net::show(ui, &inverse, self.shown, NET_HEIGHT);

@@ -4,7 +4,7 @@
 use egui::{Align2, FontId, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use crate::app::theme::{Look, Palette, fine};
-use crate::base::model::unks::SIZES;
+use crate::models::unks::SIZES;
 
 /// How positive and negative weights are drawn.
 pub const POSITIVE: Look = Look::Produced;
@@ -49,7 +49,7 @@ impl Shown {
 }
 
 /// A network to be drawn.
-pub struct Drawn<'a> {
+pub struct DrawnNet<'a> {
     title: &'static str,
     role: &'static str,
     inputs: [&'static str; 4],
@@ -59,7 +59,7 @@ pub struct Drawn<'a> {
     lessons: u32,
 }
 
-impl<'a> Drawn<'a> {
+impl<'a> DrawnNet<'a> {
     /// NM-1 (0) or NM-2 (1) with its weights at the start of the cut and now.
     pub fn new(i: usize, cold: bool, start: &'a [f64], now: &'a [f64], lessons: u32) -> Self {
         let (title, role, inputs, output) = match (i, cold) {
@@ -98,7 +98,7 @@ fn largest(values: &[f64]) -> f64 {
 }
 
 /// The picture with its title, `height` points high.
-pub fn show(ui: &mut Ui, drawn: &Drawn<'_>, shown: Shown, height: f32) {
+pub fn show(ui: &mut Ui, drawn: &DrawnNet<'_>, shown: Shown, height: f32) {
     let palette = Palette::at(ui);
     let (weight, change) =
         (largest(&drawn.values(Shown::Weights)), largest(&drawn.values(Shown::Change)));
@@ -133,7 +133,7 @@ fn place(rect: Rect, layer: usize, count: usize, i: usize) -> Pos2 {
     pos2(x, egui::lerp(rect.top()..=rect.bottom(), share))
 }
 
-fn paint(ui: &Ui, rect: Rect, drawn: &Drawn<'_>, values: &[f64], mark: bool) {
+fn paint(ui: &Ui, rect: Rect, drawn: &DrawnNet<'_>, values: &[f64], mark: bool) {
     let palette = Palette::at(ui);
     let painter = ui.painter_at(rect);
     let most = largest(values);

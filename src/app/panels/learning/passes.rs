@@ -7,7 +7,7 @@ use crate::app::panels::View;
 use crate::app::theme::{Palette, deviation, number};
 use crate::base::units::percent_from_ratio;
 use crate::run::scenario::Scenario;
-use crate::study::unks_passes::{BETTER, Pass, Passes, Verdict, beginning_with};
+use crate::study::unks_passes::{BETTER, Pass, Passes, PassesVerdict, beginning_with};
 
 /// How many passes.
 const PASSES: u32 = 5;
@@ -107,7 +107,7 @@ fn table(ui: &mut Ui, passes: &[Pass]) {
     });
 }
 
-fn judge(ui: &mut Ui, verdict: &Verdict) {
+fn judge(ui: &mut Ui, verdict: &PassesVerdict) {
     let palette = Palette::at(ui);
     let mut line = |good: bool, text: String| {
         let color = if good { palette.good } else { palette.bad };

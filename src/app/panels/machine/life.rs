@@ -2,13 +2,13 @@
 //! whose life is foretold; and what the cut in the console foretells of its own.
 
 use crate::app::session::Session;
-use crate::base::model::machine_trend::{MachineTrend, TrendPoint};
-use crate::base::model::wear::WearModel;
+use crate::models::machine_trend::{MachineTrend, TrendPoint};
+use crate::models::wear::WearModel;
 use crate::run::scenario::Scenario;
 use crate::study::machine_life::adaptive::AdaptiveLife;
 use crate::study::machine_life::listening::{Heard, listen};
 use crate::study::machine_life::measurement::measure;
-use crate::study::machine_life::{Findings, LifeJob, model};
+use crate::study::machine_life::{LifeFindings, LifeJob, model};
 
 /// Points of time that one frame may cost, and minutes of the tool that is foretold: some
 /// milliseconds each.
@@ -24,7 +24,7 @@ pub struct Life {
     /// Sound and roughness of the sharp tool, and at the end of its life.
     pub ends: [TrendPoint; 2],
     /// What the trends show, once they are done.
-    pub findings: Option<Findings>,
+    pub findings: Option<LifeFindings>,
     /// Correlations of a virtual measurement with the calculation: trend and spectrum.
     pub measured_r: [Option<f64>; 2],
     /// The tool whose life is foretold.
@@ -106,7 +106,7 @@ impl Life {
 
 /// What the sound of the cut in the console has foretold, up to the playhead.
 #[derive(Default)]
-pub struct InCut {
+pub struct LifeInCut {
     /// Changes and rows of the run that was listened to.
     of: Option<(u64, usize)>,
     heard: Vec<Heard>,
@@ -114,7 +114,7 @@ pub struct InCut {
     pub problem: Option<String>,
 }
 
-impl InCut {
+impl LifeInCut {
     /// Whether the cut can be listened to: the machine vibrates in it, and the tool wears.
     #[must_use]
     pub fn possible(scenario: &Scenario) -> bool {

@@ -21,13 +21,13 @@ use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::theme;
 use crate::app::widgets::zoom::by_touch;
-use crate::base::model::wear::WearModel;
 use crate::base::units::rev_s_from_rpm;
 use crate::blocks::cutting::tool::R216_16B20_040;
-use life::{InCut, Life};
+use crate::models::wear::WearModel;
+use life::{Life, LifeInCut};
 use sound::SoundControl;
 use stability::{Operating, StabilityView};
-use state::Machine;
+use state::MachineState;
 use vibration::VibrationView;
 use wear::WearView;
 
@@ -61,9 +61,9 @@ const PARTS: [(Part, &str, &str); 3] = [
 #[derive(Default)]
 pub struct MachinePanel {
     part: Part,
-    machine: Option<Machine>,
+    machine: Option<MachineState>,
     life: Option<Life>,
-    in_cut: InCut,
+    in_cut: LifeInCut,
     vibration: VibrationView,
     wear: WearView,
     stability: StabilityView,
@@ -99,7 +99,7 @@ impl MachinePanel {
     fn advance(&mut self, ui: &Ui, view: &View<'_>, dt_s: f64) {
         let scenario = view.session.current();
         if self.machine.as_ref().is_none_or(|machine| !machine.is_of(&scenario.machine)) {
-            self.machine = Some(Machine::new(&scenario.machine));
+            self.machine = Some(MachineState::new(&scenario.machine));
         }
         let adjusts = self.wear.adjusts;
         let busy = match self.part {

@@ -1,9 +1,9 @@
 //! How the five masses move: forced at a frequency, by the passing teeth, or in a mode.
 
-use super::state::Machine;
+use super::state::MachineState;
 use crate::base::math::{TAU, cos, extent, sin};
-use crate::base::model::machine::Complex;
-use crate::base::model::machine::frf::{LAST_HZ, Tree};
+use crate::models::machine::Complex;
+use crate::models::machine::frf::{LAST_HZ, Tree};
 
 /// What moves the masses.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub enum Drive {
 
 /// A movement of the five masses.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion {
+pub struct MotionPicture {
     /// Its frequency, Hz.
     pub f_hz: f64,
     /// Amplitudes with their phases, m; in a mode relative to the largest one.
@@ -27,11 +27,11 @@ pub struct Motion {
     pub in_metres: bool,
 }
 
-impl Motion {
+impl MotionPicture {
     /// The movement of `machine`; none for a mode that is not known.
     #[must_use]
     pub fn of(
-        machine: &Machine,
+        machine: &MachineState,
         drive: Drive,
         chosen_hz: f64,
         tooth_hz: f64,
@@ -77,12 +77,12 @@ pub fn amplitude(z: Complex) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::model::machine::MachineSettings;
+    use crate::models::machine::MachineSettings;
 
     #[test]
     fn a_slow_force_bends_the_machine_by_its_compliance() {
-        let machine = Machine::new(&MachineSettings::default());
-        let motion = Motion::of(&machine, Drive::Frequency, 0.0, 53.0, 107.0).unwrap();
+        let machine = MachineState::new(&MachineSettings::default());
+        let motion = MotionPicture::of(&machine, Drive::Frequency, 0.0, 53.0, 107.0).unwrap();
         let z = motion.at(0.0);
         let gap = z[machine.model.branch().1] - z[2];
         let still = 107.0 * machine.model.static_compliance().grel_m_n;
@@ -91,8 +91,8 @@ mod tests {
 
     #[test]
     fn modes_are_shapes_and_unknown_ones_are_none() {
-        let machine = Machine::new(&MachineSettings::default());
-        let of = |drive| Motion::of(&machine, drive, 100.0, 53.0, 107.0);
+        let machine = MachineState::new(&MachineSettings::default());
+        let of = |drive| MotionPicture::of(&machine, drive, 100.0, 53.0, 107.0);
         let first = of(Drive::Mode(0)).unwrap();
         assert!((first.f_hz - 109.929).abs() < 1e-3 && first.largest() == 1.0);
         assert_eq!(of(Drive::Mode(9)), None);

@@ -4,11 +4,11 @@
 use egui::{Align2, Color32, FontId, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo};
 use egui::{pos2, vec2};
 
-use super::motion::{Motion, amplitude};
-use super::state::Machine;
+use super::motion::{MotionPicture, amplitude};
+use super::state::MachineState;
 use crate::app::theme::{self, Palette};
 use crate::base::math::pow;
-use crate::base::model::machine::parameters::NODES;
+use crate::models::machine::parameters::NODES;
 
 /// Width of a point on a screen, m: 96 to the inch.
 const POINT_M: f64 = 0.0254 / 96.0;
@@ -22,7 +22,7 @@ const TOOTH: f32 = 118.0;
 const REACH: f32 = 0.38;
 
 /// Draws the machine moving at `phase` (in turns), `height` points high.
-pub fn show(ui: &mut Ui, machine: &Machine, motion: &Motion, phase: f64, height: f32) {
+pub fn show(ui: &mut Ui, machine: &MachineState, motion: &MotionPicture, phase: f64, height: f32) {
     let palette = Palette::at(ui);
     let size = vec2(ui.available_width(), height);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
@@ -80,7 +80,7 @@ pub fn show(ui: &mut Ui, machine: &Machine, motion: &Motion, phase: f64, height:
 }
 
 /// The picture in words.
-fn said(motion: &Motion, scale: &Scale) -> String {
+fn said(motion: &MotionPicture, scale: &Scale) -> String {
     let parts = NODES.iter().zip(motion.z).map(|(node, z)| match motion.in_metres {
         true => format!("{node} {}", theme::fine(1e6 * amplitude(z), "um")),
         false => format!("{node} {:.3}", z.re),
@@ -207,8 +207,8 @@ fn link_between(
 
 fn mass(
     painter: &egui::Painter,
-    machine: &Machine,
-    motion: &Motion,
+    machine: &MachineState,
+    motion: &MotionPicture,
     node: usize,
     rect: Rect,
     color: Color32,

@@ -13,7 +13,7 @@ use crate::app::widgets::legend;
 use crate::base::math::{extent, pow};
 
 /// A line of a plot.
-pub struct Curve {
+pub struct PlotCurve {
     /// Its name in the legend.
     pub name: &'static str,
     /// How it is drawn.
@@ -51,7 +51,7 @@ pub struct Figure {
     /// Whether the vertical axis is logarithmic; its range is then positive.
     pub logarithmic: bool,
     /// Lines, the first ones at the back.
-    pub curves: Vec<Curve>,
+    pub curves: Vec<PlotCurve>,
     /// A band: name, and places with their two values.
     pub band: Option<(&'static str, Vec<[f64; 3]>)>,
     /// Vertical lines.

@@ -5,14 +5,14 @@ use egui::{RichText, Role, Sense, Slider, Ui, WidgetInfo};
 use egui_plot::MarkerShape;
 
 use super::motion::amplitude;
-use super::plot::{Curve, Figure, Marks, decades_of};
-use super::state::Machine;
+use super::plot::{Figure, Marks, PlotCurve, decades_of};
+use super::state::MachineState;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::legend;
 use crate::app::widgets::zoom::by_touch;
 use crate::base::math::{TAU, acos};
-use crate::base::model::machine::Complex;
-use crate::base::model::machine::frf::{LAST_HZ, Response, tree};
+use crate::models::machine::Complex;
+use crate::models::machine::frf::{FrequencyResponse, LAST_HZ, tree};
 
 /// Micrometres per kilonewton in a metre per newton.
 const UM_KN: f64 = 1e9;
@@ -23,7 +23,7 @@ const DECADES: f64 = 5.0;
 /// Height of the phase, as a share of the whole.
 const PHASE_SHARE: f32 = 0.32;
 
-type Part = fn(&Response) -> Complex;
+type Part = fn(&FrequencyResponse) -> Complex;
 
 /// The responses that can be shown.
 const PARTS: [(&str, Look, Part); 3] = [
@@ -49,7 +49,13 @@ impl Default for ResponseView {
 
 impl ResponseView {
     /// Draws all of it, `height` points high; `true` when the cursor was moved.
-    pub fn show(&mut self, ui: &mut Ui, machine: &Machine, tooth_hz: f64, height: f32) -> bool {
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        machine: &MachineState,
+        tooth_hz: f64,
+        height: f32,
+    ) -> bool {
         let top = ui.cursor().top();
         self.legend(ui);
         let mut moved = self.cursor(ui, machine);
@@ -93,7 +99,7 @@ impl ResponseView {
     }
 
     /// The slider of the cursor, what is read there, and what is in the picture.
-    fn cursor(&mut self, ui: &mut Ui, machine: &Machine) -> bool {
+    fn cursor(&mut self, ui: &mut Ui, machine: &MachineState) -> bool {
         let mut moved = false;
         ui.horizontal_wrapped(|ui| {
             let last_hz = if self.near { NEAR_HZ } else { f64::from(LAST_HZ) };
@@ -126,14 +132,14 @@ impl ResponseView {
         moved
     }
 
-    fn sizes(&self, ui: &Ui, machine: &Machine, tooth_hz: f64, last_hz: f64) -> Figure {
+    fn sizes(&self, ui: &Ui, machine: &MachineState, tooth_hz: f64, last_hz: f64) -> Figure {
         let palette = Palette::at(ui);
         let mut figure = Figure::new("Response", ["Hz", "um/kN"], [0.0, last_hz]);
         let shown = PARTS.iter().enumerate().filter(|(i, _)| !self.hidden[*i]);
         // The first stands in front.
         let curves = shown.rev().map(|(_, (name, look, part))| {
             let points = machine.sweep.iter().map(|r| [r.f_hz, UM_KN * amplitude(part(r))]);
-            Curve { name, look: *look, points: points.collect() }
+            PlotCurve { name, look: *look, points: points.collect() }
         });
         figure.curves = curves.collect();
         let values = figure.curves.iter().flat_map(|curve| &curve.points).map(|point| point[1]);
@@ -162,12 +168,12 @@ impl ResponseView {
         figure
     }
 
-    fn phases(&self, machine: &Machine, last_hz: f64) -> Figure {
+    fn phases(&self, machine: &MachineState, last_hz: f64) -> Figure {
         let mut figure = Figure::new("Phase", ["Hz", "deg"], [0.0, last_hz]);
         let shown = PARTS.iter().enumerate().filter(|(i, _)| !self.hidden[*i]);
         let curves = shown.rev().map(|(_, (name, look, part))| {
             let points = machine.sweep.iter().map(|r| [r.f_hz, degrees(part(r))]);
-            Curve { name, look: *look, points: points.collect() }
+            PlotCurve { name, look: *look, points: points.collect() }
         });
         figure.curves = curves.collect();
         figure.up = [-190.0, 20.0];
@@ -189,7 +195,7 @@ fn degrees(z: Complex) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::model::machine::MachineSettings;
+    use crate::models::machine::MachineSettings;
 
     #[test]
     fn phases_are_those_of_the_plane() {
@@ -201,7 +207,7 @@ mod tests {
     #[test]
     fn driving_points_take_power_at_every_frequency() {
         // Their imaginary part is never positive: the phase lies in the plot.
-        let machine = Machine::new(&MachineSettings::default());
+        let machine = MachineState::new(&MachineSettings::default());
         for response in &machine.sweep {
             for (name, _, part) in PARTS {
                 let phase = degrees(part(response));

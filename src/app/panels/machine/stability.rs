@@ -4,15 +4,15 @@
 use egui::{ProgressBar, RichText, Role, Sense, Ui, WidgetInfo};
 use egui_plot::MarkerShape;
 
-use super::plot::{Curve, Figure, Marks};
+use super::plot::{Figure, Marks, PlotCurve};
 use crate::app::command::Command;
 use crate::app::theme::{self, Look, Palette};
 use crate::base::math::{extent, limit};
-use crate::base::model::machine::MachineSettings;
-use crate::base::model::machine::parameters::{QUALITY_PRINTED, SPINDLE_QUALITY};
 use crate::base::settings::Value;
+use crate::models::machine::MachineSettings;
+use crate::models::machine::parameters::{QUALITY_PRINTED, SPINDLE_QUALITY};
 use crate::run::scenario::Scenario;
-use crate::study::stability::chart::{ChartJob, Point, Range};
+use crate::study::stability::chart::{ChartJob, LobePoint, Range};
 use crate::study::stability::interrupted::multiplier;
 
 /// Speeds of the chart, 1/min, and their number.
@@ -181,10 +181,10 @@ fn figure(job: &ChartJob, now: Operating, grown: Option<f64>, palette: &Palette)
     let across = if grown.is_some() { across } else { SPEEDS_RPM };
     let mut figure = Figure::new("Limit depth", ["1/min", "mm"], across);
     figure.over = "speed";
-    let curve = |name, look, of: fn(&Point) -> Option<f64>| {
+    let curve = |name, look, of: fn(&LobePoint) -> Option<f64>| {
         let points = job.points().iter();
         let points = points.map(|point| [point.speed_rpm, of(point).unwrap_or(f64::INFINITY)]);
-        Curve { name, look, points: points.collect() }
+        PlotCurve { name, look, points: points.collect() }
     };
     figure.curves = vec![
         curve("lobes", Look::Twin, |point| point.mean_mm),

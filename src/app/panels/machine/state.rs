@@ -1,9 +1,9 @@
 //! The machine that is shown: its modes and its frequency response, made anew when its settings
 //! change.
 
-use crate::base::model::machine::frf::{LAST_HZ, Response, tree};
-use crate::base::model::machine::modes::{UndampedMode, damped, undamped};
-use crate::base::model::machine::{FiveMass, MachineSettings};
+use crate::models::machine::frf::{FrequencyResponse, LAST_HZ, tree};
+use crate::models::machine::modes::{UndampedMode, damped, undamped};
+use crate::models::machine::{FiveMass, MachineSettings};
 
 /// Step of the drawn response, Hz; the paper's own is 10 Hz.
 const STEP_HZ: u32 = 2;
@@ -17,17 +17,17 @@ pub struct ShownMode {
 }
 
 /// The machine with what follows from it.
-pub struct Machine {
+pub struct MachineState {
     settings: MachineSettings,
     /// Its masses, springs and dampers.
     pub model: FiveMass,
     /// Its modes by rising frequency; empty where the eigenvalues do not converge.
     pub modes: Vec<ShownMode>,
     /// Its response from 0 to 3000 Hz.
-    pub sweep: Vec<Response>,
+    pub sweep: Vec<FrequencyResponse>,
 }
 
-impl Machine {
+impl MachineState {
     /// The machine that the settings describe.
     #[must_use]
     pub fn new(settings: &MachineSettings) -> Self {

@@ -2,10 +2,10 @@
 
 use egui::{Grid, RichText, Ui};
 
-use super::motion::{Drive, Motion};
+use super::motion::{Drive, MotionPicture};
 use super::picture;
 use super::response::ResponseView;
-use super::state::Machine;
+use super::state::MachineState;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
 
@@ -50,7 +50,7 @@ impl VibrationView {
     pub fn show(
         &mut self,
         ui: &mut Ui,
-        machine: &Machine,
+        machine: &MachineState,
         tooth_hz: f64,
         force_n: f64,
         seen_height: f32,
@@ -69,7 +69,7 @@ impl VibrationView {
         });
     }
 
-    fn response(&mut self, ui: &mut Ui, machine: &Machine, tooth_hz: f64, height: f32) {
+    fn response(&mut self, ui: &mut Ui, machine: &MachineState, tooth_hz: f64, height: f32) {
         if self.response.show(ui, machine, tooth_hz, height) {
             self.drive = Drive::Frequency;
         }
@@ -78,7 +78,7 @@ impl VibrationView {
     fn picture(
         &mut self,
         ui: &mut Ui,
-        machine: &Machine,
+        machine: &MachineState,
         tooth_hz: f64,
         force_n: f64,
         height: f32,
@@ -114,7 +114,7 @@ impl VibrationView {
             }
         });
         let cursor_hz = self.response.cursor_hz;
-        let motion = Motion::of(machine, self.drive, cursor_hz, tooth_hz, force_n);
+        let motion = MotionPicture::of(machine, self.drive, cursor_hz, tooth_hz, force_n);
         let Some(motion) = motion else {
             // A mode that another machine had.
             self.drive = Drive::Frequency;
@@ -135,7 +135,7 @@ impl VibrationView {
     }
 
     /// The modes; a click lets one swing.
-    fn modes(&mut self, ui: &mut Ui, machine: &Machine) {
+    fn modes(&mut self, ui: &mut Ui, machine: &MachineState) {
         let palette = Palette::at(ui);
         ui.add_space(2.0);
         ui.label(RichText::new("Modes").strong());
@@ -169,7 +169,7 @@ fn hertz(f_hz: f64) -> String {
 
 /// The nodes that move at least a third as far as the one that moves most.
 fn movers(shape: &[f64; 5]) -> String {
-    use crate::base::model::machine::parameters::NODES;
+    use crate::models::machine::parameters::NODES;
     let largest = shape.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
     let mut parts: Vec<(f64, &str)> =
         shape.iter().map(|x| x / largest).zip(NODES).filter(|(x, _)| x.abs() > 1.0 / 3.0).collect();

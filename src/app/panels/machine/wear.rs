@@ -4,13 +4,13 @@
 use egui::{ProgressBar, RichText, Role, Sense, Slider, Ui, WidgetInfo};
 use egui_plot::MarkerShape;
 
-use super::life::{InCut, Life};
-use super::plot::{Curve, Figure, Marks, decades_of, range_of};
+use super::life::{Life, LifeInCut};
+use super::plot::{Figure, Marks, PlotCurve, decades_of, range_of};
 use crate::app::session::Session;
 use crate::app::theme::{self, Look, Palette};
 use crate::base::math::extent;
-use crate::base::model::machine_trend::{Line, TrendPoint};
-use crate::base::model::wear::WearModel;
+use crate::models::machine_trend::{TrendLine, TrendPoint};
+use crate::models::wear::WearModel;
 use crate::study::machine_life::CLAIMS;
 use crate::study::machine_life::listening::Heard;
 
@@ -55,7 +55,7 @@ impl WearView {
         &mut self,
         ui: &mut Ui,
         life: &Life,
-        (in_cut, session): (&InCut, &Session),
+        (in_cut, session): (&LifeInCut, &Session),
         seen_height: f32,
     ) {
         let now = life.model().at(self.x);
@@ -125,7 +125,7 @@ impl WearView {
         });
         let points = points.collect();
         figure.curves =
-            vec![Curve { name: "over the share of the life", look: Look::Produced, points }];
+            vec![PlotCurve { name: "over the share of the life", look: Look::Produced, points }];
         figure.up = [-0.04 * wear.flank_end_mm, 1.1 * wear.flank_end_mm];
         let color = Palette::at(ui).command;
         let at = vec![[self.x, now.flank_mm]];
@@ -138,11 +138,11 @@ impl WearView {
         &mut self,
         ui: &mut Ui,
         life: &Life,
-        (in_cut, session): (&InCut, &Session),
+        (in_cut, session): (&LifeInCut, &Session),
         height: f32,
     ) {
         let top = ui.cursor().top();
-        let possible = InCut::possible(session.scenario());
+        let possible = LifeInCut::possible(session.scenario());
         let of_cut = possible && self.of_cut;
         let heard = in_cut.until(session.playback().playhead_s);
         let figure = if of_cut { forecast_in_cut(life, heard) } else { forecast(life) };
@@ -203,12 +203,15 @@ fn draw(ui: &mut Ui, figure: &Figure, height: f32) {
 
 fn spectrum(ui: &mut Ui, life: &Life, x: f64, height: f32) {
     let (factor, unit) = sound_unit(life);
-    let points = |lines: &mut dyn Iterator<Item = Line>| {
+    let points = |lines: &mut dyn Iterator<Item = TrendLine>| {
         lines.map(|line| [line.f_hz, factor * line.sound]).collect::<Vec<[f64; 2]>>()
     };
     let mut figure = Figure::new("Sound spectrum", ["Hz", unit], [0.0, 3000.0]);
-    let curve =
-        |name, look, x: f64| Curve { name, look, points: points(&mut life.model().spectrum(x)) };
+    let curve = |name, look, x: f64| PlotCurve {
+        name,
+        look,
+        points: points(&mut life.model().spectrum(x)),
+    };
     figure.curves = vec![
         curve("sharp tool", Look::Twin, 0.0),
         curve("worn out", Look::Limit, 1.0),
@@ -232,7 +235,7 @@ fn trends(ui: &mut Ui, life: &Life, x: f64, height: f32) {
         let share = share(of, life);
         let last = points.last().filter(|_| life.findings.is_some());
         let some = points.iter().step_by(step).chain(last);
-        Curve { name, look, points: some.map(|point| [point.x, share(point)]).collect() }
+        PlotCurve { name, look, points: some.map(|point| [point.x, share(point)]).collect() }
     };
     let mut figure = Figure::new("Trends over the life, each from 0 to 1", ["", ""], [0.0, 1.0]);
     figure.curves = vec![
@@ -262,7 +265,7 @@ fn forecast(life: &Life) -> Figure {
     figure.band = Some(("90 % of the belief", band.collect()));
     let points = foretold.iter().map(|(time, total, _)| [*time, *total]);
     figure.curves =
-        vec![Curve { name: "from the sound", look: Look::Produced, points: points.collect() }];
+        vec![PlotCurve { name: "from the sound", look: Look::Produced, points: points.collect() }];
     figure.levels.push(("desired", Look::Reference, wanted_min));
     let known = foretold.iter().flat_map(|(_, _, range)| *range);
     let end = life.tool.end_min();
@@ -288,7 +291,7 @@ fn forecast_in_cut(life: &Life, heard: &[Heard]) -> Figure {
     figure.band = Some(("90 % of the belief", band.collect()));
     let points = heard.iter().map(|heard| [heard.forecast.age_min, heard.forecast.life_min]);
     figure.curves =
-        vec![Curve { name: "from the sound", look: Look::Produced, points: points.collect() }];
+        vec![PlotCurve { name: "from the sound", look: Look::Produced, points: points.collect() }];
     figure.levels.push(("desired", Look::Reference, wanted_min));
     // What really is: the age over the share of the life used so far.
     let worn = heard.last().filter(|heard| heard.used_life > 0.0);

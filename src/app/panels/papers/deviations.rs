@@ -95,8 +95,8 @@ pub fn show(ui: &mut Ui, paper: PaperId, table: &PaperTable) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::model::gp::Calibration;
     use crate::blocks::cutting::process::ForceModel;
+    use crate::models::genetic::Calibration;
     use crate::study::papers;
 
     fn identified(paper: PaperId) -> PaperTable {

@@ -6,12 +6,12 @@ use super::Shown;
 use crate::app::command::Command;
 use crate::app::panels::equation_cards::Names;
 use crate::app::theme::{self, Palette};
-use crate::base::model::gp::Calibration;
 use crate::blocks::cutting::process::ForceModel;
+use crate::models::genetic::Calibration;
 use crate::run::edits::Edits;
 use crate::run::scenario_file;
 use crate::run::signals::FLAGS;
-use crate::study::papers::{self, Cell, PaperRow, PaperTable, Verdict};
+use crate::study::papers::{self, Cell, CellVerdict, PaperRow, PaperTable};
 use crate::study::published::PaperId;
 
 /// Size of type of units and verdicts.
@@ -83,19 +83,19 @@ fn verdict(cell: &Cell, column: &Column) -> String {
         format!("{:+.2} %", cell.residual_percent)
     };
     match cell.verdict {
-        Verdict::Given => "given".to_owned(),
-        Verdict::Reported => residual,
-        Verdict::Met => format!("{residual} met"),
-        Verdict::Missed => format!("{residual} missed"),
+        CellVerdict::Given => "given".to_owned(),
+        CellVerdict::Reported => residual,
+        CellVerdict::Met => format!("{residual} met"),
+        CellVerdict::Missed => format!("{residual} missed"),
     }
 }
 
 fn verdict_text(cell: &Cell, column: &Column, palette: &Palette) -> RichText {
     let text = RichText::new(verdict(cell, column)).size(NOTE);
     match cell.verdict {
-        Verdict::Given | Verdict::Reported => text.color(palette.weak),
-        Verdict::Met => text.color(palette.good),
-        Verdict::Missed => text.color(palette.bad).strong(),
+        CellVerdict::Given | CellVerdict::Reported => text.color(palette.weak),
+        CellVerdict::Met => text.color(palette.good),
+        CellVerdict::Missed => text.color(palette.bad).strong(),
     }
 }
 
@@ -170,7 +170,7 @@ pub fn table(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<C
                     ui.vertical(|ui| {
                         ui.horizontal(|ui| {
                             ui.label(RichText::new(printed(cell, column)).color(palette.weak));
-                            if cell.verdict != Verdict::Given {
+                            if cell.verdict != CellVerdict::Given {
                                 ui.strong(theme::number(cell.reproduced, column.unit));
                             }
                         });

@@ -13,7 +13,7 @@ use crate::study::plan::machine::Source;
 
 /// One thing on the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Layer {
+pub enum MapLayer {
     /// The boundary of a constraint, by its number in the list of seven.
     Boundary(usize),
     /// The lines of equal force.
@@ -31,17 +31,17 @@ pub enum Layer {
 /// The layers switched off.
 #[derive(Clone, Debug, Default)]
 pub struct Layers {
-    hidden: BTreeSet<Layer>,
+    hidden: BTreeSet<MapLayer>,
 }
 
 impl Layers {
     /// Whether a layer is shown.
     #[must_use]
-    pub fn show(&self, layer: Layer) -> bool {
+    pub fn show(&self, layer: MapLayer) -> bool {
         !self.hidden.contains(&layer)
     }
 
-    fn toggle(&mut self, layer: Layer) {
+    fn toggle(&mut self, layer: MapLayer) {
         if !self.hidden.remove(&layer) {
             self.hidden.insert(layer);
         }
@@ -58,7 +58,7 @@ pub fn legend(ui: &mut Ui, layers: &mut Layers, found: &Found, programmed_text: 
     ui.spacing_mut().interact_size.y = 14.0;
     ui.horizontal_wrapped(|ui| {
         for (number, one) in checked.iter().enumerate() {
-            let layer = Layer::Boundary(number);
+            let layer = MapLayer::Boundary(number);
             if boundaries(number).lines.is_empty() {
                 continue;
             }
@@ -68,27 +68,27 @@ pub fn legend(ui: &mut Ui, layers: &mut Layers, found: &Found, programmed_text: 
                 layers.toggle(layer);
             }
         }
-        let mut mark = |layer: Layer, name: &str, paint: &dyn Fn(&Painter, Rect, Color32)| {
+        let mut mark = |layer: MapLayer, name: &str, paint: &dyn Fn(&Painter, Rect, Color32)| {
             let off = !layers.show(layer);
             if legend::entry_of(ui, name, off, palette.text, paint).clicked() {
                 layers.toggle(layer);
             }
         };
-        mark(Layer::ForceLines, "equal force", &|painter, rect, color| {
+        mark(MapLayer::ForceLines, "equal force", &|painter, rect, color| {
             let color = color.gamma_multiply(0.5);
             painter.hline(rect.x_range(), rect.center().y, Stroke::new(1.0, color));
         });
-        mark(Layer::Particles, "particles (full: allowed)", &|painter, rect, _| {
+        mark(MapLayer::Particles, "particles (full: allowed)", &|painter, rect, _| {
             marks::particle(painter, rect.center() - vec2(4.0, 0.0), true, palette);
             marks::particle(painter, rect.center() + vec2(5.0, 0.0), false, palette);
         });
-        mark(Layer::OwnBests, "their own bests", &|painter, rect, _| {
+        mark(MapLayer::OwnBests, "their own bests", &|painter, rect, _| {
             marks::own_best(painter, rect.center(), palette);
         });
-        mark(Layer::Best, "best of all", &|painter, rect, _| {
+        mark(MapLayer::Best, "best of all", &|painter, rect, _| {
             marks::best(painter, rect.center(), true, palette);
         });
-        mark(Layer::Programmed, programmed_text, &|painter, rect, _| {
+        mark(MapLayer::Programmed, programmed_text, &|painter, rect, _| {
             marks::programmed(painter, rect.center(), palette);
         });
         if found.fixed_speed_m_min().is_some() {

@@ -3,7 +3,7 @@
 use egui::{Color32, PointerButton, Pos2, Rect, Sense, Stroke, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, Plot, PlotImage, PlotPoint, PlotPoints, PlotTransform, VLine};
 
-use super::layers::{Layer, Layers};
+use super::layers::{Layers, MapLayer};
 use super::marks::{self, Moving};
 use super::picture::Polyline;
 use super::readout::readout;
@@ -92,7 +92,7 @@ impl Map {
             let middle = PlotPoint::new(0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1]));
             let size = [(x[1] - x[0]) as f32, (y[1] - y[0]) as f32];
             plot.image(PlotImage::new("", texture, middle, size).allow_hover(false));
-            if self.layers.show(Layer::ForceLines) {
+            if self.layers.show(MapLayer::ForceLines) {
                 let color = palette.text.gamma_multiply(0.35);
                 for line in picture.force_lines().iter().flat_map(|(_, lines)| lines) {
                     plot.line(quiet(line, Stroke::new(0.8, color)));
@@ -103,7 +103,7 @@ impl Map {
                 plot.vline(VLine::new("", speed).stroke(stroke).style(style).allow_hover(false));
             }
             for number in 0..CONSTRAINTS.len() {
-                if !self.layers.show(Layer::Boundary(number)) {
+                if !self.layers.show(MapLayer::Boundary(number)) {
                     continue;
                 }
                 let (stroke, style) = Look::Constraint(number).line(palette);
@@ -159,12 +159,12 @@ impl Map {
         let mut taken: Vec<Rect> = Vec::new();
         for (number, constraint) in CONSTRAINTS.iter().enumerate() {
             let lines = &found.picture.boundary(number).lines;
-            if self.layers.show(Layer::Boundary(number)) {
+            if self.layers.show(MapLayer::Boundary(number)) {
                 let color = palette.constraints[number];
                 label(ui, &painter, lines, &at, constraint.label, color, &mut taken);
             }
         }
-        if self.layers.show(Layer::ForceLines) {
+        if self.layers.show(MapLayer::ForceLines) {
             for (force_n, lines) in found.picture.force_lines() {
                 let text = theme::quantity(*force_n, "N").replace(".0 ", " ");
                 label(ui, &painter, lines, &at, &text, palette.weak, &mut taken);

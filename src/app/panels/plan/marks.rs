@@ -2,7 +2,7 @@
 
 use egui::{Color32, Painter, Pos2, Shape, Stroke, vec2};
 
-use super::layers::{Layer, Layers};
+use super::layers::{Layers, MapLayer};
 use super::search::Found;
 use crate::app::theme::Palette;
 
@@ -72,12 +72,12 @@ pub fn all(
     at: &dyn Fn([f64; 2]) -> Pos2,
 ) {
     let particles = found.job.particles();
-    if layers.show(Layer::OwnBests) {
+    if layers.show(MapLayer::OwnBests) {
         for particle in particles {
             own_best(painter, at(particle.best_position), palette);
         }
     }
-    if layers.show(Layer::Particles) {
+    if layers.show(MapLayer::Particles) {
         // Judged where it is drawn: between two iterations that is neither's place.
         for place in moving.positions {
             let feasible = found.job.problem().score(*place).feasible();
@@ -85,11 +85,11 @@ pub fn all(
         }
     }
     if let Some(point) = moving.programmed
-        && layers.show(Layer::Programmed)
+        && layers.show(MapLayer::Programmed)
     {
         programmed(painter, at(point), palette);
     }
-    if layers.show(Layer::Best) {
+    if layers.show(MapLayer::Best) {
         let (point, _) = found.job.swarm().best();
         best(painter, at(point), found.job.progress().done, palette);
     }

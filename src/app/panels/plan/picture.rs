@@ -7,7 +7,7 @@ use egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions, lerp};
 use super::polyline::joined;
 use crate::app::theme::{Palette, round_step};
 use crate::study::plan::contour::Segment;
-use crate::study::plan::field::Field;
+use crate::study::plan::field::PlanField;
 use crate::study::plan::problem::{CUTTING_SPEED_M_MIN, FEED_PER_TOOTH_MM, Problem};
 
 /// Samples over the cutting speed and over the feed per tooth.
@@ -30,7 +30,7 @@ pub struct Boundary {
 
 /// See the head of this file.
 pub struct Picture {
-    field: Field,
+    field: PlanField,
     range_n: [f64; 2],
     boundaries: [Boundary; 7],
     force_lines: Vec<(f64, Vec<Polyline>)>,
@@ -42,7 +42,7 @@ impl Picture {
     /// The picture of a problem.
     #[must_use]
     pub fn new(problem: &Problem) -> Self {
-        let field = Field::new(problem, SAMPLES[0], SAMPLES[1]);
+        let field = PlanField::new(problem, SAMPLES[0], SAMPLES[1]);
         let ends = |axis: &[f64]| axis[axis.len() - 1] - axis[0];
         let near = [1e-9 * ends(&field.cutting_speed_m_min), 1e-9 * ends(&field.feed_per_tooth_mm)];
         let line = |segments: Vec<Segment>| joined(segments, near);
@@ -107,7 +107,7 @@ impl Picture {
 
     /// The samples.
     #[must_use]
-    pub fn field(&self) -> &Field {
+    pub fn field(&self) -> &PlanField {
         &self.field
     }
 

@@ -1,4 +1,4 @@
-//! Recommended conditions for the workpiece and the cutter, from the shipped cutting-data table,
+//! RecommendedCard conditions for the workpiece and the cutter, from the shipped cutting-data table,
 //! and their way into the programmed values.
 
 use egui::{CollapsingHeader, ComboBox, RichText, Role, Ui, WidgetInfo};
@@ -9,25 +9,25 @@ use crate::base::settings::Value;
 use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::run::scenario::Scenario;
 use crate::study::recommend::table::{NOTE as TABLE_NOTE, Table};
-use crate::study::recommend::{Advisor, Engagement, NOTE, Recommendation};
+use crate::study::recommend::{Advisor, EngagementCode, NOTE, Recommendation};
 
 /// The section and what it keeps: what it learned when it was first opened, and the engagement
 /// chosen.
 #[derive(Default)]
-pub struct Recommended {
+pub struct RecommendedCard {
     advisor: Option<Advisor>,
     /// None: by the radial depth.
-    engagement: Option<Engagement>,
+    engagement: Option<EngagementCode>,
 }
 
-impl Recommended {
+impl RecommendedCard {
     /// Folded away until it is opened.
     pub fn show(&mut self, ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
         let header = CollapsingHeader::new("Recommended conditions");
         header.id_salt(("plan", "recommended")).show(ui, |ui| {
             let tool = R216_16B20_040;
             let radial_mm = scenario.workpiece.radial_depth_mm;
-            let by_depth = Engagement::of(radial_mm, tool.diameter_mm);
+            let by_depth = EngagementCode::of(radial_mm, tool.diameter_mm);
             self.choose(ui, by_depth);
             let engagement = self.engagement.unwrap_or(by_depth);
             let advisor = self.advisor.get_or_insert_with(|| Advisor::new(&Table::shipped()));
@@ -41,14 +41,14 @@ impl Recommended {
         });
     }
 
-    fn choose(&mut self, ui: &mut Ui, by_depth: Engagement) {
+    fn choose(&mut self, ui: &mut Ui, by_depth: EngagementCode) {
         let auto = format!("by R_D: {}", by_depth.label());
         let shown = self.engagement.map_or(auto.clone(), |one| one.label().to_owned());
         let response = ComboBox::from_id_salt("engagement")
             .selected_text(shown)
             .show_ui(ui, |ui| {
                 ui.selectable_value(&mut self.engagement, None, auto);
-                for one in Engagement::ALL {
+                for one in EngagementCode::ALL {
                     ui.selectable_value(&mut self.engagement, Some(*one), one.label());
                 }
             })
@@ -60,7 +60,7 @@ impl Recommended {
 
 fn answer(
     ui: &mut Ui,
-    engagement: Engagement,
+    engagement: EngagementCode,
     found: &Recommendation,
     commands: &mut Vec<Command>,
 ) {

@@ -4,7 +4,7 @@
 use egui::{Align2, Color32, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
 use egui_plot::LineStyle;
 
-use super::layers::{Layer, Layers};
+use super::layers::{Layers, MapLayer};
 use super::marks::{self, Moving};
 use super::search::Found;
 use super::space::{Space, top};
@@ -74,7 +74,7 @@ impl Relief {
         let checked = found.job.optimum().constraints;
         let force = CONSTRAINTS.iter().position(|constraint| constraint.id == "force");
         let limit_n = force.and_then(|force| checked[force].high);
-        let limit_n = limit_n.filter(|_| force.is_some_and(|f| layers.show(Layer::Boundary(f))));
+        let limit_n = limit_n.filter(|_| force.is_some_and(|f| layers.show(MapLayer::Boundary(f))));
         let top_n = top(found.picture.range_n()[1], limit_n);
         let space = Space::new(rect, self.turn_rad, self.tilt_rad, top_n);
         let painter = ui.painter().with_clip_rect(rect);
@@ -86,7 +86,7 @@ impl Relief {
             .zip(force)
             .map(|(limit, force)| (limit, palette.constraints[force].gamma_multiply(0.28)));
         painter.add(Shape::mesh(space.skin(&found.picture, palette, plane)));
-        if layers.show(Layer::ForceLines) {
+        if layers.show(MapLayer::ForceLines) {
             let stroke = Stroke::new(0.8, palette.text.gamma_multiply(0.35));
             for (force_n, lines) in found.picture.force_lines() {
                 for line in lines {
@@ -95,7 +95,7 @@ impl Relief {
                 }
             }
         }
-        for number in (0..CONSTRAINTS.len()).filter(|n| layers.show(Layer::Boundary(*n))) {
+        for number in (0..CONSTRAINTS.len()).filter(|n| layers.show(MapLayer::Boundary(*n))) {
             let look = Look::Constraint(number);
             for line in &found.picture.boundary(number).lines {
                 if Some(number) != force {

@@ -10,8 +10,8 @@ use egui::Color32;
 
 use crate::app::scene::camera::Point;
 use crate::app::scene::mesh::Mesh;
-use crate::base::model::part::CutPath;
 use crate::blocks::surface::topography::Topography;
+use crate::models::part::CutPath;
 
 /// Stock in front of the wall, behind the channel, below the ball and before an open cut, mm.
 const FRONT_MM: f32 = 4.0;

@@ -14,7 +14,7 @@ use crate::app::session::Session;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::zoom::by_touch;
 use crate::blocks::cutting::process::ForceModel;
-use crate::study::profilometer::Line;
+use crate::study::profilometer::ProfileLine;
 
 /// The cutter is drawn turning so many times slower: its turns could not be seen.
 pub const SLOWER: f64 = 25.0;
@@ -30,7 +30,7 @@ struct Made {
     rect: Rect,
     times: f32,
     cutter: bool,
-    line: Option<(Line, bool)>,
+    line: Option<(ProfileLine, bool)>,
     dark: bool,
 }
 

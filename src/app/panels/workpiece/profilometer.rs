@@ -10,11 +10,11 @@ use super::profile_chart::Curves;
 use crate::app::scene::camera::Camera;
 use crate::app::scene::mesh::Mesh;
 use crate::app::theme::Palette;
-use crate::base::model::part::CutPath;
-use crate::base::model::roughness_profile::{ProfileSettings, evaluation_mm, run_up_mm};
 use crate::blocks::cutting::tool_path::strip_mm;
 use crate::blocks::surface::topography::Topography;
-use crate::study::profilometer::{Line, Measurement, measure};
+use crate::models::part::CutPath;
+use crate::models::roughness_profile::{ProfileSettings, evaluation_mm, run_up_mm};
+use crate::study::profilometer::{Measurement, ProfileLine, measure};
 
 /// The line that comes by itself ends so far behind the tool's axis, in steps of this, mm.
 const BEHIND_MM: f64 = 1.0;
@@ -30,7 +30,7 @@ const WIDTH: f32 = 0.0025;
 struct Made {
     changes: u64,
     cut: usize,
-    line: Line,
+    line: ProfileLine,
     settings: ProfileSettings,
 }
 
@@ -50,15 +50,15 @@ pub struct Profilometer {
     /// Whether a drag turns the part, in place of drawing the line.
     pub turns: bool,
     /// The line; none: right behind the tool.
-    own: Option<Line>,
-    shown: Option<Line>,
+    own: Option<ProfileLine>,
+    shown: Option<ProfileLine>,
     cut: usize,
     pressed: Option<[f64; 2]>,
     found: Option<Found>,
 }
 
 /// The cut that is measured.
-pub struct Measured<'a> {
+pub struct MeasuredLine<'a> {
     /// Its number, from 0.
     pub number: usize,
     /// Its path.
@@ -74,7 +74,7 @@ fn middle_mm(path: &CutPath, ends_mm: [f64; 2]) -> f64 {
 }
 
 /// The line right behind the tool, as long as five sampling lengths take, or as is cut yet.
-fn behind_tool(cut: &Measured<'_>, settings: &ProfileSettings) -> Option<Line> {
+fn behind_tool(cut: &MeasuredLine<'_>, settings: &ProfileSettings) -> Option<ProfileLine> {
     let [first_mm, last_mm] = cut.surface.range_mm()?;
     let first_mm = first_mm.max(0.0) + BORDER_MM;
     let length_mm = 2.0 * run_up_mm(settings) + evaluation_mm(settings);
@@ -82,12 +82,12 @@ fn behind_tool(cut: &Measured<'_>, settings: &ProfileSettings) -> Option<Line> {
     let to_mm = (((last_mm - BEHIND_MM) / STEP_MM).floor() * STEP_MM).max(first_mm);
     let from_mm = (to_mm - length_mm).max(first_mm);
     let y_mm = middle_mm(cut.path, [from_mm, to_mm]);
-    Some(Line { from_mm: [from_mm, y_mm], to_mm: [to_mm, y_mm] })
+    Some(ProfileLine { from_mm: [from_mm, y_mm], to_mm: [to_mm, y_mm] })
 }
 
 impl Profilometer {
     /// Brings the measurement up to date.
-    pub fn follow(&mut self, cut: &Measured<'_>, changes: u64, settings: &ProfileSettings) {
+    pub fn follow(&mut self, cut: &MeasuredLine<'_>, changes: u64, settings: &ProfileSettings) {
         if self.cut != cut.number {
             (self.own, self.cut) = (None, cut.number);
         }
@@ -120,7 +120,7 @@ impl Profilometer {
     }
 
     /// Takes in a drag over the picture: the line that is being drawn over the surface.
-    pub fn draw(&mut self, response: &Response, camera: &Camera, cut: &Measured<'_>) {
+    pub fn draw(&mut self, response: &Response, camera: &Camera, cut: &MeasuredLine<'_>) {
         let pressed = response.ctx.input(|input| input.pointer.press_origin());
         let on_surface = |at| on_surface(camera, response.rect, at, cut);
         if response.drag_started_by(egui::PointerButton::Primary) {
@@ -132,7 +132,7 @@ impl Profilometer {
         {
             // Thousandths are what the fields show.
             let round = |at: [f64; 2]| at.map(|x| (1000.0 * x).round() / 1000.0);
-            self.own = Some(Line { from_mm: round(from_mm), to_mm: round(to_mm) });
+            self.own = Some(ProfileLine { from_mm: round(from_mm), to_mm: round(to_mm) });
             // It is measured in the next frame.
             response.ctx.request_repaint();
         }
@@ -175,7 +175,7 @@ impl Profilometer {
     }
 
     /// The line as it is shown, and whether it could be measured.
-    pub fn line(&self) -> Option<(Line, bool)> {
+    pub fn line(&self) -> Option<(ProfileLine, bool)> {
         let ok = self.found.as_ref().is_some_and(|found| found.result.is_ok());
         self.shown.map(|line| (line, ok))
     }
@@ -186,7 +186,7 @@ fn on_surface(
     camera: &Camera,
     rect: egui::Rect,
     at: egui::Pos2,
-    cut: &Measured<'_>,
+    cut: &MeasuredLine<'_>,
 ) -> Option<[f64; 2]> {
     let [first, last] = cut.surface.range_mm()?;
     let radius = cut.surface.radius_mm();

@@ -13,7 +13,7 @@ use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::chart::{grid, still, tick};
 use crate::app::widgets::zoom::{by_touch, zoom};
 use crate::base::units::ms_from_s;
-use crate::run::revolution::{Revolution, Sample};
+use crate::run::revolution::{Revolution, RevolutionSample};
 
 /// Distance between grid lines that is wanted, points.
 const GRID: [f32; 2] = [70.0, 30.0];
@@ -39,10 +39,10 @@ fn scale(axis: Axis, place: f64) -> f64 {
 }
 
 /// Places of the samples on the horizontal axis: degrees that go on growing, or ms.
-fn places(samples: &[Sample], axis: Axis) -> Vec<f64> {
+fn places(samples: &[RevolutionSample], axis: Axis) -> Vec<f64> {
     let Some(first) = samples.first() else { return Vec::new() };
     let (mut turns, mut before_deg) = (0.0, first.angle_deg);
-    let place = |sample: &Sample| match axis {
+    let place = |sample: &RevolutionSample| match axis {
         Axis::Time => ms_from_s(sample.time_s - first.time_s),
         Axis::Angle => {
             if sample.angle_deg < before_deg {
@@ -64,8 +64,12 @@ impl RevolutionWindow {
         let places = places(&shown.samples, self.axis);
         let [Some(&from), Some(&to)] = [places.first(), places.last()] else { return };
         let reference_n = view.session.row().force_ref_n;
-        let values: [fn(&Sample) -> f64; 4] =
-            [Sample::fxy_n, |sample| sample.fx_n, |sample| sample.fy_n, |sample| sample.fz_n];
+        let values: [fn(&RevolutionSample) -> f64; 4] = [
+            RevolutionSample::fxy_n,
+            |sample| sample.fx_n,
+            |sample| sample.fy_n,
+            |sample| sample.fz_n,
+        ];
         let (mut low, mut high) = (0.0_f64, reference_n);
         let mut lines = Vec::new();
         // Across last: it is drawn on top.
@@ -164,7 +168,7 @@ mod tests {
 
     #[test]
     fn angles_go_on_growing_and_times_start_at_zero() {
-        let sample = |time_s: f64, angle_deg: f64| Sample {
+        let sample = |time_s: f64, angle_deg: f64| RevolutionSample {
             time_s,
             angle_deg,
             fx_n: 0.0,

@@ -3,10 +3,10 @@
 
 use egui::{Align2, Rect, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
-use super::picture::Map;
+use super::picture::PictureMap;
 use crate::app::theme::{self, Palette};
 use crate::base::units::percent_from_ratio;
-use crate::blocks::sensing::field::Field;
+use crate::blocks::sensing::field::MaterialField;
 use crate::run::scenario::Scenario;
 
 /// Height of the picture, points.
@@ -30,7 +30,7 @@ struct Source {
 
 /// The line of the cut that is shown.
 #[derive(Default)]
-pub struct Material {
+pub struct MaterialPicture {
     made: Option<(Source, Vec<[f64; 2]>)>,
 }
 
@@ -39,7 +39,7 @@ impl Source {
     fn line(&self) -> Vec<[f64; 2]> {
         let [begin_mm, length_mm] = self.place_mm;
         let step_mm = (length_mm / POINTS).max(CELL_MM);
-        let mut field = Field::new(self.seed, self.correlation_mm);
+        let mut field = MaterialField::new(self.seed, self.correlation_mm);
         let count = (length_mm / step_mm).floor() as usize;
         let point = |i: usize| {
             let x_mm = i as f64 * step_mm;
@@ -49,14 +49,14 @@ impl Source {
     }
 }
 
-impl Material {
+impl MaterialPicture {
     /// The line under the pictures of a cut: `place_mm` is where along the way its material begins,
     /// and its length; the tool's axis is at `tool_mm`.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         scenario: &Scenario,
-        map: &Map,
+        map: &PictureMap,
         place_mm: [f64; 2],
         tool_mm: f64,
     ) {

@@ -27,7 +27,7 @@ const WORDS: f32 = 30.0;
 
 /// What is drawn.
 #[derive(Clone, Debug)]
-pub struct Part {
+pub struct PicturePart {
     /// Its sections: length, axial depth, wall, mm.
     pub sections: Vec<Section>,
     /// Whether the tool starts in the material.
@@ -38,15 +38,15 @@ pub struct Part {
 
 /// The common axis of the pictures.
 #[derive(Clone, Copy, Debug)]
-pub struct Map {
+pub struct PictureMap {
     /// Where it lies on the screen.
     pub x: Rangef,
     from_mm: f64,
     scale: f32,
 }
 
-impl Map {
-    fn new(ui: &Ui, part: &Part, length_mm: f64) -> Self {
+impl PictureMap {
+    fn new(ui: &Ui, part: &PicturePart, length_mm: f64) -> Self {
         let from_mm = -ENDS_MM[usize::from(part.open)];
         let span_mm = (length_mm + ENDS_MM[1] - from_mm) as f32;
         let scale = (ui.available_width() / span_mm).min(SCALE[0]);
@@ -63,7 +63,7 @@ impl Map {
 /// A picture with its own vertical axis.
 struct Sheet<'a> {
     painter: Painter,
-    map: &'a Map,
+    map: &'a PictureMap,
     /// Points per mm, upwards, and where zero is.
     rise: f32,
     zero: f32,
@@ -99,11 +99,11 @@ impl Sheet<'_> {
 }
 
 /// Draws both views and gives back their axis.
-pub fn show(ui: &mut Ui, part: &Part) -> Map {
+pub fn show(ui: &mut Ui, part: &PicturePart) -> PictureMap {
     let palette = Palette::at(ui);
     let length_mm: f64 = part.sections.iter().map(|section| section[0]).sum();
     let depth_mm = part.sections.iter().map(|section| section[1]).fold(0.0, f64::max);
-    let map = Map::new(ui, part, length_mm);
+    let map = PictureMap::new(ui, part, length_mm);
     let rise = map.scale.max(SCALE[1]);
     let scale = if rise > 1.05 * map.scale {
         format!("depths drawn {:.0} times larger than lengths", rise / map.scale)
@@ -125,14 +125,14 @@ pub fn show(ui: &mut Ui, part: &Part) -> Map {
     map
 }
 
-fn listed(part: &Part, value: impl Fn(&Section) -> f64) -> String {
+fn listed(part: &PicturePart, value: impl Fn(&Section) -> f64) -> String {
     let values = part.sections.iter().map(|section| theme::number(value(section), "mm"));
     format!("{} mm", values.collect::<Vec<_>>().join(", "))
 }
 
 fn sheet<'a>(
     ui: &mut Ui,
-    map: &'a Map,
+    map: &'a PictureMap,
     rise: f32,
     [above_mm, below_mm]: [f64; 2],
     said: String,
@@ -151,7 +151,7 @@ fn sheet<'a>(
 }
 
 /// The sections with their ends, mm; a part that the tool starts in reaches to the left.
-fn stretches(part: &Part) -> Vec<([f64; 2], Section)> {
+fn stretches(part: &PicturePart) -> Vec<([f64; 2], Section)> {
     let mut from_mm = 0.0;
     let mut stretches = Vec::new();
     for (i, section) in part.sections.iter().enumerate() {
@@ -163,7 +163,7 @@ fn stretches(part: &Part) -> Vec<([f64; 2], Section)> {
     stretches
 }
 
-fn side(sheet: &Sheet<'_>, part: &Part, floor_mm: f64) {
+fn side(sheet: &Sheet<'_>, part: &PicturePart, floor_mm: f64) {
     let palette = sheet.palette;
     let mut tip_mm = 0.0;
     let stretches = stretches(part);
@@ -209,7 +209,7 @@ fn tool_shape(sheet: &Sheet<'_>, outline: Vec<Pos2>) {
     sheet.painter.add(Shape::convex_polygon(outline, fill, Stroke::new(1.5, palette.command)));
 }
 
-fn above(sheet: &Sheet<'_>, part: &Part) {
+fn above(sheet: &Sheet<'_>, part: &PicturePart) {
     let palette = sheet.palette;
     for (x_mm, [_, axial_mm, wall_mm]) in stretches(part) {
         let radial_mm = radial_depth_mm(axial_mm, wall_mm);

@@ -5,7 +5,7 @@ use egui::{Grid, RichText, Ui, WidgetInfo};
 use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
-use crate::app::widgets::number::Field;
+use crate::app::widgets::number::NumberField;
 use crate::base::settings::{
     DepthStep, Kind, MAX_SECTIONS, MAX_STEPS, MIN_SECTION_MM, Section, Value,
 };
@@ -37,7 +37,7 @@ fn cell(
 ) -> bool {
     // Some 400 points of dragging go over a usual depth or length.
     let speed = if range[1] > 100.0 { 0.25 } else { 0.01 };
-    let field = Field { name, unit: "mm", range, speed, decimals: 3, suffix: "" };
+    let field = NumberField { name, unit: "mm", range, speed, decimals: 3, suffix: "" };
     let mut now = None;
     let response = field.show(ui, value, &mut now);
     response.widget_info(|| WidgetInfo {

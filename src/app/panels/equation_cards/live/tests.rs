@@ -3,10 +3,10 @@
 use super::super::CARDS;
 use super::repeat::repeated;
 use super::*;
-use crate::base::model::gp::{Calibration, ModelSet};
 use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::process::ForceModel;
+use crate::models::genetic::{Calibration, ModelSet};
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
 use crate::run::presets;

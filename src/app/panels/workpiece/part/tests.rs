@@ -1,6 +1,6 @@
 use super::*;
 use crate::app::scene::mesh::CORNER_BYTES;
-use crate::blocks::surface::topography::Mark;
+use crate::blocks::surface::topography::ToothMark;
 
 /// Place and normal of every corner.
 fn corners(mesh: &Mesh) -> Vec<[Point; 2]> {
@@ -15,7 +15,7 @@ fn corners(mesh: &Mesh) -> Vec<[Point; 2]> {
 fn marked(radius: f64, to: f64) -> Topography {
     let mut surface = Topography::new(radius, 1);
     for k in 0..(to / 0.2) as i32 {
-        surface.push(Mark { x_mm: 0.2 * f64::from(k), z_mm: 0.001, ra_um: 0.0 });
+        surface.push(ToothMark { x_mm: 0.2 * f64::from(k), z_mm: 0.001, ra_um: 0.0 });
     }
     surface
 }

@@ -7,15 +7,15 @@ use super::Profilometer;
 use crate::app::command::Command;
 use crate::app::panels::View;
 use crate::app::theme::{self, Palette};
-use crate::app::widgets::number::Field;
+use crate::app::widgets::number::NumberField;
 use crate::app::widgets::setting::{Size, setting};
-use crate::study::profilometer::{Line, Measurement};
+use crate::study::profilometer::{Measurement, ProfileLine};
 
 /// Ranges of the fields of x and y: any machine, the ball.
 const FIELDS: [[f64; 2]; 2] = [[-100.0, 100_000.0], [-8.0, 8.0]];
 
 impl Profilometer {
-    /// Line, figures and profile.
+    /// ProfileLine, figures and profile.
     pub fn show(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let palette = Palette::at(ui);
         ui.horizontal_wrapped(|ui| {
@@ -46,22 +46,28 @@ impl Profilometer {
     }
 
     /// The ends of the line as numbers.
-    fn ends(&mut self, ui: &mut Ui, line: Line, commands: &mut Vec<Command>) {
+    fn ends(&mut self, ui: &mut Ui, line: ProfileLine, commands: &mut Vec<Command>) {
         let mut ends = [line.from_mm, line.to_mm];
         let mut said = None;
         egui::Grid::new("line").num_columns(4).show(ui, |ui| {
             for (names, end) in [["From x", "From y"], ["To x", "To y"]].iter().zip(&mut ends) {
                 for (name, (value, range)) in names.iter().zip(end.iter_mut().zip(FIELDS)) {
                     let label = ui.label(*name);
-                    let field =
-                        Field { name, unit: "mm", range, speed: 0.02, decimals: 3, suffix: " mm" };
+                    let field = NumberField {
+                        name,
+                        unit: "mm",
+                        range,
+                        speed: 0.02,
+                        decimals: 3,
+                        suffix: " mm",
+                    };
                     field.show(ui, value, &mut said).labelled_by(label.id);
                 }
                 ui.end_row();
             }
         });
         commands.extend(said.map(Command::Notify));
-        let edited = Line { from_mm: ends[0], to_mm: ends[1] };
+        let edited = ProfileLine { from_mm: ends[0], to_mm: ends[1] };
         if edited != line {
             self.own = Some(edited);
             ui.request_repaint();

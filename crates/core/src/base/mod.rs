@@ -1,0 +1,8 @@
+//! What every layer needs and nothing of milling: math, units, random numbers, networks, settings.
+
+pub mod fft;
+pub mod math;
+pub mod network;
+pub mod rng;
+pub mod settings;
+pub mod units;

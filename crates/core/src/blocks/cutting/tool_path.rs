@@ -1,0 +1,250 @@
+//! Where the tool is: along one path with a depth profile, or along several straight cuts. The
+//! position is counted along all of them, so it only grows; between two cuts the tool returns in
+//! rapid feed, which takes no time here.
+
+use super::tool::R216_16B20_040;
+use super::workpiece::{DepthProfile, Workpiece};
+use crate::base::math;
+use crate::models::part::{APPROACH_MM, CutPath};
+
+/// Engagement at the tool's axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Engagement {
+    /// Axial depth of cut A_D, mm.
+    pub axial_depth_mm: f64,
+    /// Radial depth of cut R_D, mm.
+    pub radial_depth_mm: f64,
+}
+
+impl Engagement {
+    /// Inside a section of an axial depth with its wall at a distance from the tool's axis, mm.
+    #[must_use]
+    pub fn in_section([axial_depth_mm, wall_mm]: [f64; 2]) -> Self {
+        Self { axial_depth_mm, radial_depth_mm: radial_depth_mm(axial_depth_mm, wall_mm) }
+    }
+}
+
+/// Radius in mm at which the papers' ball meets the surface of a cut of an axial depth in mm.
+pub(super) fn radius_mm(axial_depth_mm: f64) -> f64 {
+    let diameter_mm = R216_16B20_040.diameter_mm;
+    let depth = axial_depth_mm.min(0.5 * diameter_mm);
+    math::positive(depth * (diameter_mm - depth)).sqrt()
+}
+
+/// Radial depth R_D in mm of a section of an axial depth and a wall position in mm: from the wall to
+/// where the ball meets the surface.
+#[must_use]
+pub fn radial_depth_mm(axial_depth_mm: f64, wall_mm: f64) -> f64 {
+    math::positive(radius_mm(axial_depth_mm) - wall_mm)
+}
+
+/// Where across a cut its machined strip lies at `x_mm` from the part's edge, in mm from the tool's
+/// axis: from the wall to where the ball meets the surface. None where nothing is cut.
+#[must_use]
+pub fn strip_mm(cut: &CutPath, x_mm: f64) -> Option<[f64; 2]> {
+    let [axial_depth_mm, wall_mm] = cut.section_at(x_mm);
+    let edge_mm = radius_mm(axial_depth_mm);
+    (edge_mm > wall_mm).then_some([wall_mm, edge_mm])
+}
+
+/// Position in mm of the side wall that gives a radial depth in mm at an axial depth in mm.
+#[must_use]
+pub fn wall_mm(axial_depth_mm: f64, radial_depth_mm: f64) -> f64 {
+    radius_mm(axial_depth_mm) - radial_depth_mm
+}
+
+/// The tool's way.
+#[derive(Clone, Debug)]
+pub struct ToolPath {
+    profile: DepthProfile,
+    /// For one path: its length and radial depth.
+    length_mm: f64,
+    radial_depth_mm: f64,
+    /// The cuts; the one path as a cut that is open at its start.
+    cuts: Vec<CutPath>,
+    several: bool,
+    /// The cut under the tool and where along the way it began.
+    cut: usize,
+    began_mm: f64,
+}
+
+impl ToolPath {
+    /// The way of a workpiece, the tool at its start.
+    #[must_use]
+    pub fn new(workpiece: &Workpiece) -> Self {
+        let mut path = Self {
+            profile: DepthProfile::new(workpiece),
+            length_mm: workpiece.length_mm,
+            radial_depth_mm: workpiece.radial_depth_mm,
+            cuts: workpiece.cuts.iter().map(|sections| CutPath::new(sections)).collect(),
+            several: !workpiece.cuts.is_empty(),
+            cut: 0,
+            began_mm: 0.0,
+        };
+        path.lay_profile(workpiece.axial_depth_mm);
+        path
+    }
+
+    /// The one path as a cut, from here on; `axial_depth_mm` is where the radial depth is counted.
+    fn lay_profile(&mut self, axial_depth_mm: f64) {
+        if !self.several {
+            let wall_mm = wall_mm(axial_depth_mm, self.radial_depth_mm);
+            self.cuts = vec![CutPath::open(&self.profile.sections(self.length_mm, wall_mm))];
+        }
+    }
+
+    /// Takes over changed depths in the running cut.
+    pub fn reconfigure(&mut self, workpiece: &Workpiece) {
+        self.profile.reconfigure(workpiece);
+        self.lay_profile(workpiece.axial_depth_mm);
+    }
+
+    /// Length of the way of a workpiece, mm.
+    #[must_use]
+    pub fn length_of(workpiece: &Workpiece) -> f64 {
+        if workpiece.cuts.is_empty() {
+            return workpiece.length_mm;
+        }
+        let cuts = workpiece.cuts.iter().map(|sections| CutPath::new(sections).length_mm());
+        cuts.map(|length_mm| APPROACH_MM + length_mm).sum()
+    }
+
+    /// Where along the way each cut of a workpiece begins, before its approach, mm.
+    #[must_use]
+    pub fn begins_of(workpiece: &Workpiece) -> Vec<f64> {
+        let mut begins_mm = 0.0;
+        let cuts = workpiece.cuts.iter().map(|sections| {
+            let here_mm = begins_mm;
+            begins_mm += APPROACH_MM + CutPath::new(sections).length_mm();
+            here_mm
+        });
+        cuts.collect()
+    }
+
+    /// The engagement at `position_mm`, which must not fall between calls.
+    #[inline]
+    pub fn place(&mut self, position_mm: f64) -> Engagement {
+        if !self.several {
+            let axial_depth_mm = self.profile.at(position_mm);
+            return Engagement { axial_depth_mm, radial_depth_mm: self.radial_depth_mm };
+        }
+        let (cut, x_mm) = self.cut_at(position_mm);
+        Engagement::in_section(cut.section_at(x_mm))
+    }
+
+    /// The engagement that loads the teeth with the tool's axis at `here`: along several cuts they are
+    /// ahead of it, by half the ball's radius in the mean (chosen), or still at it.
+    #[must_use]
+    pub fn loaded(&self, position_mm: f64, here: Engagement) -> Engagement {
+        if !self.several {
+            return here;
+        }
+        let (cut, x_mm) = self.cut_at(position_mm);
+        let ahead_mm = 0.5 * radius_mm(cut.depth_max_mm());
+        let ahead = Engagement::in_section(cut.section_at(x_mm + ahead_mm));
+        let area = |place: Engagement| place.axial_depth_mm * place.radial_depth_mm;
+        if area(ahead) > area(here) { ahead } else { here }
+    }
+
+    /// Whether the way is one of several cuts, with air between them.
+    #[must_use]
+    pub fn is_several(&self) -> bool {
+        self.several
+    }
+
+    /// The cut under the tool, and where along it the tool's axis is, in mm from the part's edge.
+    #[must_use]
+    #[inline]
+    pub fn cut_at(&self, position_mm: f64) -> (&CutPath, f64) {
+        let approach_mm = if self.several { APPROACH_MM } else { 0.0 };
+        (&self.cuts[self.cut], position_mm - self.began_mm - approach_mm)
+    }
+
+    /// A cut by its number, counted from 0; beyond the last one, the last one.
+    #[must_use]
+    pub fn of(&self, cut: usize) -> &CutPath {
+        &self.cuts[cut.min(self.cuts.len() - 1)]
+    }
+
+    /// Number of the present cut, counted from 0.
+    #[must_use]
+    pub fn cut(&self) -> usize {
+        self.cut
+    }
+
+    /// Number of the cut of a workpiece in which `position_mm` lies, counted from 0.
+    #[must_use]
+    pub fn cut_of(workpiece: &Workpiece, position_mm: f64) -> usize {
+        let mut path = Self::new(workpiece);
+        while path.next_cut(position_mm).is_some() {}
+        path.cut
+    }
+
+    /// The next cut, if the tool has come to the end of one and there is another: the position at
+    /// which it begins. What the tool went beyond the end is not counted.
+    pub fn next_cut(&mut self, position_mm: f64) -> Option<f64> {
+        let (cut, x_mm) = self.cut_at(position_mm);
+        if x_mm < cut.length_mm() || self.cut + 1 >= self.cuts.len() {
+            return None;
+        }
+        self.began_mm += APPROACH_MM + cut.length_mm();
+        self.cut += 1;
+        Some(self.began_mm)
+    }
+
+    /// The largest axial depth of all cuts, mm.
+    #[must_use]
+    pub fn depth_max_mm(&self) -> f64 {
+        self.cuts.iter().map(CutPath::depth_max_mm).fold(0.0, f64::max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cuts_follow_each_other_with_an_approach_each() {
+        let workpiece = Workpiece {
+            cuts: vec![vec![[10.0, 2.0, 2.0]], vec![[20.0, 3.0, 1.0], [5.0, 1.0, 0.0]]],
+            ..Workpiece::default()
+        };
+        assert!(
+            (ToolPath::length_of(&workpiece) - (10.0 + 25.0 + 2.0 * APPROACH_MM)).abs() < 1e-12
+        );
+        let mut path = ToolPath::new(&workpiece);
+        assert_eq!(path.place(0.0).axial_depth_mm, 0.0, "before the part");
+        let inside = path.place(APPROACH_MM + 1.0);
+        assert_eq!(inside.axial_depth_mm, 2.0);
+        assert!((inside.radial_depth_mm - (28.0_f64.sqrt() - 2.0)).abs() < 1e-12);
+        assert_eq!(path.next_cut(APPROACH_MM + 9.9), None);
+        let second = path.next_cut(APPROACH_MM + 10.2).unwrap();
+        assert_eq!(second, APPROACH_MM + 10.0);
+        assert_eq!(ToolPath::begins_of(&workpiece), [0.0, second]);
+        assert_eq!(path.cut_at(second).1, -APPROACH_MM);
+        assert_eq!(path.place(second + APPROACH_MM + 21.0).axial_depth_mm, 1.0);
+        assert_eq!(path.next_cut(1e9), None, "the last one ends the run");
+        assert_eq!(path.depth_max_mm(), 3.0);
+        let cut_of = |position_mm| ToolPath::cut_of(&workpiece, position_mm);
+        assert_eq!([0.0, second - 0.1, second, 1e9].map(cut_of), [0, 0, 1, 1]);
+    }
+
+    #[test]
+    fn one_path_is_a_cut_that_the_tool_starts_in() {
+        let workpiece = Workpiece { depth_steps: vec![[50.0, 2.5]], ..Workpiece::default() };
+        let mut path = ToolPath::new(&workpiece);
+        let (cut, x_mm) = path.cut_at(0.0);
+        assert_eq!((x_mm, cut.length_mm()), (0.0, 120.0));
+        // R_D = 3 mm at A_D = 2 mm: the wall is 28^0.5 - 3 mm from the axis and stays there.
+        let wall = 28.0_f64.sqrt() - 3.0;
+        assert_eq!(cut.depth_at(-5.0, wall + 1e-9), 2.0);
+        assert_eq!(cut.depth_at(-5.0, wall - 1e-9), 0.0);
+        assert_eq!(cut.depth_at(51.0, wall + 1e-9), 2.5);
+        path.place(60.0);
+        path.reconfigure(&Workpiece { axial_depth_mm: 1.0, ..workpiece });
+        assert_eq!(path.cut_at(60.0).0.depth_at(61.0, 5.0), 1.0);
+        let [low, high] = strip_mm(path.cut_at(60.0).0, 60.0).unwrap();
+        assert!((high - 15.0_f64.sqrt()).abs() < 1e-12 && low == wall_mm(1.0, 3.0), "{low} {high}");
+        assert_eq!(strip_mm(path.cut_at(60.0).0, 121.0), None);
+    }
+}

@@ -1,0 +1,121 @@
+//! The tool wears while it cuts: the share of its life that is used, a state.
+//!
+//! ```text
+//! x += time_scale dt / T(vc, fz, ap)      in the cut;  factor on the force = 1 + kappa w(x)
+//! ```
+
+use super::tool::R216_16B20_040;
+use crate::base::math;
+use crate::base::units::s_from_min;
+use crate::models::wear::{WearCut, WearModel, WearSettings};
+
+/// Largest share of the life that is counted: far beyond it nothing is left to wear.
+const LIFE_MAX: f64 = 2.0;
+
+/// The tool with the share of its life that is used.
+#[derive(Clone, Debug)]
+pub struct ToolWear {
+    settings: WearSettings,
+    used_life: f64,
+}
+
+impl ToolWear {
+    /// The tool as it is at the start of the run.
+    #[must_use]
+    pub fn new(settings: &WearSettings) -> Self {
+        Self { settings: settings.clone(), used_life: settings.used_life }
+    }
+
+    /// Takes over changed settings; the tool stays as worn as it is.
+    pub fn reconfigure(&mut self, settings: &WearSettings) {
+        self.settings = settings.clone();
+    }
+
+    /// Share of the life that is used: 1 at its end.
+    #[must_use]
+    pub fn used_life(&self) -> f64 {
+        self.used_life
+    }
+
+    /// Wear w; 0 where the tool does not wear in the run.
+    fn wear(&self) -> f64 {
+        match self.settings.model {
+            WearModel::Fixed => 0.0,
+            WearModel::Life => self.settings.wear(self.used_life),
+        }
+    }
+
+    /// Factor on the force; 1 where the tool does not wear in the run.
+    #[must_use]
+    pub fn force_factor(&self) -> f64 {
+        self.settings.force_factor(self.wear())
+    }
+
+    /// Factor on the stiffness of the tooth; 1 where the tool does not wear in the run.
+    #[must_use]
+    pub fn stiffness_factor(&self) -> f64 {
+        self.settings.stiffness_factor(self.wear())
+    }
+
+    /// Process damping in N s/m of a tooth in the cut at an axial depth in mm and a speed in 1/min.
+    #[must_use]
+    pub fn damping_n_s_m(&self, axial_depth_mm: f64, speed_rpm: f64) -> f64 {
+        let speed_m_min = math::PI * R216_16B20_040.diameter_mm * speed_rpm / 1000.0;
+        self.settings.process_damping_n_s_m(self.wear(), 1.0, axial_depth_mm, speed_m_min)
+    }
+
+    /// Lets `dt_s` of cutting pass at feed in mm/min, speed in 1/min and axial depth in mm; in the
+    /// air the depth is 0, and nothing wears.
+    pub fn update(&mut self, feed_mm_min: f64, speed_rpm: f64, axial_depth_mm: f64, dt_s: f64) {
+        if self.settings.model == WearModel::Fixed || speed_rpm <= 0.0 {
+            return;
+        }
+        let tool = R216_16B20_040;
+        let cut = WearCut {
+            cutting_speed_m_min: math::PI * tool.diameter_mm * speed_rpm / 1000.0,
+            feed_per_tooth_mm: feed_mm_min / (tool.teeth * speed_rpm),
+            axial_depth_mm,
+        };
+        let life_s = s_from_min(self.settings.life_min(&cut));
+        let used = self.used_life + self.settings.time_scale * dt_s / life_s;
+        self.used_life = math::limit(used, 0.0, LIFE_MAX);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Feed for 0.135 mm per tooth at 80 m/min, and that speed.
+    const SPEED_RPM: f64 = 80_000.0 / (math::PI * 16.0);
+    const FEED_MM_MIN: f64 = 2.0 * 0.135 * SPEED_RPM;
+
+    fn worn(settings: &WearSettings, minutes: u32) -> ToolWear {
+        let mut tool = ToolWear::new(settings);
+        (0..minutes * 60).for_each(|_| tool.update(FEED_MM_MIN, SPEED_RPM, 2.0, 1.0));
+        tool
+    }
+
+    #[test]
+    fn a_life_passes_in_its_time_or_as_much_faster_as_wanted() {
+        let life = WearSettings { model: WearModel::Life, ..WearSettings::default() };
+        let tool = worn(&life, 120);
+        assert!((tool.used_life() - 0.5).abs() < 1e-9);
+        assert!((tool.force_factor() - 1.0 - 0.6 * 0.450083186535).abs() < 1e-8);
+        let fast = WearSettings { time_scale: 240.0, ..life };
+        assert!((worn(&fast, 1).force_factor() - 1.6).abs() < 1e-8);
+    }
+
+    #[test]
+    fn nothing_wears_in_the_air_or_with_a_fixed_factor() {
+        let life =
+            WearSettings { model: WearModel::Life, used_life: 0.3, ..WearSettings::default() };
+        let mut tool = ToolWear::new(&life);
+        tool.update(FEED_MM_MIN, SPEED_RPM, 0.0, 600.0);
+        tool.update(FEED_MM_MIN, 0.0, 2.0, 600.0);
+        tool.update(0.0, SPEED_RPM, 2.0, 600.0);
+        assert_eq!(tool.used_life(), 0.3);
+        let fixed = worn(&WearSettings::default(), 60);
+        assert_eq!((fixed.used_life(), fixed.force_factor()), (0.0, 1.0));
+    }
+}

@@ -1,0 +1,96 @@
+//! Cuts that do not change: forces over a revolution, regeneration settled.
+
+use super::kienzle::Kienzle;
+use super::{Cutter, ELASTICITY_MM_PER_N, Sliced};
+use crate::base::math;
+
+/// Steps of a static cut in a revolution (rounded down to whole steps a tooth).
+const STEPS_PER_REV: usize = 720;
+/// Most revolutions until the regeneration of a static cut has settled; three or four are usual.
+const MAX_REVS: usize = 20;
+
+/// A cut that does not change: feed and depths.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StaticCut {
+    /// Feed per tooth, mm.
+    pub feed_per_tooth_mm: f64,
+    /// Axial depth A_D, mm.
+    pub axial_depth_mm: f64,
+    /// Nominal radial depth R_D, mm: the side wall lies at y_e = R(A_D) - R_D.
+    pub radial_depth_mm: f64,
+}
+
+/// Forces of a static cut, regeneration settled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StaticPeak {
+    /// Fx, Fy, Fz in N at the instant of the largest F_xy.
+    pub components_n: [f64; 3],
+    /// That largest F_xy = sqrt(Fx^2 + Fy^2), N.
+    pub fxy_n: f64,
+    /// Mean of F_xy over the revolution, N.
+    pub mean_fxy_n: f64,
+}
+
+/// Turns the cutter through a static cut until the regeneration has settled.
+#[must_use]
+pub fn static_peak(cutter: &Cutter, law: &Kienzle, cut: &StaticCut) -> StaticPeak {
+    let sliced = Sliced::new(cutter, cut.axial_depth_mm);
+    let wall_mm = cutter.radius_mm(cut.axial_depth_mm) - cut.radial_depth_mm;
+    let depth_at = |_: f64, y_mm: f64| if y_mm >= wall_mm { cut.axial_depth_mm } else { 0.0 };
+    let per_tooth = STEPS_PER_REV / sliced.teeth.len();
+    let steps = per_tooth * sliced.teeth.len();
+    // Forces of the last revolution; the first turns with a rigid tool.
+    let mut forces = vec![[0.0; 3]; steps];
+    let mut peak = StaticPeak { components_n: [0.0; 3], fxy_n: 0.0, mean_fxy_n: 0.0 };
+    for rev in 0..MAX_REVS {
+        let before = peak.fxy_n;
+        peak = StaticPeak { components_n: [0.0; 3], fxy_n: 0.0, mean_fxy_n: 0.0 };
+        for step in 0..steps {
+            let last = forces[(step + steps - 1) % steps];
+            let tooth_before = forces[(step + 2 * steps - 1 - per_tooth) % steps];
+            let gain = if rev == 0 { 0.0 } else { ELASTICITY_MM_PER_N };
+            let deflection = [0, 1].map(|axis| gain * (last[axis] - tooth_before[axis]));
+            let angle = math::TAU * step as f64 / steps as f64;
+            let force = sliced.forces(law, angle, cut.feed_per_tooth_mm, deflection, depth_at);
+            forces[step] = force;
+            let fxy = (force[0] * force[0] + force[1] * force[1]).sqrt();
+            peak.mean_fxy_n += fxy / steps as f64;
+            if fxy > peak.fxy_n {
+                (peak.components_n, peak.fxy_n) = (force, fxy);
+            }
+        }
+        if rev > 0 && (peak.fxy_n - before).abs() <= 1e-7 * peak.fxy_n {
+            break;
+        }
+    }
+    peak
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::ball_end::CK45;
+
+    fn peak(feed: f64, axial: f64, radial: f64, runout_mm: f64) -> StaticPeak {
+        let law = Kienzle::new(&CK45, 80.0, 12.0, 200.0);
+        let cut =
+            StaticCut { feed_per_tooth_mm: feed, axial_depth_mm: axial, radial_depth_mm: radial };
+        static_peak(&Cutter::two_teeth(16.0, runout_mm, 0.1), &law, &cut)
+    }
+
+    #[test]
+    fn the_force_grows_with_the_published_powers_of_the_feed() {
+        for (feed, expected) in [(0.02, 0.80), (0.08, 0.828), (0.16, 0.837)] {
+            let [low, high] = [0.99, 1.01].map(|part| peak(part * feed, 2.0, 4.0, 0.0).fxy_n);
+            let exponent = math::ln(high / low) / math::ln(1.01 / 0.99);
+            assert!((exponent - expected).abs() < 0.01, "{feed}: {exponent}");
+        }
+    }
+
+    #[test]
+    fn run_out_makes_the_teeth_cut_unequally_around_the_same_mean() {
+        let (even, odd) = (peak(0.08, 2.0, 4.0, 0.0), peak(0.08, 2.0, 4.0, 0.003));
+        assert!(odd.fxy_n > 1.05 * even.fxy_n && odd.fxy_n < 1.09 * even.fxy_n);
+        assert!((odd.mean_fxy_n / even.mean_fxy_n - 1.0).abs() < 2e-3);
+    }
+}

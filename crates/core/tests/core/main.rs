@@ -1,0 +1,7 @@
+//! Tests of the whole `steadycut-core`, in one program: it links once.
+
+mod inputs;
+mod matrix;
+mod metrics;
+mod revolution;
+mod switching;

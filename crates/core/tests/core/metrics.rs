@@ -1,0 +1,114 @@
+//! Metrics on rows made by hand, every value known beforehand.
+
+use steadycut_core::base::settings::Value;
+use steadycut_core::run::edits::{Edit, Edits};
+use steadycut_core::run::metrics::{Metrics, metrics};
+use steadycut_core::run::recording::Recording;
+use steadycut_core::run::scenario::Scenario;
+use steadycut_core::run::signals::{Row, flag};
+
+/// Rows of 10 ms, control samples every 20 ms; `change` sets what differs.
+fn rows(n: u64, change: impl Fn(f64, &mut Row)) -> Recording {
+    let mut recording = Recording::new(n, 1, 0.01, 2);
+    for k in 0..=n {
+        let time_s = k as f64 * 0.01;
+        let mut row = Row {
+            time_s,
+            position_mm: 5.0 * time_s,
+            axial_depth_mm: 2.0,
+            radial_depth_mm: 3.0,
+            ra_target_um: 1.0,
+            ra_um: 1.0,
+            force_ref_n: 100.0,
+            force_n: 100.0,
+            feed_mm_min: 300.0,
+            spindle_rpm: 2000.0,
+            ..Row::default()
+        };
+        change(time_s, &mut row);
+        recording.push(k, &row);
+    }
+    recording
+}
+
+fn judge(recording: &Recording) -> Metrics {
+    metrics(recording, usize::MAX, &Scenario::default(), &Edits::none())
+}
+
+#[test]
+fn settling_counts_from_the_change_to_the_first_row_inside_for_good() {
+    // The depth changes with the row at 3.00 s (so the change came with 2.99 s); the force is out
+    // by 5 % up to and with 3.49 s, dips back once before, and settles at 3.50 s.
+    let recording = rows(1000, |t, row| {
+        if t > 2.995 {
+            row.axial_depth_mm = 2.2;
+            let outside = t < 3.495 && !(3.195..3.205).contains(&t);
+            row.force_n = if outside { 105.0 } else { 101.9 };
+        }
+    });
+    let settling = judge(&recording).settling_time_s.unwrap();
+    assert!((settling - 0.51).abs() < 1e-9, "{settling}");
+    let never = rows(1000, |t, row| row.force_n = if t > 9.985 { 103.0 } else { 100.0 });
+    assert_eq!(judge(&never).settling_time_s, None);
+    assert_eq!(judge(&rows(1000, |_, _| {})).settling_time_s, Some(0.0));
+}
+
+#[test]
+fn overshoot_is_the_excursion_to_the_other_side() {
+    // Starts 20 % high, falls through the reference to 7 % low, ends on it.
+    let falling = rows(1000, |t, row| {
+        row.force_n = if t < 1.0 {
+            120.0
+        } else if t < 2.0 {
+            93.0
+        } else {
+            100.0
+        };
+    });
+    assert!((judge(&falling).overshoot_percent - 7.0).abs() < 1e-9);
+    let approaching = rows(1000, |t, row| row.force_n = if t < 1.0 { 120.0 } else { 100.0 });
+    assert_eq!(judge(&approaching).overshoot_percent, 0.0);
+}
+
+#[test]
+fn shares_and_errors_count_contact_only() {
+    // 10 s at 5 mm/s: 4 s in tolerance, 4 s 11 % off, 2 s in the air.
+    let recording = rows(1000, |t, row| {
+        if t > 8.0 {
+            row.state_flags = f64::from(flag::AIR);
+            (row.force_n, row.ra_um, row.axial_depth_mm) = (0.0, 0.0, 0.0);
+        } else if t > 4.0 {
+            (row.ra_um, row.force_n) = (1.11, 110.0);
+        }
+    });
+    let m = judge(&recording);
+    assert!((m.in_tolerance_percent.unwrap() - 50.0).abs() < 1e-9);
+    // Half of the 401 control samples in contact (200) are off by 10 %.
+    let expected = (200.0 / 401.0_f64).sqrt() * 0.1;
+    assert!((m.normalized_standard_error.unwrap() - expected).abs() < 1e-12);
+    assert!((m.normalized_standard_error_20.unwrap() - 0.5_f64.sqrt() * 0.1).abs() < 1e-12);
+    assert!((m.metal_removed_cm3 - 8.0 * 5.0 * 2.0 * 3.0 / 1000.0).abs() < 1e-9);
+    // Final values are those of the last second in contact.
+    assert!((m.ra_final_um - 1.11).abs() < 1e-9 && (m.force_deviation_percent - 10.0).abs() < 1e-9);
+    assert_eq!((m.max_force_n, m.time_of_cut_s, m.path_mm), (110.0, 10.0, 50.0));
+}
+
+#[test]
+fn a_cut_in_the_air_alone_has_no_error_and_no_share() {
+    let m = judge(&rows(100, |_, row| row.state_flags = f64::from(flag::AIR)));
+    assert_eq!((m.normalized_standard_error, m.in_tolerance_percent), (None, None));
+}
+
+#[test]
+fn an_edit_starts_a_new_settling_but_a_tolerance_does_not() {
+    let recording = rows(1000, |t, row| row.force_n = if t < 2.495 { 105.0 } else { 100.0 });
+    let settling = |path: &str, value: f64| {
+        let scenario = Scenario::default();
+        let mut edits = Edits::none();
+        let edit = Edit { at_s: 2.0, path: path.to_owned(), value: Value::Float(value) };
+        edits.push(&scenario, edit).unwrap();
+        metrics(&recording, usize::MAX, &scenario, &edits).settling_time_s.unwrap()
+    };
+    assert!((settling("plant.wear_factor", 1.1) - 0.5).abs() < 1e-9);
+    assert!((settling("target.tolerance_percent", 5.0) - 2.5).abs() < 1e-9);
+}

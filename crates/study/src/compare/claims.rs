@@ -1,0 +1,153 @@
+//! The 2005 paper's claims against runs: each told as found, true or not.
+
+use serde::Serialize;
+
+use super::entrants::{self, Entrant, TABLE_1};
+use super::load_step::Transient;
+use super::outcome::Measure;
+use super::tournament::Compared;
+use crate::base::units::{percent_from_ratio, ratio_from_percent};
+use crate::run::edits::Edits;
+use crate::run::one_run::Run;
+use crate::run::presets;
+use crate::run::scenario::Scenario;
+
+/// Iterations that the paper needs at most.
+const ITERATIONS: u32 = 4;
+/// Far more iterations of the internal loop than it should need.
+const MANY_ITERATIONS: u32 = 10;
+/// Removal rate gained in Experiment 1, percent.
+const RATE_PERCENT: f64 = 27.0;
+/// Time saved in one cut of Experiment 1, percent.
+const TIME_1_PERCENT: f64 = 40.0;
+/// Time saved in Experiment 2, percent.
+const TIME_2_PERCENT: f64 = 24.0;
+/// Row of UNKS in Table 1.
+const UNKS: usize = 5;
+
+/// One claim.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ControlClaim {
+    /// What the paper says.
+    pub paper: &'static str,
+    /// Whether the runs bear it out.
+    pub holds: bool,
+    /// What they gave, and what has to be known about it.
+    pub found: String,
+}
+
+/// Conventional milling and UNKS on a preset: Experiment 1 in one of its two readings.
+///
+/// # Panics
+/// Never: a test loads every preset.
+#[must_use]
+pub fn both_on(preset: &str) -> Vec<Entrant> {
+    let base = presets::load(preset).expect("presets are tested");
+    entrants::on(&base, &[TABLE_1[0], TABLE_1[UNKS]])
+}
+
+/// The fewest iterations of the internal loop with which UNKS cuts the part of `base` as it does with
+/// ten, to the bit: with fewer, the loop is cut short somewhere.
+#[must_use]
+pub fn iterations_needed(base: &Scenario) -> u32 {
+    let with = |iterations: u32| {
+        let mut scenario = TABLE_1[UNKS].on(base).scenario;
+        scenario.unks.internal_iterations = iterations;
+        scenario.run.record_every = scenario.run.steps_per_control;
+        Run::complete(&scenario, &Edits::none()).recording().digest()
+    };
+    let many = with(MANY_ITERATIONS);
+    (1..MANY_ITERATIONS).find(|iterations| with(*iterations) == many).unwrap_or(MANY_ITERATIONS)
+}
+
+/// What the claims are judged by.
+#[derive(Clone, Copy, Debug)]
+pub struct Evidence<'a> {
+    /// Experiment 1, conventional milling and UNKS.
+    pub experiment_1: &'a [Compared],
+    /// Experiment 2, the six methods of Table 1 first.
+    pub experiment_2: &'a [Compared],
+    /// The same methods after the load step.
+    pub transients: &'a [Transient],
+    /// See [`iterations_needed`].
+    pub iterations_needed: u32,
+}
+
+/// Every claim; none while the tables have no finished run.
+#[must_use]
+pub fn claims(evidence: &Evidence<'_>) -> Vec<ControlClaim> {
+    let (Some([conventional_1, unks_1]), Some(conventional), Some(unks), Some(step)) = (
+        evidence.experiment_1.first_chunk::<2>(),
+        evidence.experiment_2.first(),
+        evidence.experiment_2.get(UNKS),
+        evidence.transients.get(UNKS),
+    ) else {
+        return Vec::new();
+    };
+    if [conventional_1, unks_1, conventional, unks].iter().any(|row| row.finished == 0) {
+        return Vec::new();
+    }
+    let told = step.periods.map_or("is never steady".to_owned(), |n| format!("takes {n}"));
+    // The same metal in less time: the removal rate grows as the time shrinks.
+    let ratio = unks_1.mean(Measure::Time) / conventional_1.mean(Measure::Time);
+    let rate = percent_from_ratio(1.0 / ratio - 1.0);
+    let saved_1 = percent_from_ratio(1.0 - ratio);
+    let saved_2 =
+        percent_from_ratio(1.0 - unks.mean(Measure::Time) / conventional.mean(Measure::Time));
+    let possible = percent_from_ratio(1.0 - 1.0 / 1.5);
+    let from_rate = percent_from_ratio(1.0 - 1.0 / (1.0 + ratio_from_percent(RATE_PERCENT)));
+    let held = unks.mean(Measure::Held);
+    let tolerance = unks.mean(Measure::InTolerance);
+    let needed = evidence.iterations_needed;
+    vec![
+        ControlClaim {
+            paper: "the force is back within four or less iterations: of the control, 20 ms each",
+            holds: step.periods.is_some_and(|n| n <= ITERATIONS as usize),
+            found: format!(
+                "after the load step from 493 to 772 N UNKS {told} control periods to be back \
+                 within 10 % for good"
+            ),
+        },
+        ControlClaim {
+            paper: "the same, of the internal loop with NM-1: the Slovene text adds 2 ms, which \
+                    is a tenth of a control period",
+            holds: needed <= ITERATIONS,
+            found: format!(
+                "in Experiment 2 the loop is content after at most {needed} iterations where it may \
+                 do {MANY_ITERATIONS}; the shipped limit is {ITERATIONS}"
+            ),
+        },
+        ControlClaim {
+            paper: "Experiment 1: 27 % more removal rate",
+            holds: rate >= RATE_PERCENT - 0.5,
+            found: format!(
+                "{rate:+.1} %; the lengths and depths of the part are chosen with this in view"
+            ),
+        },
+        ControlClaim {
+            paper: "Experiment 1: 40 % less time in one cut",
+            holds: saved_1 >= TIME_1_PERCENT - 0.5,
+            found: format!(
+                "{saved_1:.1} %; with at most 150 % of the programmed feed no more than \
+                 {possible:.1} % is possible, and 27 % more removal rate is {from_rate:.1} % of time"
+            ),
+        },
+        ControlClaim {
+            paper: "Experiment 2: 24 % less time",
+            holds: saved_2 >= TIME_2_PERCENT - 0.5,
+            found: format!(
+                "{saved_2:.1} %; the paper's own Table 1, 88 of 115 s, gives {:.1} %",
+                percent_from_ratio(1.0 - 88.0 / 115.0)
+            ),
+        },
+        ControlClaim {
+            paper: "the controlled force deviates from the desired one by no more than 10 %",
+            holds: held >= 99.5,
+            found: format!(
+                "in {held:.0} % of UNKS's samples in contact and below the largest feed (Experiment \
+                 2); over the whole length in contact, light sections included, {tolerance:.0} %. \
+                 Entries, exits, depth steps, run-out and 5 % of inhomogeneity make the rest"
+            ),
+        },
+    ]
+}

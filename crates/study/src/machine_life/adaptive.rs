@@ -1,0 +1,201 @@
+//! The adaptive use: the cutting speed is adjusted so that the tool reaches the desired durability.
+//!
+//! ```text
+//! vc_new = vc [ R/R_des ]^n,   R = (T_hat - a) T(vc)/T(vc0),   R_des = T_des - t
+//! ```
+//!
+//! R is the rest that is foretold at the present speed, R_des the rest that is wanted. The feed per
+//! tooth stays. The age a counts in minutes at the programmed speed vc0. Taken as known: Taylor's
+//! exponents. Unknown: how long this very tool lives. The sound is heard relative to that of a sharp
+//! tool in the same cut, so that the speed itself is not heard as wear (chosen).
+
+use serde::Serialize;
+
+use super::model;
+use super::monte_carlo::MinuteNoise;
+use crate::base::math;
+use crate::base::rng::Stream;
+use crate::models::machine_trend::MachineTrend;
+use crate::models::tool_life::{Forecast, Growth, Predictor};
+use crate::models::wear::WearCut;
+use crate::run::scenario::Scenario;
+
+/// Minutes between two adjustments (chosen).
+const PERIOD_MIN: u64 = 10;
+/// The speed stays between these shares of the programmed one (chosen: the range of the overrides).
+const SPEED_SHARES: [f64; 2] = [0.5, 1.5];
+/// No adjustment in the last minutes: the rest that is wanted is too short to divide by.
+const LAST_MIN: f64 = 10.0;
+/// A tool that lives longer than this many times the wish is given up.
+const LONGEST: f64 = 10.0;
+
+/// One minute of the tool.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Minute {
+    /// Time in cut, min.
+    pub time_min: f64,
+    /// True share of the life.
+    pub x: f64,
+    /// Cutting speed, m/min.
+    pub cutting_speed_m_min: f64,
+    /// Sound relative to the sharp tool, as heard.
+    pub sound: f64,
+    /// Foretold rest at the present speed, min.
+    pub rest_min: Option<f64>,
+    /// Ninety percent of the belief about the rest, min.
+    pub rest_range_min: Option<[f64; 2]>,
+}
+
+/// The life of one tool, minute by minute.
+#[derive(Clone, Debug)]
+pub struct AdaptiveLife {
+    model: MachineTrend,
+    growth: Growth,
+    predictor: Predictor,
+    noise: MinuteNoise,
+    adjusts: bool,
+    cut: WearCut,
+    age_min: f64,
+    x: f64,
+    minutes: Vec<Minute>,
+    /// When the life ended, min.
+    end_min: Option<f64>,
+}
+
+impl AdaptiveLife {
+    /// The tool of a scenario, sharp; `adjusts` switches the adjustment of the speed on.
+    #[must_use]
+    pub fn new(scenario: &Scenario, adjusts: bool) -> Self {
+        let model = model(scenario);
+        let growth = Growth::calibrated(&model);
+        let prior_min = model.wear.taylor_min(&model.cut);
+        let stream = Stream::new(u64::from(scenario.run.seed), "life.adaptive");
+        Self {
+            predictor: Predictor::new(&model.wear, &growth, &model.life, prior_min),
+            noise: MinuteNoise::new(&model.life, stream),
+            cut: model.cut,
+            growth,
+            model,
+            adjusts,
+            age_min: 0.0,
+            x: 0.0,
+            minutes: Vec::new(),
+            end_min: None,
+        }
+    }
+
+    /// Life at the present speed over that at the programmed one.
+    fn stretch(&self) -> f64 {
+        let wear = &self.model.wear;
+        wear.taylor_min(&self.cut) / wear.taylor_min(&self.model.cut)
+    }
+
+    /// Cuts at most `minutes` more; `true` when the tool is worn out.
+    pub fn advance(&mut self, minutes: usize) -> bool {
+        for _ in 0..minutes {
+            let given_up = LONGEST * self.model.life.durability_min;
+            if self.end_min.is_some() || self.minutes.len() as f64 >= given_up {
+                return true;
+            }
+            self.minute();
+        }
+        self.end_min.is_some()
+    }
+
+    fn minute(&mut self) {
+        let wear = &self.model.wear;
+        let (before, rate) = (self.x, 1.0 / wear.life_min(&self.cut));
+        let passed = 1.0 / self.stretch();
+        let time_min = self.minutes.len() as f64;
+        let sound = self.growth.at(wear.wear(before + 0.5 * rate)) * self.noise.factor();
+        self.x = before + rate;
+        if self.x >= 1.0 {
+            self.end_min = Some(time_min + (1.0 - before) / rate);
+        }
+        self.predictor.hear(self.age_min + 0.5 * passed, sound);
+        self.age_min += passed;
+        let forecast = self.predictor.forecast();
+        self.minutes.push(Minute {
+            time_min: time_min + 1.0,
+            x: self.x,
+            cutting_speed_m_min: self.cut.cutting_speed_m_min,
+            sound,
+            rest_min: forecast.map(|forecast| forecast.rest_min() * self.stretch()),
+            rest_range_min: forecast.map(|forecast| {
+                let rest = |life_min: f64| math::positive(life_min - forecast.age_min);
+                forecast.life_range_min.map(|life_min| rest(life_min) * self.stretch())
+            }),
+        });
+        if let Some(forecast) = forecast.filter(|_| self.adjusts) {
+            self.adjust(&forecast);
+        }
+    }
+
+    fn adjust(&mut self, forecast: &Forecast) {
+        let wanted_min = self.model.life.durability_min - self.minutes.len() as f64;
+        if !(self.minutes.len() as u64).is_multiple_of(PERIOD_MIN) || wanted_min < LAST_MIN {
+            return;
+        }
+        let rest_min = forecast.rest_min() * self.stretch();
+        let ratio = math::pow(rest_min / wanted_min, self.model.wear.taylor_exponent);
+        let programmed = self.model.cut.cutting_speed_m_min;
+        let [low, high] = SPEED_SHARES.map(|share| share * programmed);
+        let speed = math::limit(self.cut.cutting_speed_m_min * ratio, low, high);
+        self.cut.cutting_speed_m_min = speed;
+    }
+
+    /// The minutes so far.
+    #[must_use]
+    pub fn minutes(&self) -> &[Minute] {
+        &self.minutes
+    }
+
+    /// When the life ended, min; `None` before, and for a tool that was given up.
+    #[must_use]
+    pub fn end_min(&self) -> Option<f64> {
+        self.end_min
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lived(durability_factor: f64, adjusts: bool) -> AdaptiveLife {
+        let mut scenario = Scenario::default();
+        scenario.wear.durability_factor = durability_factor;
+        scenario.life.durability_min =
+            model(&scenario).wear.taylor_min(&model(&scenario).cut).round();
+        let mut life = AdaptiveLife::new(&scenario, adjusts);
+        while !life.advance(50) {}
+        life
+    }
+
+    #[test]
+    fn tools_better_and_worse_than_taylor_reach_the_desired_durability() {
+        for factor in [0.7, 1.0, 1.4] {
+            let [fixed, adjusted] = [false, true].map(|adjusts| lived(factor, adjusts));
+            let wanted = adjusted.model.life.durability_min;
+            let error = |life: &AdaptiveLife| (life.end_min().unwrap() / wanted - 1.0).abs();
+            assert!((error(&fixed) - (factor - 1.0).abs()).abs() < 0.01);
+            assert!(error(&adjusted) < 0.05, "{factor}: {}", error(&adjusted));
+            let speeds = adjusted.minutes().iter().map(|minute| minute.cutting_speed_m_min);
+            let [least, most] = math::extent(speeds);
+            let programmed = adjusted.model.cut.cutting_speed_m_min;
+            assert!(least >= 0.5 * programmed && most <= 1.5 * programmed);
+        }
+    }
+
+    #[test]
+    fn slices_change_nothing() {
+        let mut scenario = Scenario::default();
+        scenario.wear.durability_factor = 0.4;
+        let [mut whole, mut sliced] = [true, true].map(|_| AdaptiveLife::new(&scenario, true));
+        whole.advance(60);
+        (0..12).for_each(|_| {
+            sliced.advance(5);
+        });
+        assert_eq!(whole.minutes(), sliced.minutes());
+        assert_eq!(whole.minutes().len(), 60);
+    }
+}

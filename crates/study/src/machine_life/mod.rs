@@ -1,0 +1,190 @@
+//! The 2019 model over the life of the tool: the equations solved again for every second, the trends
+//! of sound and roughness, and how alike they are.
+//!
+//! The paper claims that the two trends are identical, without figures. Here they come out alike as
+//! long as the tool degrades mainly through the force; that is a property of the chosen wear, and
+//! no evidence for it.
+
+pub mod adaptive;
+pub mod calibration;
+pub mod listening;
+pub mod measurement;
+pub mod monte_carlo;
+pub mod surface;
+
+use serde::Serialize;
+
+use crate::base::math::extent;
+use crate::base::units::s_from_min;
+use crate::blocks::cnc::feed_override::Program;
+use crate::blocks::control::FeedSpeed;
+use crate::blocks::cutting::tool::R216_16B20_040;
+use crate::models::machine::FiveMass;
+use crate::models::machine_trend::{MachineTrend, TrendLine, TrendPoint};
+use crate::models::wear::WearCut;
+use crate::run::durability::wear_cut;
+use crate::run::scenario::Scenario;
+
+/// Step of the paper, s.
+pub const STEP_S: f64 = 1.0;
+/// Most steps; a longer life is taken in longer ones.
+const STEPS_MAX: f64 = 100_000.0;
+
+/// What the paper says of the two trends, and of calculated and measured sound.
+pub const CLAIMS: [&str; 3] = [
+    "sound trend and roughness trend are identical (no figure is printed)",
+    "calculated and measured sound trend: R = 0.993; no measurement is published",
+    "calculated and measured sound spectrum: R = 0.684; no measurement is published",
+];
+
+/// The cut of a scenario at its programmed feed and speed and its axial depth.
+#[must_use]
+pub fn programmed_cut(scenario: &Scenario) -> WearCut {
+    let Program { feed_mm_min, spindle_rpm: speed_rpm, .. } = scenario.program;
+    wear_cut(FeedSpeed { feed_mm_min, speed_rpm }, scenario.workpiece.axial_depth_mm)
+}
+
+/// The machine of a scenario in its programmed cut.
+#[must_use]
+pub fn model(scenario: &Scenario) -> MachineTrend {
+    MachineTrend {
+        machine: FiveMass::new(&scenario.machine),
+        wear: scenario.wear.clone(),
+        life: scenario.life.clone(),
+        cut: programmed_cut(scenario),
+        radius_mm: R216_16B20_040.diameter_mm / 2.0,
+    }
+}
+
+/// The correlation coefficient of two series of one length; `None` where one does not vary.
+#[must_use]
+pub fn correlation(a: &[f64], b: &[f64]) -> Option<f64> {
+    let n = a.len().min(b.len()) as f64;
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / n;
+    let (mean_a, mean_b) = (mean(a), mean(b));
+    let sum = |of: fn(f64, f64) -> f64| {
+        a.iter().zip(b).map(|(x, y)| of(x - mean_a, y - mean_b)).sum::<f64>()
+    };
+    let squares = sum(|x, _| x * x) * sum(|_, y| y * y);
+    (squares > 0.0).then(|| sum(|x, y| x * y) / squares.sqrt())
+}
+
+/// The repeated solution over the life.
+#[derive(Clone, Debug)]
+pub struct LifeJob {
+    model: MachineTrend,
+    step_s: f64,
+    steps: usize,
+    points: Vec<TrendPoint>,
+}
+
+impl LifeJob {
+    /// A life of `life_min`, not yet begun; in steps of a second, or longer ones beyond 100 000.
+    #[must_use]
+    pub fn new(model: MachineTrend, life_min: f64) -> Self {
+        let life_s = s_from_min(life_min).clamp(1.0, 1e9);
+        let step_s = STEP_S * (life_s / STEPS_MAX).ceil().max(1.0);
+        let steps = ((life_s / step_s).round() as usize).max(1);
+        Self { model, step_s: life_s / steps as f64, steps, points: Vec::new() }
+    }
+
+    /// The life of this very tool in a scenario's cut.
+    #[must_use]
+    pub fn of(scenario: &Scenario) -> Self {
+        let model = model(scenario);
+        let life_min = model.wear.life_min(&model.cut);
+        Self::new(model, life_min)
+    }
+
+    /// Solves at most `points` further points of time; `true` when the life is over.
+    pub fn advance(&mut self, points: usize) -> bool {
+        let total = self.steps + 1;
+        for i in self.points.len()..total.min(self.points.len().saturating_add(points)) {
+            self.points.push(self.model.at(i as f64 / self.steps as f64));
+        }
+        self.points.len() == total
+    }
+
+    /// Points of time done, and all of them.
+    #[must_use]
+    pub fn progress(&self) -> (usize, usize) {
+        (self.points.len(), self.steps + 1)
+    }
+
+    /// Time between two points, s.
+    #[must_use]
+    pub fn step_s(&self) -> f64 {
+        self.step_s
+    }
+
+    /// What is solved so far, from the sharp tool on.
+    #[must_use]
+    pub fn points(&self) -> &[TrendPoint] {
+        &self.points
+    }
+
+    /// The machine.
+    #[must_use]
+    pub fn model(&self) -> &MachineTrend {
+        &self.model
+    }
+
+    /// What the trends show; `None` before the end.
+    #[must_use]
+    pub fn findings(&self) -> Option<LifeFindings> {
+        if self.points.len() <= self.steps {
+            return None;
+        }
+        let (first, last) = (self.points[0], self.points[self.steps]);
+        let series = |of: fn(&TrendPoint) -> f64| self.points.iter().map(of).collect::<Vec<f64>>();
+        let sound = series(|point| point.sound);
+        let ra = series(|point| point.ra_um);
+        let vibration = series(|point| point.vibration_rms_m);
+        Some(LifeFindings {
+            life_s: self.step_s * self.steps as f64,
+            sound_ratio: last.sound / first.sound,
+            vibration_ratio: last.vibration_rms_m / first.vibration_rms_m,
+            ra_ratio: last.ra_um / first.ra_um,
+            sound_roughness_r: correlation(&sound, &ra),
+            sound_vibration_r: correlation(&sound, &vibration),
+            largest_difference: largest_difference(&sound, &ra),
+            first_spectrum: self.model.spectrum(0.0).collect(),
+            last_spectrum: self.model.spectrum(1.0).collect(),
+        })
+    }
+}
+
+/// Largest difference of two series, each brought to 0..1 by its first and last value.
+fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    let unit = |series: &[f64], i: usize| {
+        let (first, last) = (series[0], series[series.len() - 1]);
+        (series[i] - first) / (last - first)
+    };
+    extent((0..a.len()).map(|i| (unit(a, i) - unit(b, i)).abs()))[1]
+}
+
+/// What the trends over a life show.
+#[derive(Clone, Debug, Serialize)]
+pub struct LifeFindings {
+    /// The life, s.
+    pub life_s: f64,
+    /// Sound at the end over sound at the start: the criterion lambda.
+    pub sound_ratio: f64,
+    /// The same of the vibration.
+    pub vibration_ratio: f64,
+    /// The same of the roughness.
+    pub ra_ratio: f64,
+    /// Correlation of the trends of sound and roughness.
+    pub sound_roughness_r: Option<f64>,
+    /// Correlation of the trends of sound and vibration.
+    pub sound_vibration_r: Option<f64>,
+    /// Largest difference of the trends of sound and roughness, each brought to 0..1.
+    pub largest_difference: f64,
+    /// Spectrum of the sharp tool.
+    pub first_spectrum: Vec<TrendLine>,
+    /// Spectrum at the end of life.
+    pub last_spectrum: Vec<TrendLine>,
+}
+
+#[cfg(test)]
+mod tests;

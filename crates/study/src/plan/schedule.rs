@@ -1,0 +1,155 @@
+//! Programmed feeds of the single cuts: every straight cut planned for one of its sections, the
+//! spindle as programmed.
+//!
+//! The lightest section gives the fast schedule: elsewhere the force at 100 % is above its limit and a
+//! controller has to hold it. The heaviest gives the safe one. Which section is the lightest is
+//! judged by the force of the network at the reference feed per tooth.
+
+use serde::Serialize;
+
+use super::PlanJob;
+use super::cut::REFERENCE;
+use super::machine::MachineLimits;
+use super::optimum::Optimum;
+use super::problem::{CUTTING_SPEED_M_MIN, Problem};
+use crate::base::settings::{Section, SettingError, Value};
+use crate::blocks::cutting::tool::R216_16B20_040;
+use crate::blocks::cutting::tool_path::Engagement;
+use crate::run::plan_settings::PlannedSection;
+use crate::run::scenario::Scenario;
+
+/// A cut and its planned feed.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlannedCut {
+    /// The section that it was planned for, counted from 0.
+    pub section: usize,
+    /// Length of that section, its axial depth and wall position, mm.
+    pub section_mm: Section,
+    /// The plan.
+    pub optimum: Optimum,
+}
+
+/// A schedule on its way: one cut after the other.
+#[derive(Clone, Debug)]
+pub struct ScheduleJob {
+    scenario: Scenario,
+    machine: MachineLimits,
+    sized_by: PlannedSection,
+    planned: Vec<PlannedCut>,
+}
+
+impl ScheduleJob {
+    /// The schedule of a scenario with cuts on a machine, not yet begun.
+    ///
+    /// # Errors
+    /// The workpiece has no cuts, or the programmed spindle gives a cutting speed outside the
+    /// plan's range.
+    pub fn on(
+        scenario: &Scenario,
+        machine: &MachineLimits,
+        sized_by: PlannedSection,
+    ) -> Result<Self, SettingError> {
+        let refused = |path: &str, value: String, allowed: String| {
+            Err(SettingError::Refused { path: path.to_owned(), value, allowed })
+        };
+        if scenario.workpiece.cuts.is_empty() {
+            let allowed = "at least one cut for a schedule".to_owned();
+            return refused("workpiece.cuts", "[]".to_owned(), allowed);
+        }
+        let speed_rpm = scenario.program.spindle_rpm;
+        let speed_m_min = speed_rpm / R216_16B20_040.speed_rpm(1.0);
+        let [low, high] = CUTTING_SPEED_M_MIN;
+        if !(low..=high).contains(&speed_m_min) {
+            let [low, high] = [low, high].map(|speed| R216_16B20_040.speed_rpm(speed));
+            let allowed = format!("{low:.0} to {high:.0} 1/min for a schedule");
+            return refused("program.spindle_rpm", format!("{speed_rpm} 1/min"), allowed);
+        }
+        let mut scenario = scenario.clone();
+        scenario.plan.free_speed = false;
+        scenario.plan.cutting_speed_m_min = speed_m_min;
+        Ok(Self { scenario, machine: machine.clone(), sized_by, planned: Vec::new() })
+    }
+
+    /// The scenario of one section alone.
+    fn alone(&self, section: &Section) -> Scenario {
+        let place = Engagement::in_section([section[1], section[2]]);
+        let mut scenario = self.scenario.clone();
+        let workpiece = &mut scenario.workpiece;
+        workpiece.axial_depth_mm = place.axial_depth_mm;
+        workpiece.radial_depth_mm = place.radial_depth_mm;
+        workpiece.length_mm = section[0].max(1.0);
+        workpiece.cuts.clear();
+        workpiece.depth_steps.clear();
+        scenario
+    }
+
+    /// The section that a cut is planned for: number and scenario.
+    ///
+    /// # Errors
+    /// No section of it cuts anything.
+    fn sizing(&self, cut: &[Section]) -> Result<(usize, Scenario), SettingError> {
+        let mut found: Option<(f64, usize, Scenario)> = None;
+        let mut refusal = None;
+        for (i, section) in cut.iter().enumerate() {
+            let scenario = self.alone(section);
+            let problem = match Problem::new(&scenario, &self.machine) {
+                Ok(problem) => problem,
+                Err(error) => {
+                    refusal = Some(error);
+                    continue;
+                }
+            };
+            let speed_m_min = scenario.plan.cutting_speed_m_min;
+            let force_n = problem.cut([speed_m_min, REFERENCE[1]]).force_n;
+            let better = found.as_ref().is_none_or(|(best_n, ..)| match self.sized_by {
+                PlannedSection::Lightest => force_n < *best_n,
+                PlannedSection::Heaviest => force_n > *best_n,
+            });
+            if better {
+                found = Some((force_n, i, scenario));
+            }
+        }
+        match (found, refusal) {
+            (Some((_, i, scenario)), _) => Ok((i, scenario)),
+            (None, refusal) => Err(refusal.expect("a cut has at least one section")),
+        }
+    }
+
+    /// Plans the next cut; `true` when all are planned.
+    ///
+    /// # Errors
+    /// A cut without a section that cuts anything, or weights that cannot be planned with.
+    pub fn advance(&mut self) -> Result<bool, SettingError> {
+        let next = self.planned.len();
+        if let Some(cut) = self.scenario.workpiece.cuts.get(next) {
+            let (section, scenario) = self.sizing(cut)?;
+            let mut job = PlanJob::on(&scenario, &self.machine)?;
+            job.advance(u32::MAX);
+            let section_mm = cut[section];
+            self.planned.push(PlannedCut { section, section_mm, optimum: job.optimum() });
+        }
+        Ok(self.planned.len() >= self.scenario.workpiece.cuts.len())
+    }
+
+    /// The cuts planned so far.
+    #[must_use]
+    pub fn planned(&self) -> &[PlannedCut] {
+        &self.planned
+    }
+
+    /// Their feeds, mm/min.
+    #[must_use]
+    pub fn feeds_mm_min(&self) -> Vec<f64> {
+        self.planned.iter().map(|cut| cut.optimum.feed_mm_min).collect()
+    }
+
+    /// `scenario` with these feeds as the programmed ones.
+    ///
+    /// # Errors
+    /// A feed lies outside the range of its setting.
+    pub fn apply(&self, scenario: &Scenario) -> Result<Scenario, SettingError> {
+        let mut planned = scenario.clone();
+        planned.set("program.cut_feeds_mm_min", Value::Numbers(self.feeds_mm_min()))?;
+        Ok(planned)
+    }
+}

@@ -1,0 +1,52 @@
+//! The force surface: the neural network's answer over feed and speed with everything else fixed,
+//! times what the network does not know of material and wear.
+
+use super::cut::REFERENCE;
+use crate::blocks::cutting::neural::NeuralCut;
+use crate::blocks::cutting::tool::R216_16B20_040;
+use crate::models::neural_force::{NeuralForce, NeuralForceAt};
+use crate::run::scenario::Scenario;
+
+/// The force over feed and speed for one cut.
+#[derive(Clone, Debug)]
+pub struct ForceSurface {
+    network: NeuralForceAt,
+    factor: f64,
+    known: bool,
+}
+
+impl ForceSurface {
+    /// The surface for a scenario's plant and workpiece at an axial depth in mm.
+    #[must_use]
+    pub fn new(scenario: &Scenario, axial_depth_mm: f64) -> Self {
+        let (plant, radial_depth_mm) = (&scenario.plant, scenario.workpiece.radial_depth_mm);
+        let cut =
+            NeuralCut::new(plant.material, plant.hardness_hb, axial_depth_mm, radial_depth_mm);
+        let network = NeuralForce::shipped(scenario.plan.network).at(&cut.point);
+        // Feed and speed of the search lie inside the training data; the rest is asked at one.
+        let speed_rpm = R216_16B20_040.speed_rpm(REFERENCE[0]);
+        let feed_mm_min = R216_16B20_040.feed_mm_min(REFERENCE[1], speed_rpm);
+        let known = cut.known && network.peak(feed_mm_min, speed_rpm).valid;
+        Self { network, factor: cut.factor * plant.wear_factor, known }
+    }
+
+    /// Whether material, hardness and depths lie inside the network's training data; otherwise its
+    /// force is continued.
+    #[must_use]
+    pub fn known(&self) -> bool {
+        self.known
+    }
+
+    /// The network, everything but feed and speed folded in.
+    #[must_use]
+    pub fn network(&self) -> &NeuralForceAt {
+        &self.network
+    }
+
+    /// Signed force components F_x, F_y, F_z in N at the instant of the largest force.
+    #[must_use]
+    #[inline]
+    pub fn components_n(&self, feed_mm_min: f64, speed_rpm: f64) -> [f64; 3] {
+        self.network.components(feed_mm_min, speed_rpm).map(|force_n| self.factor * force_n)
+    }
+}

@@ -1,0 +1,210 @@
+//! The stability chart over the speed, as a job: one curve of one speed after the other.
+
+use serde::Serialize;
+
+use super::simulated::{self, Teeth};
+use super::{StabilityCut, interrupted, lobes};
+use crate::base::settings::SettingError;
+use crate::run::scenario::Scenario;
+
+/// Step of the time simulation, s: that of the running cut.
+pub const DT_S: f64 = 1e-4;
+/// Largest difference between chart and time simulation that passes as agreement, percent.
+pub const BAND_PERCENT: f64 = 5.0;
+
+/// What to chart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Lowest speed, 1/min.
+    pub from_rpm: f64,
+    /// Highest speed, 1/min.
+    pub to_rpm: f64,
+    /// Number of speeds, evenly spaced; at least 1.
+    pub speeds: u32,
+    /// Greatest depth that is looked at, mm.
+    pub highest_mm: f64,
+    /// Whether the time simulation is asked as well.
+    pub simulate: bool,
+}
+
+/// Limits at one speed in mm; `None` where no depth up to the greatest chatters, or where it was
+/// not asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct LobePoint {
+    /// Speed, 1/min.
+    pub speed_rpm: f64,
+    /// The lobes: mean number of teeth.
+    pub mean_mm: Option<f64>,
+    /// Chatter frequency of the lobes' limit, Hz.
+    pub mean_chatter_hz: Option<f64>,
+    /// The interrupted cut, by semi-discretisation.
+    pub interrupted_mm: Option<f64>,
+    /// The time simulation with the mean number of teeth.
+    pub simulated_mean_mm: Option<f64>,
+    /// The time simulation with teeth that come and go.
+    pub simulated_interrupted_mm: Option<f64>,
+    /// Where the two differ: the interrupted cut's limit nearest to the simulation's at a speed
+    /// 0.5 % beside this one. The limit jumps at the tip of an island of instability.
+    pub interrupted_beside_mm: Option<f64>,
+}
+
+/// Distance in speed at which a jump of the limit is looked for, as a share.
+const BESIDE: f64 = 0.005;
+
+fn percent(simulated: Option<f64>, chart: Option<f64>) -> Option<f64> {
+    simulated.zip(chart).map(|(simulated, chart)| 100.0 * (simulated / chart - 1.0))
+}
+
+/// Whether both have no limit, or limits within the band.
+fn agree(simulated: Option<f64>, chart: Option<f64>) -> bool {
+    match percent(simulated, chart) {
+        Some(percent) => percent.abs() <= BAND_PERCENT,
+        None => simulated.is_none() && chart.is_none(),
+    }
+}
+
+impl LobePoint {
+    /// Whether the time simulation gives the charts' limits within the band, a jump's two sides
+    /// both counting.
+    #[must_use]
+    pub fn agrees(&self) -> bool {
+        let simulated = self.simulated_interrupted_mm;
+        agree(self.simulated_mean_mm, self.mean_mm)
+            && (agree(simulated, self.interrupted_mm) || self.interrupted_beside_mm.is_some())
+    }
+
+    /// Simulation over chart - 1 in percent, for the mean and for the interrupted cut.
+    #[must_use]
+    pub fn differences_percent(&self) -> [Option<f64>; 2] {
+        [
+            percent(self.simulated_mean_mm, self.mean_mm),
+            percent(self.simulated_interrupted_mm, self.interrupted_mm),
+        ]
+    }
+}
+
+/// The chart in the making.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChartJob {
+    cut: StabilityCut,
+    range: Range,
+    any_speed_mm: f64,
+    points: Vec<LobePoint>,
+    /// Curves of the last point that are done.
+    curves: u32,
+}
+
+impl ChartJob {
+    /// A chart of the scenario's machine, not yet begun.
+    ///
+    /// # Errors
+    /// As [`StabilityCut::new`].
+    pub fn new(scenario: &Scenario, range: Range) -> Result<Self, SettingError> {
+        let cut = StabilityCut::new(scenario)?;
+        let any_speed_mm = cut.depth_mm(lobes::at_any_speed(&cut).stiffness_n_m);
+        Ok(Self { cut, range, any_speed_mm, points: Vec::new(), curves: 0 })
+    }
+
+    fn curves_per_point(&self) -> u32 {
+        if self.range.simulate { 4 } else { 2 }
+    }
+
+    /// Works out one curve at one speed; `true` when all are done.
+    pub fn advance(&mut self) -> bool {
+        if self.done() {
+            return true;
+        }
+        if self.points.is_empty() || self.curves == self.curves_per_point() {
+            let Range { from_rpm, to_rpm, speeds, .. } = self.range;
+            let share = self.points.len() as f64 / f64::from(speeds.max(2) - 1);
+            let speed_rpm = from_rpm + (to_rpm - from_rpm) * share;
+            self.points.push(LobePoint { speed_rpm, ..LobePoint::default() });
+            self.curves = 0;
+        }
+        let (cut, highest_mm) = (&self.cut, self.range.highest_mm);
+        let Some(point) = self.points.last_mut() else { return true };
+        let speed = point.speed_rpm;
+        match self.curves {
+            0 => {
+                if let Some(limit) = lobes::limit(cut, speed) {
+                    let depth = cut.depth_mm(limit.stiffness_n_m);
+                    point.mean_mm = Some(depth).filter(|depth| *depth < highest_mm);
+                    point.mean_chatter_hz = point.mean_mm.map(|_| limit.frequency_hz);
+                }
+            }
+            1 => point.interrupted_mm = interrupted::limit_mm(cut, speed, highest_mm),
+            2 => {
+                point.simulated_mean_mm =
+                    simulated::limit_mm(cut, Teeth::Mean, speed, DT_S, highest_mm);
+            }
+            _ => {
+                let simulated =
+                    simulated::limit_mm(cut, Teeth::Interrupted, speed, DT_S, highest_mm);
+                point.simulated_interrupted_mm = simulated;
+                if !agree(simulated, point.interrupted_mm) {
+                    let beside = [1.0 - BESIDE, 1.0 + BESIDE];
+                    let beside = beside.map(|x| interrupted::limit_mm(cut, x * speed, highest_mm));
+                    point.interrupted_beside_mm =
+                        beside.into_iter().find(|limit| agree(simulated, *limit)).flatten();
+                }
+            }
+        }
+        self.curves += 1;
+        self.done()
+    }
+
+    fn done(&self) -> bool {
+        self.points.len() >= self.range.speeds.max(1) as usize
+            && self.curves == self.curves_per_point()
+    }
+
+    /// Number of calls of [`Self::advance`] for the whole chart.
+    #[must_use]
+    pub fn steps(&self) -> u32 {
+        self.range.speeds.max(1) * self.curves_per_point()
+    }
+
+    /// The points so far; the last one may lack curves.
+    #[must_use]
+    pub fn points(&self) -> &[LobePoint] {
+        &self.points
+    }
+
+    /// Depth in mm that is stable at every speed, by the lobes.
+    #[must_use]
+    pub fn any_speed_mm(&self) -> f64 {
+        self.any_speed_mm
+    }
+
+    /// The cut that is charted.
+    #[must_use]
+    pub fn cut(&self) -> &StabilityCut {
+        &self.cut
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_time_simulation_meets_the_chart() {
+        let range =
+            Range { from_rpm: 1100.0, to_rpm: 2300.0, speeds: 2, highest_mm: 60.0, simulate: true };
+        let mut job = ChartJob::new(&Scenario::default(), range).unwrap();
+        let mut steps = 1;
+        while !job.advance() {
+            steps += 1;
+        }
+        assert_eq!((steps, job.points().len()), (job.steps(), 2));
+        for point in job.points() {
+            for difference in point.differences_percent() {
+                let percent = difference.expect("every speed here has a limit");
+                assert!(percent.abs() < BAND_PERCENT, "{point:?}");
+            }
+            assert!(point.mean_mm > Some(job.any_speed_mm()));
+        }
+        let whole = job.clone();
+        assert!(job.advance() && job == whole, "a finished chart stays as it is");
+    }
+}

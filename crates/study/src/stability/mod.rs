@@ -1,0 +1,158 @@
+//! Chatter: how deep the cut may be at which speed.
+//!
+//! The regenerative cut F = -w(t) kappa [u(t) - u(t - T)], kappa = K_s gamma b, T the tooth period,
+//! acts on the machine's G_rel; w is the number of teeth in the cut. Three ways to its limit:
+//!
+//! - [`lobes`]: w replaced by its mean (zero order); exact for a cut that never stops;
+//! - [`interrupted`]: w as it is, by semi-discretisation; the reference;
+//! - [`simulated`]: the running cut's own recursion, and whether a disturbance grows.
+//!
+//! [`chart`] puts them side by side over the speed.
+
+pub mod chart;
+pub mod interrupted;
+pub mod lobes;
+pub mod simulated;
+
+use crate::base::settings::SettingError;
+use crate::blocks::cutting::tool::R216_16B20_040;
+use crate::blocks::cutting::workpiece::RADIAL_DEPTH_2007_MM;
+use crate::models::machine::FiveMass;
+use crate::models::machine::engagement::EngagementAngles;
+use crate::models::machine::reduction::Reduction;
+use crate::run::scenario::Scenario;
+
+/// A cut on a machine, all but its speed and depth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StabilityCut {
+    /// The machine.
+    pub machine: FiveMass,
+    /// The same, reduced.
+    pub reduction: Reduction,
+    /// The teeth's windows.
+    pub engagement: EngagementAngles,
+    /// kappa per depth, K_s gamma, N/m per mm.
+    pub stiffness_per_mm: f64,
+}
+
+impl StabilityCut {
+    /// The scenario's machine with the papers' cutter and radial depth.
+    ///
+    /// # Errors
+    /// As [`Reduction::new`].
+    pub fn new(scenario: &Scenario) -> Result<Self, SettingError> {
+        let machine = FiveMass::new(&scenario.machine);
+        let tool = R216_16B20_040;
+        let teeth = tool.teeth as u32;
+        let settings = &scenario.machine;
+        Ok(Self {
+            machine,
+            reduction: Reduction::new(&machine)?,
+            engagement: EngagementAngles::side_milling(
+                teeth,
+                RADIAL_DEPTH_2007_MM,
+                tool.diameter_mm,
+            ),
+            // N/mm^2 x mm = N/mm per mm of depth; 1000 N/m are one N/mm.
+            stiffness_per_mm: 1000.0 * settings.specific_force_n_mm2 * settings.chip_direction,
+        })
+    }
+
+    /// Tooth period in s at `speed_rpm`.
+    #[must_use]
+    pub fn period_s(&self, speed_rpm: f64) -> f64 {
+        60.0 / (f64::from(self.engagement.teeth) * speed_rpm)
+    }
+
+    /// Depth in mm at which a cut of mean stiffness `stiffness_n_m` stands; infinite where the chip
+    /// does not feel the displacement.
+    #[must_use]
+    pub fn depth_mm(&self, stiffness_n_m: f64) -> f64 {
+        stiffness_n_m / (self.stiffness_per_mm * self.engagement.mean_teeth())
+    }
+}
+
+/// Steps in which depths are tried upwards, as a factor.
+const STEP: f64 = 1.1;
+/// Evaluations that look for the top between two steps.
+const TOP_EVALUATIONS: u32 = 14;
+
+/// The least depth in mm whose `multiplier` exceeds 1, up to `highest_mm`, to 0.05 %: upwards from
+/// a third of `start_mm`, then by bisection. Where the multiplier passes a maximum below 1, the top
+/// is looked for between the steps: an interrupted cut has islands of instability.
+fn least_unstable(
+    start_mm: f64,
+    highest_mm: f64,
+    mut multiplier: impl FnMut(f64) -> f64,
+) -> Option<f64> {
+    let (mut earlier, mut last) = ((0.0, 0.0), (0.0, 0.0));
+    let mut depth = start_mm / 3.0;
+    // NaN and infinite depths end the search too.
+    while depth > 0.0 && depth < highest_mm {
+        let next = (depth, multiplier(depth));
+        if next.1 > 1.0 {
+            return Some(bisect(last.0, depth, multiplier));
+        }
+        if last.1 > earlier.1 && last.1 > next.1 {
+            let top = unstable_top(earlier.0, next.0, &mut multiplier);
+            if let Some(inside) = top {
+                return Some(bisect(earlier.0, inside, multiplier));
+            }
+        }
+        (earlier, last) = (last, next);
+        depth *= STEP;
+    }
+    None
+}
+
+/// A depth between `low` and `high` with a multiplier above 1, if golden sections meet one.
+fn unstable_top(
+    mut low: f64,
+    mut high: f64,
+    multiplier: &mut impl FnMut(f64) -> f64,
+) -> Option<f64> {
+    const SECTION: f64 = 0.618_033_988_749_894_8;
+    let mut evaluate = |depth: f64| (depth, multiplier(depth));
+    let mut left = evaluate(high - SECTION * (high - low));
+    let mut right = evaluate(low + SECTION * (high - low));
+    for _ in 0..TOP_EVALUATIONS {
+        if left.1.max(right.1) > 1.0 {
+            return Some(if left.1 > 1.0 { left.0 } else { right.0 });
+        }
+        if left.1 > right.1 {
+            (high, right) = (right.0, left);
+            left = evaluate(high - SECTION * (high - low));
+        } else {
+            (low, left) = (left.0, right);
+            right = evaluate(low + SECTION * (high - low));
+        }
+    }
+    None
+}
+
+fn bisect(mut low: f64, mut high: f64, mut multiplier: impl FnMut(f64) -> f64) -> f64 {
+    while high - low > 5e-4 * high {
+        let middle = 0.5 * (low + high);
+        if multiplier(middle) > 1.0 { high = middle } else { low = middle }
+    }
+    0.5 * (low + high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_least_unstable_depth_is_found_islands_included() {
+        let plain = |depth: f64| depth / 7.3;
+        assert!((least_unstable(3.0, 100.0, plain).unwrap() / 7.3 - 1.0).abs() < 1e-3);
+        // An island from 4.98 to 5.02 mm, thinner than a step, before the shore at 20 mm.
+        let island = |depth: f64| (1.02 - (depth - 5.0).abs()).max(depth / 20.0);
+        assert!((least_unstable(3.0, 100.0, island).unwrap() / 4.98 - 1.0).abs() < 1e-3);
+        let flat = |depth: f64| (0.99 - (depth - 5.0).abs()).max(depth / 20.0);
+        assert!((least_unstable(3.0, 100.0, flat).unwrap() / 20.0 - 1.0).abs() < 1e-3);
+        assert_eq!(least_unstable(3.0, 15.0, flat), None);
+        assert_eq!(least_unstable(f64::INFINITY, 15.0, plain), None);
+        assert_eq!(least_unstable(f64::NAN, 15.0, plain), None);
+    }
+}

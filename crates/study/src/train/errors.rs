@@ -1,0 +1,107 @@
+//! TrainingErrors of a force model over rows.
+
+use serde::Serialize;
+
+use super::data::{TrainingRow, fxy_n};
+use crate::base::math;
+
+/// TrainingErrors in percent.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TrainingErrors {
+    /// Rows judged.
+    pub rows: usize,
+    /// Mean of |F_xy - F_row| / F_row.
+    pub mean_percent: f64,
+    /// Median of it.
+    pub median_percent: f64,
+    /// Mean over rows above 200 N.
+    pub mean_above_200_n_percent: f64,
+    /// 95 % of the rows lie below.
+    pub p95_percent: f64,
+    /// Root mean square error of each component over its range in the rows, where the model gives
+    /// components.
+    pub rmse_percent_of_range: Option<[f64; 3]>,
+}
+
+/// Above this force rows count for [`TrainingErrors::mean_above_200_n_percent`], N.
+const LARGE_N: f64 = 200.0;
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len().max(1) as f64
+}
+
+/// The smallest error that at least `share` of the ascending errors do not exceed.
+fn quantile(sorted: &[f64], share: f64) -> f64 {
+    let index = ((sorted.len() as f64 * share).ceil() as usize).clamp(1, sorted.len().max(1));
+    sorted.get(index - 1).copied().unwrap_or(0.0)
+}
+
+/// TrainingErrors of a model that gives F_xy in N.
+#[must_use]
+pub fn of_fxy(rows: &[TrainingRow], model: impl Fn(&TrainingRow) -> f64) -> TrainingErrors {
+    let off = |row: &TrainingRow| {
+        let exact = fxy_n(&row.forces_n);
+        100.0 * (model(row) - exact).abs() / exact
+    };
+    let mut all: Vec<f64> = rows.iter().map(off).collect();
+    let large: Vec<f64> = rows
+        .iter()
+        .zip(&all)
+        .filter(|(row, _)| fxy_n(&row.forces_n) > LARGE_N)
+        .map(|(_, e)| *e)
+        .collect();
+    all.sort_by(f64::total_cmp);
+    TrainingErrors {
+        rows: rows.len(),
+        mean_percent: mean(&all),
+        median_percent: quantile(&all, 0.5),
+        mean_above_200_n_percent: mean(&large),
+        p95_percent: quantile(&all, 0.95),
+        rmse_percent_of_range: None,
+    }
+}
+
+/// TrainingErrors of a model that gives the three components in N.
+#[must_use]
+pub fn of_components(
+    rows: &[TrainingRow],
+    model: impl Fn(&TrainingRow) -> [f64; 3],
+) -> TrainingErrors {
+    let given: Vec<[f64; 3]> = rows.iter().map(&model).collect();
+    let rmse = [0, 1, 2].map(|k| {
+        let range = math::extent(rows.iter().map(|row| row.forces_n[k]));
+        let squares: Vec<f64> = rows
+            .iter()
+            .zip(&given)
+            .map(|(row, given)| (given[k] - row.forces_n[k]) * (given[k] - row.forces_n[k]))
+            .collect();
+        100.0 * mean(&squares).sqrt() / (range[1] - range[0])
+    });
+    TrainingErrors { rmse_percent_of_range: Some(rmse), ..of_fxy(rows, |row| fxy_n(&model(row))) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::train::data::Generator;
+
+    #[test]
+    fn a_model_off_by_known_amounts_has_those_errors() {
+        let rows: Vec<TrainingRow> = Generator::fresh(40, 3).collect();
+        let exact = of_components(&rows, |row| row.forces_n);
+        assert_eq!((exact.mean_percent, exact.rmse_percent_of_range), (0.0, Some([0.0; 3])));
+        let larger = of_components(&rows, |row| row.forces_n.map(|force| 1.1 * force));
+        for error in [larger.mean_percent, larger.median_percent, larger.p95_percent] {
+            assert!((error - 10.0).abs() < 1e-9, "{error}");
+        }
+        // One row in forty is off by 40 %: the mean is 1 %, median and 95 % are not.
+        let first = rows[0];
+        let one = of_fxy(&rows, |row| fxy_n(&row.forces_n) * if *row == first { 0.6 } else { 1.0 });
+        assert!((one.mean_percent - 1.0).abs() < 1e-9);
+        assert!(one.median_percent == 0.0 && one.p95_percent == 0.0);
+        let shifted = of_components(&rows, |row| row.forces_n.map(|force| force + 10.0));
+        let [low, high] = math::extent(rows.iter().map(|row| row.forces_n[2]));
+        let expected = 1000.0 / (high - low);
+        assert!((shifted.rmse_percent_of_range.unwrap()[2] - expected).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,261 @@
+//! Pre-training of the networks of UNKS on the milling simulator (`steadycut train unks`).
+//!
+//! Ten random workpieces, none of them that of an experiment, are cut with an excited feed: the
+//! actual override divided by the normalised force, times e^U with U uniform in +-0.5 and held for
+//! 0.16 to 0.8 s. What force came of what override H control periods later teaches NM-1 and, read
+//! the other way round, NM-2. NM-R learns F_ref / F from 4000 random pairs.
+
+use crate::base::math::{self, extent, limit};
+use crate::base::network::{
+    Activation, LearningParameters, Network, Provenance, ScaledNetwork, Scaling, Training, write,
+};
+use crate::base::rng::Stream;
+use crate::base::settings::Section;
+use crate::base::units::mm_s_from_mm_min;
+use crate::blocks::cnc::dead_time::DeadTime;
+use crate::blocks::cutting::milling::{Milling, MillingSetup};
+use crate::blocks::cutting::tool::R216_16B20_040;
+use crate::blocks::sensing::dynamic_force::{DynamicForce, NoiseSettings};
+use crate::blocks::sensing::peak::PeakWindow;
+use crate::models::ball_end::{CK45, Cutter, MNCRSI5};
+use crate::models::feed_drive::{DriveState, ExactDrive, FeedDriveKind};
+use crate::models::part::{APPROACH_MM, CutPath};
+use crate::models::unks::{HORIZON_BEYOND, LEAST_KN, SIZES, log_force};
+
+/// What the data are, for files and reports.
+pub const NOTE: &str = "UNKS of 2005: the paper's networks were never published; trained by \
+                        steadycut train unks on cuts of the milling simulator through random \
+                        workpieces with an excited feed";
+/// Seed of workpieces, excitation, first weights and order.
+pub const SEED: u32 = 1;
+/// Random workpieces.
+pub const WORKPIECES: u64 = 10;
+/// Cuts of a workpiece.
+pub const CUTS: u64 = 2;
+/// Samples of the teeth per control period, and its length in s.
+const SAMPLES: u64 = 576;
+const PERIOD_S: f64 = 0.02;
+/// Dead time of the override in control periods.
+const DEAD_PERIODS: usize = 2;
+const HORIZON: usize = DEAD_PERIODS + HORIZON_BEYOND;
+/// Normalised force below which the tool is in the air.
+const AIR: f64 = 0.06;
+/// How NM-1 and NM-2 learn, and for how many epochs.
+const PROCESS: LearningParameters = LearningParameters { rate: 0.01, momentum: 0.3, decay: 0.05 };
+const PROCESS_EPOCHS: u32 = 60;
+/// How NM-R learns, until its error is below the level or for so many epochs.
+const RATIO: LearningParameters = LearningParameters { rate: 0.05, momentum: 0.5, decay: 0.0 };
+const RATIO_EPOCHS: u32 = 3000;
+const RATIO_LEVEL: f64 = 0.02;
+const RATIO_PAIRS: u64 = 4000;
+
+/// One control period of an excited cut: logarithm of the force and actual override; none in the
+/// air.
+type Period = Option<(f64, f64)>;
+
+/// Draws numbers one after the other.
+struct Draws {
+    stream: Stream,
+    counter: u64,
+}
+
+impl Draws {
+    fn new(label: &str) -> Self {
+        Self { stream: Stream::new(u64::from(SEED), label), counter: 0 }
+    }
+
+    fn uniform(&mut self, [low, high]: [f64; 2]) -> f64 {
+        self.counter += 1;
+        low + (high - low) * self.stream.uniform(self.counter)
+    }
+}
+
+fn sections(draws: &mut Draws) -> Vec<Section> {
+    let count = 3 + draws.uniform([0.0, 4.0]) as usize;
+    let mut section =
+        || [draws.uniform([8.0, 45.0]), draws.uniform([1.5, 5.0]), draws.uniform([0.0, 3.0])];
+    (0..count.min(6)).map(|_| section()).collect()
+}
+
+/// One cut with an excited feed.
+fn excited(number: u64, setup: &MillingSetup, force_ref_n: f64, draws: &mut Draws) -> Vec<Period> {
+    let cut = CutPath::new(&sections(draws));
+    let noise = NoiseSettings {
+        level: 1.0,
+        band_percent: 0.0,
+        ripple_percent: 0.0,
+        inhomogeneity_percent: 5.0,
+        sensor_n: 6.0,
+        ..NoiseSettings::default()
+    };
+    let seed = SEED.wrapping_mul(1000).wrapping_add(number as u32);
+    let mut field = DynamicForce::new(&noise, seed, setup.dt_s);
+    let mut window = PeakWindow::new(&noise, seed, SAMPLES);
+    let mut milling = Milling::new(setup, cut.depth_max_mm());
+    let drive = ExactDrive::new(FeedDriveKind::SecondOrder2013, setup.dt_s);
+    let speed_rpm = R216_16B20_040.speed_rpm(80.0);
+    let programmed = R216_16B20_040.feed_mm_min(0.08, speed_rpm);
+    let mut queue = DeadTime::new(DEAD_PERIODS, [1.0, 0.0]);
+    let mut state = DriveState::settled(1.0);
+    let (mut x_mm, mut tick, mut command) = (-APPROACH_MM, 0, 1.0);
+    let (mut factor, mut hold) = (1.0, 0.0);
+    let mut periods = Vec::new();
+    while x_mm < cut.length_mm() {
+        let [delayed, _] = queue.pass([command, 0.0]);
+        let mut peak_n = 0.0;
+        for _ in 0..SAMPLES {
+            drive.advance(&mut state, delayed);
+            let feed = math::positive(state.feed_mm_min()) * programmed;
+            x_mm += mm_s_from_mm_min(feed) * setup.dt_s;
+            let dynamic = field.update(tick, x_mm + APPROACH_MM, speed_rpm);
+            let [x, y, _] = milling.update(feed, speed_rpm, x_mm, &cut, dynamic);
+            peak_n = window.push(tick, [x, y]).measured_n;
+            tick += 1;
+        }
+        let (actual, y) = (state.feed_mm_min().max(0.02), peak_n / force_ref_n);
+        periods.push((y >= AIR).then(|| (log_force(y), actual)));
+        if hold <= 0.0 {
+            factor = math::exp(draws.uniform([-0.5, 0.5]));
+            hold = draws.uniform([0.16, 0.8]);
+        }
+        hold -= PERIOD_S;
+        command = if y >= AIR { limit(actual / y * factor, 0.05, 1.5) } else { 1.5 };
+    }
+    periods
+}
+
+/// A pattern: three features, the fourth input, the output.
+type Pattern = ([f64; 4], f64);
+
+/// Patterns for NM-1 and NM-2 from one cut.
+fn patterns(periods: &[Period]) -> Vec<[Pattern; 2]> {
+    let mut found = Vec::new();
+    for window in periods.windows(3 + HORIZON) {
+        let Some(whole) = window.iter().copied().collect::<Option<Vec<_>>>() else { continue };
+        let [(older, _), (old, _), (now, actual)] = [whole[0], whole[1], whole[2]];
+        let (later, reached) = whole[2 + HORIZON];
+        let features = [now, now - old, now - older];
+        let (gain, change) = (later - now, math::ln(reached / actual));
+        let with = |last: f64, bound: f64| {
+            let [a, b, c] = features;
+            [a, b, c, limit(last, -bound, bound)]
+        };
+        found.push([(with(change, 1.5), gain), (with(gain, 1.2), change)]);
+    }
+    found
+}
+
+/// All patterns of the random workpieces; `advance` is told after every cut.
+#[must_use]
+pub fn process_patterns(mut advance: impl FnMut()) -> Vec<[Pattern; 2]> {
+    let mut draws = Draws::new("unks.workpieces");
+    let mut all = Vec::new();
+    for piece in 0..WORKPIECES {
+        let steel = if piece % 2 == 0 { CK45 } else { MNCRSI5 };
+        let setup = MillingSetup {
+            cutter: Cutter::two_teeth(R216_16B20_040.diameter_mm, 0.003, 0.25),
+            steel,
+            rake_deg: 12.0,
+            hardness_hb: steel.hardness_hb,
+            factor: 1.0,
+            dt_s: PERIOD_S / SAMPLES as f64,
+        };
+        let force_ref_n = draws.uniform([400.0, 900.0]);
+        for cut in 0..CUTS {
+            let periods = excited(piece * CUTS + cut, &setup, force_ref_n, &mut draws);
+            all.extend(patterns(&periods));
+            advance();
+        }
+    }
+    all
+}
+
+/// A trained network, its file and its error.
+#[derive(Clone, Debug)]
+pub struct Trained {
+    /// NM-R, NM-1 or NM-2.
+    pub name: &'static str,
+    /// The file's text.
+    pub file: String,
+    /// Patterns learned.
+    pub patterns: usize,
+    /// Epochs it took.
+    pub epochs: u32,
+    /// Root mean square error in the unit of the output.
+    pub rms: f64,
+}
+
+/// Trains one network; ends early below `level`.
+fn train(
+    (name, index): (&'static str, usize),
+    patterns: &[(Vec<f64>, f64)],
+    (learning, epochs, level): (LearningParameters, u32, f64),
+) -> Result<Trained, String> {
+    let sizes = SIZES[index];
+    let stream = |label: &str| Stream::new(u64::from(SEED), &format!("{name}.{label}"));
+    let network = Network::random(sizes, Activation::Arctan, true, stream("weights"))?;
+    let inputs = (0..sizes[0]).map(|i| extent(patterns.iter().map(|(x, _)| x[i])));
+    let scaling = Scaling {
+        norm: [-1.0, 1.0],
+        target: [-1.0, 1.0],
+        ln_inputs: vec![false; sizes[0]],
+        inputs: inputs.collect(),
+        outputs: vec![extent(patterns.iter().map(|(_, y)| *y))],
+    };
+    let normal = patterns
+        .iter()
+        .map(|(x, y)| (scaling.normal_inputs(x), scaling.normal_targets(&[*y])))
+        .collect();
+    let mut training = Training::new(network, learning, normal, stream("order"));
+    let [slope, _] = scaling.output_map(0);
+    let mut done = 0;
+    while done < epochs {
+        done += 1;
+        if training.epoch() * slope.abs() < level {
+            break;
+        }
+    }
+    let scaled = ScaledNetwork { network: training.network().clone(), scaling }.as_in_file();
+    let square: f64 =
+        patterns.iter().map(|(x, y)| (scaled.predict(x)[0] - y) * (scaled.predict(x)[0] - y)).sum();
+    let provenance = Provenance {
+        note: NOTE.to_owned(),
+        rows: patterns.len() as u32,
+        seed: SEED,
+        epochs: done,
+        rate: learning.rate,
+        momentum: learning.momentum,
+        decay: learning.decay,
+    };
+    Ok(Trained {
+        name,
+        file: write(&scaled, &provenance),
+        patterns: patterns.len(),
+        epochs: done,
+        rms: (square / patterns.len() as f64).sqrt(),
+    })
+}
+
+/// Trains NM-R, NM-1 and NM-2, in this order.
+///
+/// # Errors
+/// Never with these sizes; the message names the field.
+pub fn networks(patterns: &[[Pattern; 2]]) -> Result<[Trained; 3], String> {
+    let mut draws = Draws::new("unks.pairs");
+    let pairs: Vec<(Vec<f64>, f64)> = (0..RATIO_PAIRS)
+        .map(|_| {
+            let reference = draws.uniform([0.2, 1.0]);
+            let force = draws.uniform([0.1, 2.0]).max(LEAST_KN);
+            (vec![reference, force], limit(reference / force, 0.0, 1.5))
+        })
+        .collect();
+    let of = |i: usize| -> Vec<(Vec<f64>, f64)> {
+        patterns.iter().map(|both| (both[i].0.to_vec(), both[i].1)).collect()
+    };
+    let process = (PROCESS, PROCESS_EPOCHS, 0.0);
+    Ok([
+        train(("NM-R", 0), &pairs, (RATIO, RATIO_EPOCHS, RATIO_LEVEL))?,
+        train(("NM-1", 1), &of(0), process)?,
+        train(("NM-2", 2), &of(1), process)?,
+    ])
+}

@@ -1,0 +1,9 @@
+//! Tests of the whole `steadycut-study`, in one program: it links once.
+
+mod closed_loop;
+mod coupled;
+mod golden;
+mod learning;
+mod milling;
+mod per_cut;
+mod preview;

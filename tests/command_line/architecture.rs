@@ -1,0 +1,102 @@
+//! The layer rule: base <- models <- blocks <- run <- study <- { cli | app }. A layer names only layers
+//! to its left; cli and app never see each other; only app names the GUI.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const LAYERS: [&str; 5] = ["base", "models", "blocks", "run", "study"];
+
+/// Where the sources of a layer stand.
+fn folder(layer: &str) -> PathBuf {
+    match layer {
+        "study" => PathBuf::from("crates/study/src"),
+        "cli" | "app" => Path::new("src").join(layer),
+        _ => Path::new("crates/core/src").join(layer),
+    }
+}
+
+fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// Code without comments: documentation may name anything.
+fn code(path: &Path) -> String {
+    let text = fs::read_to_string(path).unwrap();
+    let lines = text.lines().map(|line| line.split("//").next().unwrap_or(""));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+fn allowed(layer: &str) -> Vec<&str> {
+    match LAYERS.iter().position(|name| *name == layer) {
+        Some(index) => LAYERS[..=index].to_vec(),
+        None => LAYERS.into_iter().chain([layer]).collect(),
+    }
+}
+
+#[test]
+fn layers_name_only_layers_to_their_left() {
+    let mut faults = Vec::new();
+    for layer in LAYERS.into_iter().chain(["cli", "app"]) {
+        let mut files = Vec::new();
+        sources(&folder(layer), &mut files);
+        assert!(!files.is_empty(), "{layer} has no sources");
+        for file in files {
+            let code = code(&file);
+            for other in LAYERS.into_iter().chain(["cli", "app"]) {
+                assert!(!code.contains("crate::{"), "{}: one path per use", file.display());
+                let names = code.contains(&format!("crate::{other}"));
+                if names && !allowed(layer).contains(&other) {
+                    faults.push(format!("{} names `{other}`", file.display()));
+                }
+            }
+            let gui = ["egui", "eframe", "wgpu"].iter().any(|name| code.contains(name));
+            if gui && layer != "app" {
+                faults.push(format!("{} names the GUI", file.display()));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn blocks_do_not_name_other_blocks() {
+    let boxes = ["reference", "control", "cnc", "cutting", "machine", "sensing", "surface"];
+    let mut files = Vec::new();
+    sources(&folder("blocks"), &mut files);
+    let mut faults = Vec::new();
+    for file in files {
+        let code = code(&file);
+        for name in boxes {
+            let own = file.components().any(|part| part.as_os_str() == name);
+            // Out of a block's folder by `super::super` would pass the names below.
+            if code.contains("super::super") {
+                faults.push(format!("{} climbs out of its folder", file.display()));
+            }
+            if !own && code.contains(&format!("crate::blocks::{name}")) {
+                faults.push(format!("{} names the block `{name}`", file.display()));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn pure_layers_have_no_clock_thread_file_or_environment() {
+    let mut files = Vec::new();
+    for layer in LAYERS {
+        sources(&folder(layer), &mut files);
+    }
+    for file in files {
+        let code = code(&file);
+        for name in ["std::fs", "std::env", "std::thread", "std::time", "println!", "eprintln!"] {
+            assert!(!code.contains(name), "{} names `{name}`", file.display());
+        }
+    }
+}

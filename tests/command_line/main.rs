@@ -1,0 +1,10 @@
+//! Tests of the command line and of what it is the way to, in one program: it links once.
+
+mod architecture;
+mod combined;
+mod commands;
+mod planning;
+mod profilometer;
+mod recommending;
+mod training;
+mod wear;

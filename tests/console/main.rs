@@ -1,0 +1,12 @@
+//! Tests of the console, in one program: it links the graphics once.
+
+mod compare;
+mod drawn;
+mod learning;
+mod machine;
+mod panels;
+mod plan;
+mod screen;
+mod screens;
+mod windows;
+mod workpiece;

@@ -1,0 +1,350 @@
+//! The screen "Plan", driven by its accessible names.
+
+use crate::screen;
+
+use crate::screen::{Screen, texts};
+use egui::accesskit::{Role, Toggled};
+use egui::{Key, Vec2, vec2};
+use egui_kittest::kittest::{NodeT, Queryable};
+use steadycut::app::Console;
+use steadycut::base::settings::Value;
+use steadycut::run::scenario::Scenario;
+use steadycut::study::plan::PlanJob;
+use steadycut::study::plan::constraints::CONSTRAINTS;
+use steadycut::study::recommend::table::Table;
+use steadycut::study::recommend::{Advisor, EngagementCode};
+
+const DESKTOP: Vec2 = vec2(1280.0, 800.0);
+/// As wide as a phone, and as high as all that stands below each other.
+const LONG: Vec2 = vec2(390.0, 3000.0);
+
+/// The screen after a few frames, on a scenario with these changes.
+fn open<'a>(size: Vec2, changes: &[(&str, Value)]) -> Screen<'a> {
+    let mut screen = screen::open("first-cut", size, "Plan", changes);
+    screen.run_steps(1);
+    screen
+}
+
+fn console<'a>(screen: &'a Screen<'_>) -> &'a Console {
+    screen.state().as_ref().expect("made in the first frame")
+}
+
+fn scenario<'a>(screen: &'a Screen<'_>) -> &'a Scenario {
+    console(screen).session().scenario()
+}
+
+fn click(screen: &mut Screen, name: &str) {
+    screen.get_by_label(name).click();
+    screen.run_steps(3);
+}
+
+/// To the end of the search.
+fn finish(screen: &mut Screen) {
+    click(screen, "To the end");
+    screen.run_steps(3);
+}
+
+fn iteration(screen: &Screen) -> u32 {
+    let shown = texts(screen);
+    let after = shown.split(": iteration ").nth(1).unwrap_or_else(|| panic!("{shown}"));
+    after.split(' ').next().unwrap().parse().unwrap()
+}
+
+fn fixed_limit(force_n: f64) -> [(&'static str, Value); 2] {
+    let fixed = Value::Text("fixed".to_owned());
+    [("plan.force_limit", fixed), ("plan.force_max_n", Value::Float(force_n))]
+}
+
+#[test]
+fn the_swarm_moves_an_iteration_at_a_time_and_finds_the_optimum() {
+    let mut screen = open(DESKTOP, &[]);
+    let early = iteration(&screen);
+    // 0.06 s an iteration, 0.05 s a frame.
+    screen.run_steps(12);
+    assert_eq!(iteration(&screen), early + 10);
+    assert!(texts(&screen).contains("Best so far"));
+    click(&mut screen, "Pause the swarm");
+    let paused = iteration(&screen);
+    screen.run_steps(12);
+    assert_eq!(iteration(&screen), paused);
+    click(&mut screen, "One iteration");
+    assert_eq!(iteration(&screen), paused + 1);
+    finish(&mut screen);
+    let job = PlanJob::complete(scenario(&screen)).unwrap();
+    assert_eq!(iteration(&screen), job.progress().iteration);
+    let shown = texts(&screen);
+    let optimum = job.optimum();
+    for said in [
+        "Optimum".to_owned(),
+        optimum.verdict().replacen("feasible", "Feasible", 1),
+        format!("{:.0} mm/min", optimum.feed_mm_min),
+        format!("{:.0} 1/min", optimum.speed_rpm),
+        format!("{:.1} N", optimum.force_n),
+    ] {
+        assert!(shown.contains(&said), "{said} in {shown}");
+    }
+    click(&mut screen, "Search again");
+    assert!(iteration(&screen) < 4);
+}
+
+#[test]
+fn a_change_of_a_setting_restarts_the_plan_at_once_and_can_be_undone() {
+    let mut screen = open(DESKTOP, &[]);
+    finish(&mut screen);
+    let before = scenario(&screen).clone();
+    let playhead_s = console(&screen).session().playback().playhead_s;
+    assert!(playhead_s > 0.0, "the cut is running");
+    screen.get_by_role_and_label(Role::Slider, "Target Ra").set_value_accesskit(1.5);
+    screen.run_steps(2);
+    assert!(iteration(&screen) < 4);
+    assert_eq!(scenario(&screen).target.ra_um, 1.5, "from the start of the cut on");
+    assert!(console(&screen).session().edits().list().is_empty());
+    finish(&mut screen);
+    let optimum = PlanJob::complete(scenario(&screen)).unwrap().optimum();
+    assert!(texts(&screen).contains(&format!("{:.1} N", optimum.force_n)));
+
+    click(&mut screen, "Undo");
+    assert_eq!(scenario(&screen), &before);
+    assert!(iteration(&screen) < 5);
+    click(&mut screen, "Other seed");
+    assert_eq!(scenario(&screen).plan.seed, before.plan.seed + 1);
+    assert!(iteration(&screen) < 5);
+    screen.get_by_role_and_label(Role::Slider, "Weight of time").set_value_accesskit(0.5);
+    screen.run_steps(2);
+    assert_eq!(scenario(&screen).plan.weight_time, 0.5);
+    // What the plan does not depend on leaves it alone.
+    screen.run_steps(12);
+    let now = iteration(&screen);
+    assert!(now > 8);
+    click(&mut screen, "Pause");
+    assert!(iteration(&screen) >= now);
+}
+
+#[test]
+fn the_optimum_becomes_the_programmed_values_in_one_undoable_change() {
+    for size in [DESKTOP, LONG] {
+        let mut screen = open(size, &[]);
+        let before = scenario(&screen).clone();
+        let name = "Use as programmed values";
+        assert!(screen.get_by_label(name).accesskit_node().is_disabled(), "still searching");
+        finish(&mut screen);
+        assert!(texts(&screen).contains("430 mm/min, 1571 1/min, not the optimum"));
+        screen.get_by_label(name).click();
+        screen.run_steps(3);
+        let session = console(&screen).session();
+        let optimum = PlanJob::complete(&before).unwrap().optimum();
+        assert_eq!(session.scenario(), &optimum.apply(&before).unwrap());
+        assert!(session.playback().playing && session.playback().playhead_s < 0.3);
+        let row = session.chosen().run().recording().rows()[0];
+        assert_eq!([row.feed_mm_min, row.spindle_rpm], [optimum.feed_mm_min, optimum.speed_rpm]);
+        assert!(console(&screen).state_json().contains("\"screen\":\"console\""));
+
+        screen.key_press_modifiers(egui::Modifiers::COMMAND, Key::Num4);
+        screen.run_steps(2);
+        let [feed, speed] = [optimum.feed_mm_min, optimum.speed_rpm];
+        let said = format!("{feed:.0} mm/min, {speed:.0} 1/min, the optimum");
+        let shown = texts(&screen);
+        assert!(shown.contains(&said), "{said} in {shown}");
+        screen.key_press_modifiers(egui::Modifiers::COMMAND, Key::Z);
+        screen.run_steps(2);
+        assert_eq!(scenario(&screen), &before);
+        assert!(!console(&screen).session().can_undo());
+    }
+}
+
+#[test]
+fn recommended_conditions_follow_the_hardness_and_can_be_programmed() {
+    let ask = |hardness_hb| {
+        let advisor = Advisor::new(&Table::shipped());
+        advisor.recommend(hardness_hb, 16.0, EngagementCode::Light).unwrap()
+    };
+    for (hardness_hb, said) in [(300.0, "inside the table"), (480.0, "its edge answers")] {
+        let mut screen = open(DESKTOP, &[("plant.hardness_hb", Value::Float(hardness_hb))]);
+        let before = scenario(&screen).clone();
+        screen.get_by_label("Recommended conditions").click_accesskit();
+        screen.run_steps(6);
+        let shown = texts(&screen);
+        let found = ask(hardness_hb);
+        let speed = format!("{:.1} m/min", found.cutting_speed_m_min.value);
+        for said in [said, "light side cut:", "synthetic", &speed] {
+            assert!(shown.contains(said), "{said} in {shown}");
+        }
+        screen.get_by_label("Start from it").click_accesskit();
+        screen.run_steps(3);
+        let program = &scenario(&screen).program;
+        assert_eq!(
+            [program.feed_mm_min, program.spindle_rpm],
+            [found.feed_mm_min, found.speed_rpm]
+        );
+        click(&mut screen, "Undo");
+        assert_eq!(scenario(&screen), &before);
+    }
+}
+
+#[test]
+fn where_nothing_is_allowed_nothing_can_be_programmed_and_the_reason_is_told() {
+    let mut screen = open(DESKTOP, &fixed_limit(20.0));
+    finish(&mut screen);
+    let before = scenario(&screen).clone();
+    let shown = texts(&screen);
+    assert!(shown.contains("Nothing is feasible in the range searched"), "{shown}");
+    assert!(shown.contains("Not programmed: nothing is feasible"), "{shown}");
+    assert!(shown.contains("Cutting force (violated)"), "{shown}");
+    let button = screen.get_by_label("Use as programmed values");
+    assert!(button.accesskit_node().is_disabled());
+    button.click();
+    screen.run_steps(3);
+    assert_eq!(scenario(&screen), &before);
+    assert!(screen.get_by_label("Zoom to allowed").accesskit_node().is_disabled());
+}
+
+#[test]
+fn an_error_names_its_setting_and_goes_away_with_it() {
+    let zero = |path| (path, Value::Float(0.0));
+    for size in [DESKTOP, LONG] {
+        let none = (("workpiece.depth_steps"), Value::Steps(Vec::new()));
+        let mut screen = open(size, &[none, zero("workpiece.axial_depth_mm")]);
+        let shown = texts(&screen);
+        assert!(shown.contains("`workpiece.axial_depth_mm` cannot be 0 mm"), "{shown}");
+        assert!(screen.query_by_label("Use as programmed values").is_none());
+        assert!(shown.contains("The strategy in eight steps") && shown.contains("no plan"));
+
+        screen = open(size, &[zero("plan.weight_force")]);
+        let shown = texts(&screen);
+        assert!(shown.contains("`plan.weight_force` cannot be 0"), "{shown}");
+        if size == LONG {
+            click(&mut screen, "Settings of the plan");
+        }
+        screen.get_by_role_and_label(Role::Slider, "Weight of force").set_value_accesskit(1.0);
+        screen.run_steps(2);
+        assert!(screen.query_by_label("Use as programmed values").is_some());
+    }
+}
+
+#[test]
+fn every_constraint_has_an_entry_and_its_explanation() {
+    let mut screen = open(LONG, &fixed_limit(665.0));
+    let toggled = |screen: &Screen, name: &str| {
+        screen.get_by_role_and_label(Role::CheckBox, name).accesskit_node().toggled()
+    };
+    assert_eq!(toggled(&screen, "Tool life"), Some(Toggled::True));
+    screen.get_by_role_and_label(Role::CheckBox, "Tool life").click();
+    screen.run_steps(2);
+    assert_eq!(toggled(&screen, "Tool life"), Some(Toggled::False));
+    // Those that do not cross the map are named as such.
+    assert!(texts(&screen).contains("Outside the map:"));
+    screen.get_by_role_and_label(Role::Label, "Spindle power");
+    for constraint in &CONSTRAINTS {
+        click(&mut screen, &format!("Explain {}", constraint.label));
+        let shown = texts(&screen);
+        assert!(shown.contains(constraint.formula), "{} in {shown}", constraint.formula);
+        assert!(shown.contains("chosen: the papers cite their list"), "{shown}");
+    }
+    assert!(texts(&screen).contains("* 3 limits of the machine are placeholders"));
+}
+
+#[test]
+fn a_click_on_the_map_keeps_the_values_of_that_place() {
+    let mut screen = open(LONG, &fixed_limit(100.0));
+    let map = screen
+        .query_all_by_role(Role::Figure)
+        .find(|node| node.accesskit_node().label().is_some_and(|name| name.starts_with("Force")));
+    let rect = map.expect("the map").rect();
+    let at = rect.lerp_inside(vec2(0.5, 0.2));
+    screen.hover_at(at);
+    screen.run_steps(2);
+    screen.drag_at(at);
+    screen.run_steps(1);
+    screen.drop_at(at);
+    screen.run_steps(3);
+    let shown = texts(&screen);
+    assert!(shown.contains("violated: Cutting force"), "{shown}");
+    assert!(shown.contains("Ra of feed marks"), "{shown}");
+    click(&mut screen, "Let go of this place");
+    screen.hover_at(egui::pos2(5.0, 5.0));
+    screen.run_steps(5);
+    assert!(!texts(&screen).contains("Ra of feed marks"));
+}
+
+#[test]
+fn the_keyboard_moves_the_swarm() {
+    let mut screen = open(DESKTOP, &[]);
+    let playing = console(&screen).session().playback().playing;
+    screen.get_by_label("Pause the swarm").focus();
+    screen.run_steps(2);
+    screen.key_press(Key::Enter);
+    screen.run_steps(2);
+    let paused = iteration(&screen);
+    screen.run_steps(5);
+    assert_eq!(iteration(&screen), paused);
+    assert_eq!(console(&screen).session().playback().playing, playing, "the cut is left alone");
+}
+
+#[test]
+fn a_fixed_speed_is_searched_along_a_line_and_kept() {
+    let mut screen = open(DESKTOP, &fixed_limit(665.0));
+    assert!(!texts(&screen).contains("the speed searched"));
+    click(&mut screen, "Search the speed too");
+    assert!(texts(&screen).contains("the speed searched"));
+    assert!(!scenario(&screen).plan.free_speed);
+    finish(&mut screen);
+    let optimum = PlanJob::complete(scenario(&screen)).unwrap().optimum();
+    assert_eq!(optimum.cutting_speed_m_min, 80.0);
+    screen.get_by_role_and_label(Role::Slider, "Cutting speed");
+    assert!(texts(&screen).contains(&format!("{:.0} mm/min", optimum.feed_mm_min)));
+}
+
+#[test]
+fn the_surface_can_be_seen_and_turned_in_space() {
+    for size in [DESKTOP, LONG] {
+        let mut screen = open(size, &fixed_limit(665.0));
+        let figure = |screen: &Screen, name: &str| {
+            let mut nodes = screen.query_all_by_role(Role::Figure);
+            nodes.any(|node| node.accesskit_node().label().is_some_and(|x| x.starts_with(name)))
+        };
+        assert!(figure(&screen, "Force over cutting speed") && !figure(&screen, "Force surface"));
+        click(&mut screen, "3-D");
+        assert!(figure(&screen, "Force surface in space, turned by 32°"));
+        click(&mut screen, "Turn right");
+        assert!(figure(&screen, "Force surface in space, turned by 17°"));
+        let name = "Force surface in space, turned by 17°, seen 32° from above";
+        let rect = screen.get_by_label(name).rect();
+        screen.hover_at(rect.center());
+        screen.run_steps(2);
+        screen.drag_at(rect.center());
+        screen.run_steps(1);
+        screen.hover_at(rect.center() + vec2(-50.0, 40.0));
+        screen.run_steps(1);
+        screen.drop_at(rect.center() + vec2(-50.0, 40.0));
+        screen.run_steps(1);
+        assert!(figure(&screen, "Force surface in space, turned by 40°, seen 50° from above"));
+        click(&mut screen, "3-D");
+        assert!(figure(&screen, "Force over cutting speed"));
+    }
+}
+
+#[test]
+fn what_was_changed_during_the_cut_is_planned_for_on_request() {
+    let mut screen = open(DESKTOP, &[]);
+    click(&mut screen, "Console");
+    screen.get_by_role_and_label(Role::Slider, "Target Ra").set_value_accesskit(1.5);
+    screen.run_steps(2);
+    assert_eq!(console(&screen).session().edits().list().len(), 1);
+    click(&mut screen, "Plan");
+    assert!(texts(&screen).contains("Changed during the cut, after its start: Target Ra."));
+    click(&mut screen, "Plan for the values now");
+    assert_eq!(scenario(&screen).target.ra_um, 1.5);
+    assert!(console(&screen).session().edits().list().is_empty());
+    assert!(iteration(&screen) < 5);
+    assert!(!texts(&screen).contains("Changed during the cut"));
+    click(&mut screen, "Undo");
+    assert_eq!(console(&screen).session().edits().list().len(), 1);
+}
+
+#[test]
+fn a_cut_that_the_network_does_not_know_is_told() {
+    let warning = "The network does not know this cut";
+    assert!(!texts(&open(DESKTOP, &[])).contains(warning));
+    let screen = open(DESKTOP, &[("plant.hardness_hb", Value::Float(450.0))]);
+    assert!(texts(&screen).contains(warning));
+}

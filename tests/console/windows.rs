@@ -1,0 +1,275 @@
+//! The windows over the console, "Within a revolution" and "Workpiece", driven by their accessible
+//! names, and their pictures.
+
+use crate::drawn;
+
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, Theme, Vec2, vec2};
+use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::{Harness, SnapshotOptions, SnapshotResults};
+use steadycut::app::Console;
+use steadycut::app::session::Session;
+use steadycut::blocks::cutting::process::ForceModel;
+use steadycut::run::edits::Edits;
+use steadycut::run::revolution::revolution;
+use steadycut::run::{Start, presets};
+
+const DESKTOP: Vec2 = vec2(1280.0, 800.0);
+const PHONE: Vec2 = vec2(390.0, 844.0);
+
+type Screen<'a> = Harness<'a, Option<Console>>;
+
+/// The console on a preset, paused after some seconds of its cut.
+fn at<'a>(preset: &str, size: Vec2, theme: Option<Theme>, time_s: usize) -> Screen<'a> {
+    let mut scenario = presets::load(preset).unwrap();
+    // Not much longer than is looked at: a frame simulates ahead.
+    scenario.run.duration_s = time_s as f64 + 1.0;
+    let builder = Harness::builder().with_size(size).with_step_dt(0.05);
+    let builder = match theme {
+        Some(theme) => builder.with_theme(theme).wgpu(),
+        None => builder,
+    };
+    let frame = move |ui: &mut egui::Ui, console: &mut Option<Console>| {
+        let start = || Start { scenario: scenario.clone(), edits: Edits::none(), notice: None };
+        console.get_or_insert_with(|| Console::new(ui.ctx(), start())).ui(ui);
+    };
+    let mut screen = builder.build_ui_state(frame, None);
+    screen.run_steps(2);
+    press(&mut screen, Modifiers::NONE, Key::Space);
+    while session(&screen).progress() < 1.0 {
+        screen.run_steps(1);
+    }
+    press(&mut screen, Modifiers::NONE, Key::Home);
+    for _ in 0..time_s {
+        press(&mut screen, Modifiers::SHIFT, Key::ArrowRight);
+    }
+    screen
+}
+
+fn press(screen: &mut Screen, modifiers: Modifiers, key: Key) {
+    screen.key_press_modifiers(modifiers, key);
+    screen.run_steps(2);
+}
+
+fn session<'a>(screen: &'a Screen<'_>) -> &'a Session {
+    screen.state().as_ref().unwrap().session()
+}
+
+fn click(screen: &mut Screen, name: &str) {
+    screen.get_by_role_and_label(Role::Button, name).click();
+    screen.run_steps(3);
+}
+
+/// A click by name alone: what is meant may be scrolled out of sight.
+fn open(screen: &mut Screen, name: &str) {
+    // A screen may have the name of a group.
+    screen.get_all_by_label(name).last().expect("it is there").click_accesskit();
+    screen.run_steps(10);
+}
+
+/// Opens the folds that hide a button on a phone, and the window of that button.
+fn open_window(screen: &mut Screen, size: Vec2, folds: &[&str], name: &str) {
+    if size == PHONE {
+        open(screen, "Settings");
+    }
+    for fold in folds {
+        open(screen, fold);
+    }
+    open(screen, name);
+    if size == PHONE {
+        open(screen, "Settings");
+    }
+}
+
+const WORKPIECE: [&str; 2] = ["More settings", "Workpiece"];
+
+fn texts(screen: &Screen<'_>) -> String {
+    let nodes = screen.root().children_recursive().map(|node| {
+        let node = node.accesskit_node();
+        node.label().or_else(|| node.value()).unwrap_or_default()
+    });
+    nodes.collect::<Vec<String>>().join("\n")
+}
+
+#[test]
+fn the_peak_of_the_control_period_is_found_within_the_revolution() {
+    let mut screen = at("experiment-1", DESKTOP, None, 4);
+    open_window(&mut screen, DESKTOP, &[], "Within a revolution\u{2026}");
+    let row = *session(&screen).row();
+    let run = session(&screen).chosen().run();
+    let found = revolution(run, session(&screen).playback().playhead_s, 1).unwrap();
+    let peak_n = found.samples[found.peak.unwrap()].fxy_n();
+    assert_eq!(peak_n, row.force_n);
+    let shown = texts(&screen);
+    assert!(shown.contains(&format!("{peak_n:.1} N at")), "{shown}");
+    assert!(shown.contains("1086 samples"), "{shown}");
+    click(&mut screen, "2 turns");
+    assert!(texts(&screen).contains("2171 samples"));
+    // A step of the playhead goes on at once while the cut stands still.
+    press(&mut screen, Modifiers::COMMAND, Key::ArrowRight);
+    let force_n = session(&screen).row().force_n;
+    assert!(texts(&screen).contains(&format!("{force_n:.1} N at")));
+    press(&mut screen, Modifiers::NONE, Key::Escape);
+    assert!(!texts(&screen).contains("2171 samples"));
+    assert_eq!(screen.unnamed_widgets(), Vec::<String>::new());
+}
+
+#[test]
+fn a_drag_zooms_into_the_revolution_and_a_double_click_fits_again() {
+    let mut screen = at("experiment-1", DESKTOP, None, 4);
+    open_window(&mut screen, DESKTOP, &[], "Within a revolution\u{2026}");
+    click(&mut screen, "Time");
+    let whole = "Forces from 0.00 ms to 37.67 ms";
+    let rect = screen.get_by_label(whole).rect();
+    let at = |x: f32| rect.lerp_inside(vec2(x, 0.5));
+    screen.hover_at(at(0.3));
+    screen.run_steps(2);
+    screen.drag_at(at(0.4));
+    screen.run_steps(1);
+    for x in [0.5, 0.6] {
+        screen.hover_at(at(x));
+        screen.run_steps(1);
+    }
+    screen.drop_at(at(0.6));
+    screen.run_steps(2);
+    assert!(screen.query_by_label(whole).is_none(), "{}", texts(&screen));
+    for _ in 0..2 {
+        screen.drag_at(at(0.5));
+        screen.drop_at(at(0.5));
+    }
+    screen.run_steps(3);
+    assert!(screen.query_by_label(whole).is_some(), "{}", texts(&screen));
+}
+
+#[test]
+fn where_there_are_no_teeth_one_click_brings_them() {
+    let mut screen = at("first-cut", DESKTOP, None, 1);
+    open_window(&mut screen, DESKTOP, &[], "Within a revolution\u{2026}");
+    click(&mut screen, "Simulate tooth by tooth");
+    let scenario = session(&screen).scenario();
+    assert_eq!(scenario.plant.force_model, ForceModel::Mechanistic);
+    assert_eq!(scenario.info.name, "first-cut");
+    screen.run_steps(10);
+    assert!(texts(&screen).contains("Peak of the last control period"));
+    click(&mut screen, "Undo");
+    assert_eq!(session(&screen).scenario().plant.force_model, ForceModel::Formula);
+}
+
+#[test]
+fn cuts_are_edited_in_tables_and_every_change_can_be_undone() {
+    for size in [DESKTOP, PHONE] {
+        let mut screen = at("experiment-1", size, None, 0);
+        open_window(&mut screen, size, &WORKPIECE, "Edit cuts\u{2026}");
+        let cuts = |screen: &Screen| session(screen).scenario().workpiece.cuts.clone();
+        let before = cuts(&screen);
+        assert_eq!(before[0].len(), 3);
+        // 2.4 mm deep at a wall of 1.2915 mm: R_D = sqrt(2.4 x 13.6) - 1.2915.
+        assert!(texts(&screen).contains("4.42"), "{}", texts(&screen));
+        open(&mut screen, "Duplicate section 2");
+        assert_eq!(cuts(&screen)[0][2], before[0][1]);
+        open(&mut screen, "Remove section 1");
+        assert_eq!(cuts(&screen)[0].len(), 3);
+        open(&mut screen, "Add a section");
+        open(&mut screen, "Add a cut");
+        open(&mut screen, "Duplicate cut 2");
+        assert_eq!(cuts(&screen).len(), 3);
+        open(&mut screen, "Remove cut 3");
+        open(&mut screen, "Cut 1, tool");
+        for (name, value) in [("Length", 55.5), ("Axial depth", 1.5), ("Wall", -1.0)] {
+            let name = format!("{name} of section 1");
+            screen.get_by_label(&name).set_value_accesskit(value);
+            screen.run_steps(3);
+        }
+        assert_eq!(cuts(&screen)[0][0], [55.5, 1.5, -1.0]);
+        open(&mut screen, "Experiment 2");
+        assert_eq!(cuts(&screen), presets::load("experiment-2").unwrap().workpiece.cuts);
+        assert_eq!(session(&screen).scenario().info.name, "experiment-1");
+        for _ in 0..20 {
+            press(&mut screen, Modifiers::COMMAND, Key::Z);
+        }
+        assert_eq!(cuts(&screen), before);
+        assert_eq!(screen.unnamed_widgets(), Vec::<String>::new());
+    }
+}
+
+#[test]
+fn a_number_that_cannot_be_is_answered_in_the_window() {
+    let mut screen = at("experiment-1", DESKTOP, None, 1);
+    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");
+    screen.get_by_label("Axial depth of section 1").click();
+    screen.run_steps(3);
+    press(&mut screen, Modifiers::COMMAND, Key::A);
+    screen.get_by_label("Axial depth of section 1").type_text("99");
+    screen.run_steps(2);
+    press(&mut screen, Modifiers::NONE, Key::Enter);
+    let shown = texts(&screen);
+    assert!(shown.contains("Axial depth of section 1: `99` was limited to 8 mm"), "{shown}");
+    assert_eq!(session(&screen).scenario().workpiece.cuts[0][0][1], 8.0);
+    assert!(session(&screen).notices().is_empty(), "it is said in place");
+}
+
+#[test]
+fn the_one_path_has_its_profile_as_a_table_and_becomes_cuts() {
+    let mut screen = at("depth-step", DESKTOP, None, 0);
+    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");
+    let workpiece = |screen: &Screen| session(screen).current().workpiece.clone();
+    let before = workpiece(&screen);
+    assert!(!before.depth_steps.is_empty() && before.cuts.is_empty());
+    open(&mut screen, "Add a stretch");
+    assert_eq!(workpiece(&screen).depth_steps.len(), before.depth_steps.len() + 1);
+    screen.get_by_label("Axial depth of stretch 1").set_value_accesskit(1.25);
+    screen.run_steps(3);
+    assert_eq!(workpiece(&screen).axial_depth_mm, 1.25);
+    open(&mut screen, "Remove stretch 2");
+    open(&mut screen, "Make cuts of the path");
+    let cuts = workpiece(&screen).cuts;
+    let length_mm: f64 = cuts[0].iter().map(|section| section[0]).sum();
+    assert!((length_mm - before.length_mm).abs() < 1e-9, "{length_mm} mm");
+    open(&mut screen, "One path");
+    assert!(workpiece(&screen).cuts.is_empty());
+}
+
+#[test]
+fn the_windows_fit_odd_screens() {
+    for size in [[320.0, 420.0], [844.0, 390.0], [900.0, 600.0], [3840.0, 2160.0]] {
+        let mut screen = at("depth-step", DESKTOP, None, 0);
+        open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");
+        open(&mut screen, "Within a revolution\u{2026}");
+        screen.set_size(size.into());
+        screen.run_steps(5);
+        for name in ["Add a stretch", "Simulate tooth by tooth"] {
+            assert!(screen.query_by_label(name).is_some(), "{name} in {size:?}");
+        }
+    }
+}
+
+/// Pictures of both windows. `UPDATE_SNAPSHOTS=1` renews them.
+#[test]
+fn the_windows_look_as_their_pictures() {
+    if !drawn::in_software() {
+        return;
+    }
+    let mut results = SnapshotResults::new();
+    let mut picture = |screen: &mut Screen, name: String| {
+        screen.run_steps(20);
+        let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(40);
+        results.add(screen.try_snapshot_options(name, &options));
+    };
+    for (size_name, size) in [("desktop", DESKTOP), ("phone", PHONE)] {
+        for (theme_name, theme) in [("light", Theme::Light), ("dark", Theme::Dark)] {
+            let look = format!("{size_name}-{theme_name}");
+            let mut screen = at("experiment-2", size, Some(theme), 6);
+            open_window(&mut screen, size, &[], "Within a revolution\u{2026}");
+            picture(&mut screen, format!("revolution-{look}"));
+            let mut screen = at("experiment-2", size, Some(theme), 6);
+            open_window(&mut screen, size, &WORKPIECE, "Edit cuts\u{2026}");
+            picture(&mut screen, format!("cuts-{look}"));
+        }
+    }
+    let mut screen = at("depth-step", DESKTOP, Some(Theme::Light), 6);
+    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");
+    picture(&mut screen, "cuts-path-desktop-light".to_owned());
+    let mut screen = at("first-cut", PHONE, Some(Theme::Light), 2);
+    open_window(&mut screen, PHONE, &[], "Within a revolution\u{2026}");
+    picture(&mut screen, "revolution-none-phone-light".to_owned());
+}
