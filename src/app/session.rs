@@ -9,7 +9,7 @@
 mod change;
 
 use super::command::Command;
-use super::cut::{Ghost, Cut};
+use super::cut::{Cut, Ghost};
 use super::playback::Playback;
 use super::twin::{self, Comparison};
 use crate::blocks::cutting::process::ForceModel;

@@ -7,7 +7,7 @@
 
 use std::hint::black_box;
 
-use steadycut_core::blocks::control::force::mrac::Adapted;
+use steadycut_core::blocks::control::mrac::Adapted;
 use steadycut_core::blocks::control::{ControlInput, Controller, ControllerKind, FeedSpeed};
 use steadycut_core::blocks::cutting::tool_path::ToolPath;
 use steadycut_core::models::genetic::GeneticModels;

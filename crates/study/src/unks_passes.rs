@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::base::network::Provenance;
 use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
-use crate::blocks::control::force::unks::Learning;
+use crate::blocks::control::unks::Learning;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::models::unks::{Stored, StoredNetworks, UnksStart};
 use crate::run::edits::Edits;

@@ -57,13 +57,7 @@ pub(super) fn band(
     Some(area.fill_color(palette.band).stroke(edge).allow_hover(false))
 }
 
-fn visible(
-    cut: &Cut,
-    signal: &str,
-    range: [f64; 2],
-    end: usize,
-    width: f32,
-) -> Vec<[f64; 2]> {
+fn visible(cut: &Cut, signal: &str, range: [f64; 2], end: usize, width: f32) -> Vec<[f64; 2]> {
     let rows = cut.run().recording().rows();
     cut.traces().points(index(signal), range, end, width as usize, Some(rows))
 }

@@ -35,7 +35,7 @@ use crate::blocks::cnc::dead_time::DeadTime;
 use crate::blocks::cnc::feed_drive::FeedDrive;
 use crate::blocks::cnc::feed_override::Override;
 use crate::blocks::cnc::spindle_drive::SpindleDrive;
-use crate::blocks::control::force::unks::Learning;
+use crate::blocks::control::unks::Learning;
 use crate::blocks::control::{ControlInput, Controller, ControllerKind, FeedSpeed, Limits};
 use crate::blocks::cutting::process::Process;
 use crate::blocks::cutting::tool_path::Engagement;

@@ -2,7 +2,7 @@
 //! is at its limit, static ones come to rest where their law meets the plant's map.
 
 use steadycut_core::blocks::control::ControllerKind;
-use steadycut_core::blocks::control::force::mrac::Adapted;
+use steadycut_core::blocks::control::mrac::Adapted;
 use steadycut_core::blocks::cutting::process::{ForceModel, Process};
 use steadycut_core::blocks::cutting::tool_path::Engagement;
 use steadycut_core::models::ball_end::{CK45, Cutter, Kienzle, StaticCut, static_peak};

@@ -2,7 +2,7 @@
 
 use steadycut_core::base::settings::Value;
 use steadycut_core::blocks::control::ControllerKind;
-use steadycut_core::blocks::control::force::mrac::Adapted;
+use steadycut_core::blocks::control::mrac::Adapted;
 use steadycut_core::blocks::cutting::process::ForceModel;
 use steadycut_core::run::edits::{Edit, Edits};
 use steadycut_core::run::one_run::{End, Run};

@@ -1,7 +1,7 @@
 //! Who takes part in a comparison.
 
 use crate::blocks::control::ControllerKind;
-use crate::blocks::control::force::mrac::Adapted;
+use crate::blocks::control::mrac::Adapted;
 use crate::run::presets;
 use crate::run::scenario::Scenario;
 

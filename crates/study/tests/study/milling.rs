@@ -3,7 +3,7 @@
 
 use steadycut_core::base::settings::Value;
 use steadycut_core::blocks::control::ControllerKind;
-use steadycut_core::blocks::control::force::mrac::Adapted;
+use steadycut_core::blocks::control::mrac::Adapted;
 use steadycut_core::run::edits::Edits;
 use steadycut_core::run::metrics::Metrics;
 use steadycut_core::run::one_run::{End, Run};

@@ -2,10 +2,16 @@
 //! period (20 ms by default). A new controller is one file here and a line in each of the two
 //! lists below marked `register`.
 
+pub mod adjustable_pi;
 pub mod constant_feed;
-pub mod force;
+pub mod division;
+pub mod mrac;
+pub mod override_loop;
+pub mod preview;
+pub mod proportional;
 pub mod sdnrp;
 pub mod tracking;
+pub mod unks;
 
 use crate::models::feed_drive::FeedDriveKind;
 use crate::models::genetic::{Calibration, GeneticModels, ModelSet};
@@ -144,17 +150,17 @@ pub struct ControlSetup<'a> {
     /// Settings of Tracking.
     pub tracking: &'a tracking::TrackingSettings,
     /// Settings of the divisional controller.
-    pub division: &'a force::division::DivisionSettings,
+    pub division: &'a division::DivisionSettings,
     /// Settings of the P controller.
-    pub proportional: &'a force::proportional::ProportionalSettings,
+    pub proportional: &'a proportional::ProportionalSettings,
     /// Settings of the adjustable PI controller.
-    pub adjustable_pi: &'a force::adjustable_pi::AdjustablePiSettings,
+    pub adjustable_pi: &'a adjustable_pi::AdjustablePiSettings,
     /// Settings of the model-reference adaptive controller.
-    pub mrac: &'a force::mrac::MracSettings,
+    pub mrac: &'a mrac::MracSettings,
     /// Settings of the neural control scheme.
-    pub unks: &'a force::unks::UnksSettings,
+    pub unks: &'a unks::UnksSettings,
     /// Settings of the controller with preview.
-    pub preview: &'a force::preview::PreviewSettings,
+    pub preview: &'a preview::PreviewSettings,
     /// The part as programmed.
     pub part: ProgrammedPart<'a>,
     /// The controller's beliefs.
@@ -172,8 +178,8 @@ pub enum Controller {
     Sdnrp(sdnrp::Sdnrp),
     /// See [`tracking`].
     Tracking(Box<tracking::Tracking>),
-    /// See [`force`].
-    Force(Box<force::ForceController>),
+    /// See [`override_loop`].
+    Force(Box<override_loop::ForceController>),
 }
 
 impl Controller {
@@ -189,7 +195,7 @@ impl Controller {
             ControllerKind::Tracking => {
                 Self::Tracking(Box::new(tracking::Tracking::new(setup, programmed)))
             }
-            _ => Self::Force(Box::new(force::ForceController::new(setup))),
+            _ => Self::Force(Box::new(override_loop::ForceController::new(setup))),
         }
     }
 
@@ -221,8 +227,9 @@ impl Controller {
             _ => {
                 let of = |feed: f64| feed / programmed.feed_mm_min;
                 let (actual, sent) = (of(current.feed_mm_min), of(sent.feed_mm_min));
-                *self =
-                    Self::Force(Box::new(force::ForceController::take_over(setup, actual, sent)));
+                *self = Self::Force(Box::new(override_loop::ForceController::take_over(
+                    setup, actual, sent,
+                )));
             }
         }
     }
@@ -238,7 +245,7 @@ impl Controller {
 
     /// What can be seen of the networks that learn in the cut; none where there are none.
     #[must_use]
-    pub fn learning(&self) -> Option<force::unks::Learning<'_>> {
+    pub fn learning(&self) -> Option<unks::Learning<'_>> {
         match self {
             Self::Force(controller) => controller.learning(),
             _ => None,

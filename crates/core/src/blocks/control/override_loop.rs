@@ -14,21 +14,12 @@
 //! In the air (y below 0.06: 40 of 665 N) the override goes to its upper limit and every state is
 //! held: low loads raise the feed above the programmed one (2005, section 1).
 
-pub mod adjustable_pi;
-pub mod believed_part;
-pub mod division;
-pub mod mrac;
-pub mod preview;
-pub mod proportional;
-pub mod unks;
-
-use adjustable_pi::AdjustablePi;
-use division::Division;
-use mrac::Mrac;
-use preview::Preview;
-use proportional::Proportional;
-use unks::{Learning, Unks};
-
+use super::adjustable_pi::AdjustablePi;
+use super::division::Division;
+use super::mrac::Mrac;
+use super::preview::Preview;
+use super::proportional::Proportional;
+use super::unks::{Learning, Unks};
 use super::{ControlInput, ControlOutput, ControlSetup, ControllerKind, FeedSpeed};
 use crate::base::math::limit;
 use crate::models::feed_drive::{DriveState, ExactDrive};
@@ -37,7 +28,7 @@ use crate::models::unks::HORIZON_BEYOND;
 /// Normalised force below which the tool is in the air: 40 of 665 N (2005 simulator, chosen).
 const AIR: f64 = 0.06;
 /// Least actual override that anything is divided by.
-const LEAST: f64 = 0.02;
+pub(super) const LEAST: f64 = 0.02;
 /// Control periods after which every drive has settled: a second at 1 ms.
 const LAG_PERIODS: usize = 1000;
 /// Longest dead time that can be predicted, s; the range of `belief.dead_time_s`.
@@ -61,11 +52,11 @@ pub struct ForceSample<'a> {
     /// Everything that the controller was given.
     pub input: &'a ControlInput<'a>,
     /// The shared part, which knows the commands on their way.
-    pub frame: &'a Frame,
+    pub override_loop: &'a OverrideLoop,
 }
 
 /// One of the laws: from a sample in contact to the new override.
-pub trait Law {
+pub trait ForceLaw {
     /// The new override, before limits.
     fn update(&mut self, sample: &ForceSample) -> f64;
     /// The override in the air.
@@ -81,9 +72,9 @@ pub trait Law {
 
 /// The shared part with its state.
 #[derive(Clone, Debug)]
-pub struct Frame {
+pub struct OverrideLoop {
     drive: ExactDrive,
-    period_s: f64,
+    pub(super) period_s: f64,
     /// How far the drive lags behind a ramp, in control periods.
     lag: f64,
     /// Whole control periods of dead time.
@@ -100,7 +91,7 @@ pub struct Frame {
     taking_over: bool,
 }
 
-impl Frame {
+impl OverrideLoop {
     pub(super) fn new(setup: &ControlSetup, smith: bool) -> Self {
         let capacity = (DEAD_TIME_MAX_S / setup.period_s).ceil() as usize + 2;
         let mut this = Self {
@@ -147,7 +138,7 @@ impl Frame {
 
     /// How far the tool will have gone when a command sent now has its effect, in control periods at
     /// 100 %: through the commands that are still on their way, and the drive's lag behind the new one.
-    fn ahead(&self) -> f64 {
+    pub(super) fn ahead(&self) -> f64 {
         let (mut state, mut sum, n) = (self.delayed, 0.0, self.sent.len());
         for back in (0..self.periods.min(n - 1)).rev() {
             self.drive.advance(&mut state, self.sent[(self.newest + n - back) % n]);
@@ -157,7 +148,7 @@ impl Frame {
     }
 
     /// One control period of `law`.
-    pub(super) fn update(&mut self, law: &mut dyn Law, input: &ControlInput) -> ControlOutput {
+    pub(super) fn update(&mut self, law: &mut dyn ForceLaw, input: &ControlInput) -> ControlOutput {
         let programmed = input.programmed.feed_mm_min;
         let sent = input.applied.feed_mm_min / programmed;
         if self.started {
@@ -176,7 +167,7 @@ impl Frame {
         let entered = contact && !self.in_contact;
         let taken_over = std::mem::take(&mut self.taking_over);
         let sample =
-            ForceSample { y, actual, sent, entered, taken_over, range, input, frame: self };
+            ForceSample { y, actual, sent, entered, taken_over, range, input, override_loop: self };
         let override_now = if contact { law.update(&sample) } else { law.in_air(&sample) };
         self.in_contact = contact;
         ControlOutput {
@@ -253,7 +244,7 @@ impl AnyLaw {
         }
     }
 
-    fn as_law(&mut self) -> &mut dyn Law {
+    fn as_law(&mut self) -> &mut dyn ForceLaw {
         match self {
             Self::Division(law) => law,
             Self::Proportional(law) => law,
@@ -302,14 +293,14 @@ fn smith(setup: &ControlSetup) -> bool {
 /// A force controller: the shared part and its law.
 #[derive(Clone, Debug)]
 pub struct ForceController {
-    frame: Frame,
+    override_loop: OverrideLoop,
     law: AnyLaw,
 }
 
 impl ForceController {
     /// The controller at the start of a run, the machine at the programmed feed.
     pub(super) fn new(setup: &ControlSetup) -> Self {
-        Self { frame: Frame::new(setup, smith(setup)), law: AnyLaw::new(setup) }
+        Self { override_loop: OverrideLoop::new(setup, smith(setup)), law: AnyLaw::new(setup) }
     }
 
     /// The controller that takes over a machine which runs at the override `actual` under the command
@@ -317,20 +308,20 @@ impl ForceController {
     /// have none, and the override goes where they say.
     pub(super) fn take_over(setup: &ControlSetup, actual: f64, sent: f64) -> Self {
         let mut this = Self::new(setup);
-        this.frame.restart(actual, sent);
-        this.frame.taking_over = true;
+        this.override_loop.restart(actual, sent);
+        this.override_loop.taking_over = true;
         this
     }
 
     /// Takes over changed settings and keeps its state; `false` if another law is chosen.
     pub(super) fn configure(&mut self, setup: &ControlSetup) -> bool {
-        self.frame.configure(setup, smith(setup));
+        self.override_loop.configure(setup, smith(setup));
         self.law.configure(setup)
     }
 
     /// A new cut begins at the programmed feed: what was learned stays.
     pub(super) fn restart(&mut self) {
-        self.frame.restart(1.0, 1.0);
+        self.override_loop.restart(1.0, 1.0);
         if let AnyLaw::Proportional(law) = &mut self.law {
             law.sum = 0.0;
         }
@@ -341,6 +332,6 @@ impl ForceController {
     }
 
     pub(super) fn update(&mut self, input: &ControlInput) -> ControlOutput {
-        self.frame.update(self.law.as_law(), input)
+        self.override_loop.update(self.law.as_law(), input)
     }
 }

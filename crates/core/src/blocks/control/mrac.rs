@@ -15,7 +15,7 @@
 //! badly excited by a steady cut: the Landau form bursts now and then, dipping the feed for less
 //! than half a second. They are not adapted while the override stands at its upper limit.
 
-use super::{ForceSample, Law};
+use super::override_loop::{ForceLaw, ForceSample};
 use crate::base::math::limit;
 
 crate::choice! {
@@ -165,7 +165,7 @@ impl Mrac {
     }
 }
 
-impl Law for Mrac {
+impl ForceLaw for Mrac {
     fn update(&mut self, sample: &ForceSample) -> f64 {
         match self.settings.adapted {
             Adapted::Landau => self.landau(sample),

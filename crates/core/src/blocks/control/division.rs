@@ -12,7 +12,7 @@
 //! an offset. The actual form has none; the command form is integral control in the logarithm and
 //! needs gamma below 0.48 at a dead time of 40 ms.
 
-use super::{ForceSample, Law};
+use super::override_loop::{ForceLaw, ForceSample};
 use crate::base::math::{self, limit};
 
 crate::choice! {
@@ -48,7 +48,7 @@ pub struct Division {
     pub(super) settings: DivisionSettings,
 }
 
-impl Law for Division {
+impl ForceLaw for Division {
     fn update(&mut self, sample: &ForceSample) -> f64 {
         let quotient = limit(1.0 / sample.y, QUOTIENT[0], QUOTIENT[1]);
         match self.settings.divided {

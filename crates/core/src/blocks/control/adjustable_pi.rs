@@ -9,7 +9,7 @@
 //!
 //! The velocity form needs no other anti-windup: u is the override that was really sent.
 
-use super::{ForceSample, Law};
+use super::override_loop::{ForceLaw, ForceSample};
 
 crate::settings! {
     /// Settings of the adjustable PI controller.
@@ -37,7 +37,7 @@ pub struct AdjustablePi {
     pub(super) error_before: f64,
 }
 
-impl Law for AdjustablePi {
+impl ForceLaw for AdjustablePi {
     fn update(&mut self, sample: &ForceSample) -> f64 {
         let (y, a) = (sample.y, sample.actual);
         let error = 1.0 - y;

@@ -9,7 +9,7 @@
 //! 1.6 keeps its damping. The sum stands still while the override stands at a limit, and starts after
 //! another controller where it asks for the override that is being sent.
 
-use super::{ForceSample, Law};
+use super::override_loop::{ForceLaw, ForceSample};
 
 crate::settings! {
     /// Settings of the P controller.
@@ -30,7 +30,7 @@ pub struct Proportional {
     pub(super) sum: f64,
 }
 
-impl Law for Proportional {
+impl ForceLaw for Proportional {
     fn update(&mut self, sample: &ForceSample) -> f64 {
         let error = 1.0 - sample.y;
         let [low, high] = sample.range;

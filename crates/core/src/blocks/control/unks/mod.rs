@@ -20,7 +20,7 @@ mod learner;
 
 use learner::Learner;
 
-use super::{ForceSample, Law};
+use super::override_loop::{ForceLaw, ForceSample};
 use crate::base::math::{self, limit};
 use crate::base::network::ScaledNetwork;
 use crate::models::unks::{REFERENCE_KN, StoredNetworks, UnksNetworks, UnksStart, log_force};
@@ -259,7 +259,7 @@ impl Unks {
     }
 }
 
-impl Law for Unks {
+impl ForceLaw for Unks {
     fn update(&mut self, sample: &ForceSample) -> f64 {
         let now = log_force(sample.y);
         if sample.entered {

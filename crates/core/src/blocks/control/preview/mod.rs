@@ -2,7 +2,7 @@
 //! allow where the command is going to act.
 //!
 //! ```text
-//! K(x)    believed force at 100 % and place x, in units of F_ref    (believed_part.rs)
+//! K(x)    believed force at 100 % and place x, in units of F_ref    (preview/believed_part.rs)
 //! e       = ln y - ln K(x_m) - alpha ln(v / v_prog)                 v, x_m: mean feed and middle of the
 //!                                                                   last period, by the machine's reading
 //! ln g   += k (e - ln g)      k = p / (p + r)                       Kalman filter of a random walk:
@@ -17,11 +17,14 @@
 //! anti-windup, and dead time only decides how far the preview looks. The filter and the rule are
 //! textbook forms, their numbers chosen.
 
-use super::believed_part::BelievedPart;
-use super::{ForceSample, LEAST, Law};
+mod believed_part;
+
+use believed_part::BelievedPart;
+
+use super::ControlSetup;
+use super::override_loop::{ForceLaw, ForceSample, LEAST};
 use crate::base::math::{self, limit};
 use crate::base::units::{mm_s_from_mm_min, ratio_from_percent};
-use crate::blocks::control::ControlSetup;
 
 crate::settings! {
     /// Settings of the controller with preview.
@@ -85,7 +88,8 @@ impl Preview {
     fn measured(&self, sample: &ForceSample, level: f64) -> (f64, f64) {
         let (input, PreviewSettings { exponent, place_doubt_mm, .. }) =
             (sample.input, &self.settings);
-        let full_mm = mm_s_from_mm_min(input.programmed.feed_mm_min) * sample.frame.period_s;
+        let full_mm =
+            mm_s_from_mm_min(input.programmed.feed_mm_min) * sample.override_loop.period_s;
         let (way_mm, middle_mm) = match self.place {
             Some((cut, x_mm)) if cut == input.cut => (input.x_mm - x_mm, 0.5 * (input.x_mm + x_mm)),
             _ => (sample.actual * full_mm, input.x_mm),
@@ -112,9 +116,9 @@ impl Preview {
 
     /// The override that the force allows where a command sent now will act.
     fn allowed(&self, sample: &ForceSample, level: f64) -> f64 {
-        let (input, frame) = (sample.input, sample.frame);
-        let full_mm = mm_s_from_mm_min(input.programmed.feed_mm_min) * frame.period_s;
-        let x_mm = input.x_mm + frame.ahead() * full_mm;
+        let (input, override_loop) = (sample.input, sample.override_loop);
+        let full_mm = mm_s_from_mm_min(input.programmed.feed_mm_min) * override_loop.period_s;
+        let x_mm = input.x_mm + override_loop.ahead() * full_mm;
         let at = |x_mm: f64| self.part.at(input.cut, x_mm);
         let margin_mm = self.settings.margin_mm;
         let heaviest = at(x_mm - margin_mm).max(at(x_mm)).max(at(x_mm + margin_mm));
@@ -125,7 +129,7 @@ impl Preview {
     }
 }
 
-impl Law for Preview {
+impl ForceLaw for Preview {
     fn update(&mut self, sample: &ForceSample) -> f64 {
         let level = self.part.level(sample.input, self.settings.exponent);
         if sample.entered {
