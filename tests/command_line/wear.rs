@@ -18,7 +18,7 @@ fn steady(force_model: ForceModel) -> Scenario {
     scenario.noise.level = 0.0;
     scenario.plant.force_model = force_model;
     scenario.run.duration_s = 0.6;
-    if force_model == ForceModel::Mechanistic {
+    if force_model.tooth_by_tooth() {
         scenario.run.steps_per_control = 576;
         scenario.run.record_every = 576;
     }

@@ -221,7 +221,7 @@ pub fn row(
         ra_deviation_reproduced_percent: metrics.ra_deviation_percent,
         note: (paper == PaperId::Sdnrp2007 && printed.sim == 10).then_some(NOTE_SIM_10),
     };
-    if force_model != ForceModel::Formula {
+    if !force_model.is_formula() {
         // The table's forces come from the formula; the neural plant's are others by nature.
         row.force_final_n = reported(row.force_final_n);
         row.feed_final_mm_min = reported(row.feed_final_mm_min);

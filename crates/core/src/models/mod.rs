@@ -7,6 +7,7 @@ pub mod machine;
 pub mod machine_trend;
 pub mod neural_force;
 pub mod part;
+pub mod printed;
 pub mod roughness_profile;
 pub mod roughness_trend;
 pub mod spindle;

@@ -5,7 +5,6 @@ use super::scenario::Scenario;
 use super::signals::Row;
 use crate::base::math;
 use crate::base::units::mm_from_um;
-use crate::blocks::cutting::process::ForceModel;
 use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::wear::ToolWear;
 use crate::blocks::machine::coupled::{Coupled, CoupledSetup, CutState};
@@ -55,7 +54,7 @@ impl Coupling {
             dt_s: scenario.dt_s(),
         };
         // Run-out is a property of the cutter that is simulated tooth by tooth.
-        let by_teeth = scenario.plant.force_model == ForceModel::Mechanistic;
+        let by_teeth = scenario.plant.force_model.tooth_by_tooth();
         let runout_um = if by_teeth { 2.0 * scenario.plant.runout_um } else { 0.0 };
         Some(Box::new(Self {
             machine: Coupled::new(&setup),

@@ -18,7 +18,7 @@ use crate::blocks::control::sdnrp::SdnrpSettings;
 use crate::blocks::control::tracking::TrackingSettings;
 use crate::blocks::control::unks::UnksSettings;
 use crate::blocks::control::{Belief, ControlSetup, ControllerChoice, FeedSpeed};
-use crate::blocks::cutting::process::{ForceModel, Plant};
+use crate::blocks::cutting::process::Plant;
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::Target;
 use crate::blocks::sensing::dynamic_force::NoiseSettings;
@@ -34,9 +34,6 @@ use crate::models::wear::WearSettings;
 
 /// Version of the scenario format, in files and links.
 pub const FORMAT_VERSION: i64 = 1;
-/// Longest plant step with the mechanistic force model, s: some 180 samples for a tooth period of the
-/// papers' cut.
-const TOOTH_STEP_MAX_S: f64 = 1e-4;
 /// Most rows that a run may record: a row takes 184 bytes, a console holds up to four recordings,
 /// and a page in the browser has 4 GiB at most.
 pub const MAX_ROWS: f64 = if cfg!(target_arch = "wasm32") { 1_000_000.0 } else { 4_000_000.0 };
@@ -280,12 +277,13 @@ impl Scenario {
         match path {
             "plant.model_set" => self.belief.model_set = self.plant.model_set,
             // The papers' formulas know nothing of the milling simulator's cut.
-            "plant.force_model" if self.plant.force_model == ForceModel::Mechanistic => {
-                self.belief.model_set = ModelSet::Milling2005;
-            }
-            "plant.force_model" if self.belief.model_set == ModelSet::Milling2005 => {
-                self.belief.model_set = self.plant.model_set;
-            }
+            "plant.force_model" => match self.plant.force_model.identified_set() {
+                Some(set) => self.belief.model_set = set,
+                None if self.belief.model_set == ModelSet::Milling2005 => {
+                    self.belief.model_set = self.plant.model_set;
+                }
+                None => {}
+            },
             "plant.material" => self.plant.hardness_hb = self.plant.material.hardness_hb(),
             "feed_drive.kind" => {
                 self.cnc.dead_time_s = self.feed_drive.kind.published_dead_time_s();
@@ -296,14 +294,18 @@ impl Scenario {
 
     /// Rules between settings.
     fn check(&self) -> Result<(), SettingError> {
-        let by_teeth = self.plant.force_model == ForceModel::Mechanistic;
-        if by_teeth && self.dt_s() > TOOTH_STEP_MAX_S {
-            let steps = (self.control_period_s() / TOOTH_STEP_MAX_S).ceil();
+        let longest_s = self.plant.force_model.longest_step_s();
+        if self.dt_s() > longest_s {
+            let steps = (self.control_period_s() / longest_s).ceil();
             return Err(SettingError::Refused {
                 path: "plant.force_model".to_owned(),
-                value: format!("mechanistic with plant steps of {} s", self.dt_s()),
+                value: format!(
+                    "{} with plant steps of {} s",
+                    self.plant.force_model.id(),
+                    self.dt_s()
+                ),
                 allowed: format!(
-                    "plant steps of at most {TOOTH_STEP_MAX_S} s: `run.steps_per_control` from \
+                    "plant steps of at most {longest_s} s: `run.steps_per_control` from \
                      {steps} on (576 give 28.8 kHz)"
                 ),
             });

@@ -8,7 +8,6 @@
 use super::scenario::Scenario;
 use super::signals::{Row, flag};
 use crate::base::units::{mm_from_um, rev_s_from_rpm};
-use crate::blocks::cutting::process::ForceModel;
 use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::surface::profile::Passing;
@@ -61,7 +60,7 @@ impl MarkedPart {
         if cuts.is_empty() {
             cuts.push(cut(0.0, workpiece.length_mm));
         }
-        let by_teeth = scenario.plant.force_model == ForceModel::Mechanistic;
+        let by_teeth = scenario.plant.force_model.tooth_by_tooth();
         Self {
             cuts,
             cut: 0,

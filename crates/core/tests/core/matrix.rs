@@ -89,7 +89,7 @@ fn map_n(scenario: &Scenario, feed_mm_min: f64, speed_rpm: f64) -> f64 {
         },
     };
     let plant = &scenario.plant;
-    if plant.force_model == ForceModel::Mechanistic {
+    if plant.force_model.tooth_by_tooth() {
         let cutter = Cutter::two_teeth(16.0, plant.runout_um / 1000.0, plant.slice_mm);
         let law = Kienzle::new(&CK45, 80.0, 12.0, 200.0);
         let cut = StaticCut {
@@ -158,7 +158,7 @@ fn static_laws_come_to_rest_where_they_meet_the_plant() {
             let reference_n = run.recording().rows().last().unwrap().force_ref_n;
             let expected = predicted(&scenario, kind, reference_n);
             // Tooth by tooth the forces are sampled 543 times a tooth, here 360 times.
-            let by_teeth = scenario.plant.force_model == ForceModel::Mechanistic;
+            let by_teeth = scenario.plant.force_model.tooth_by_tooth();
             let tolerance = if by_teeth { 0.01 } else { 0.003 };
             let off = y / expected - 1.0;
             assert!(off.abs() < tolerance, "{kind:?} on {plant}: {y} against {expected}");

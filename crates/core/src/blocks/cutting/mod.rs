@@ -1,6 +1,7 @@
 //! Cutting: workpiece, material and the force of the cut.
 
 pub mod contact;
+pub mod force_model;
 pub mod material;
 pub mod milling;
 pub mod neural;

@@ -13,6 +13,8 @@
 //! to its reference cut); force is taken as proportional to the cross-section (chosen). The network
 //! knows depths and material itself; wear multiplies its force as well.
 
+pub use super::force_model::ForceModel;
+
 use super::contact;
 use super::material::Material;
 use super::milling::{Milling, MillingSetup};
@@ -25,23 +27,7 @@ use crate::base::units::mm_from_um;
 use crate::models::Valued;
 use crate::models::ball_end::{CK45, Cutter, MNCRSI5};
 use crate::models::genetic::{Calibration, GeneticModels, ModelSet};
-use crate::models::neural_force::NeuralKind;
 use crate::models::part::CutPath;
-
-crate::choice! {
-    /// What gives the plant's cutting force.
-    pub enum ForceModel {
-        /// The formula of the model set: K4 or M4.
-        Formula = "formula", "Formula (K4, M4)";
-        /// The 8-15-3 network trained for accuracy.
-        Neural = "neural", "Neural network";
-        /// The 8-15-3 network with the inputs and learning parameters of the 2013 paper.
-        NeuralLiteral = "neural_literal", "Neural network as in the paper";
-        /// The mechanistic model of the ball-end mill, tooth by tooth (2005 milling simulator); wants
-        /// plant steps of some 30 us.
-        Mechanistic = "mechanistic", "Tooth by tooth";
-    }
-}
 
 crate::settings! {
     /// The plant: what really is cut, whatever the controller believes.
@@ -66,21 +52,6 @@ crate::settings! {
         runout_um: f64 = 3.0, [0.0, 50.0], "um", live, "Run-out";
         /// Height of the cutter's slices; tooth by tooth only. It is part of the calibration.
         slice_mm: f64 = 0.25, [0.05, 1.0], "mm", live, "Slice height";
-    }
-}
-
-impl ForceModel {
-    /// The force models that are functions of feed, speed and depth, as published tables need them.
-    pub const MAPS: [Self; 3] = [Self::Formula, Self::Neural, Self::NeuralLiteral];
-
-    /// The network; `None` for the formula.
-    #[must_use]
-    pub fn network(self) -> Option<NeuralKind> {
-        match self {
-            Self::Formula | Self::Mechanistic => None,
-            Self::Neural => Some(NeuralKind::Improved),
-            Self::NeuralLiteral => Some(NeuralKind::Literal),
-        }
     }
 }
 
@@ -147,8 +118,9 @@ impl Process {
         let cut =
             NeuralCut::new(plant.material, plant.hardness_hb, AXIAL_DEPTH_2007_MM, radial_depth_mm);
         let neural = plant.force_model.network().map(|kind| Box::new(NeuralLaw::new(kind, cut)));
-        let milling = (plant.force_model == ForceModel::Mechanistic)
-            .then(|| Box::new(Milling::new(&milling_setup(plant, dt_s), depth_max_mm)));
+        let by_teeth = plant.force_model.tooth_by_tooth();
+        let milling =
+            by_teeth.then(|| Box::new(Milling::new(&milling_setup(plant, dt_s), depth_max_mm)));
         Self {
             models,
             factor_per_mm: material * plant.wear_factor * engagement,
