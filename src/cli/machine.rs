@@ -10,10 +10,10 @@ use super::Outcome;
 use super::machine_args::{MachineArgs, MachineModel, MachineWhat};
 use super::run::apply;
 use super::{machine_stability, machine_wear};
-use crate::models::machine::FiveMass;
-use crate::models::machine::frf::{FrequencyResponse, frequencies_hz, gauss};
-use crate::models::machine::modes::{damped, undamped};
-use crate::models::machine::parameters::NODES;
+use crate::models::structure::FiveMass;
+use crate::models::structure::frf::{FrequencyResponse, frequencies_hz, gauss};
+use crate::models::structure::modes::{damped, undamped};
+use crate::models::structure::parameters::NODES;
 use crate::run::scenario::Scenario;
 use crate::study::machine_life::calibration::{CalibratedRow, calibrate};
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand};
 
 use super::args::one_of;
-use crate::models::machine::parameters::Parameters;
+use crate::models::structure::parameters::Parameters;
 
 /// Arguments of `machine`.
 #[derive(Debug, Args)]
@@ -26,7 +26,7 @@ pub enum MachineWhat {
     Stability(StabilityArgs),
     /// The tool's life second by second: trends of sound and roughness, and how alike they are.
     Wear(MachineModel),
-    /// Tool life foretold from the sound: many tools, and a speed adjusted to the desired durability.
+    /// Tool life predicted from the sound: many tools, and a speed adjusted to the desired tool life.
     Life(LifeArgs),
     /// Random share of the contact force, calibrated on Table 3 of 2007, with its residuals.
     Roughness(MachineModel),

@@ -1,5 +1,5 @@
 //! `steadycut machine wear` and `machine life`: the five-mass machine over the tool's life, and the
-//! life foretold from its sound.
+//! life predicted from its sound.
 
 use std::fmt::Write as _;
 use std::process::ExitCode;
@@ -125,12 +125,12 @@ fn trends(text: &mut String, rows: &[TrendPoint], findings: &LifeFindings) -> st
     )
 }
 
-/// A group of tools and how well their lives were foretold.
+/// A group of tools and how well their lives were predicted.
 #[derive(Serialize)]
 struct Group {
     tools: &'static str,
     prior_error_percent: f64,
-    forecasts: Vec<Judgement>,
+    predictions: Vec<Judgement>,
     reference_life_error_percent: Option<[f64; SHARES.len()]>,
 }
 
@@ -156,7 +156,7 @@ fn groups(scenario: &Scenario, count: u32) -> Vec<Group> {
         Group {
             tools,
             prior_error_percent: study.prior_error_percent(),
-            forecasts: study.table(),
+            predictions: study.table(),
             reference_life_error_percent: reference,
         }
     };
@@ -186,7 +186,7 @@ pub fn life(args: &LifeArgs) -> Outcome {
     if args.model.json {
         let object = json!({
             "tools": args.tools, "groups": groups,
-            "durability": { "desired_min": wanted_min, "reached_fixed_min": fixed.end_min(),
+            "tool_life": { "desired_min": wanted_min, "reached_fixed_min": fixed.end_min(),
                 "reached_adjusted_min": adjusted.end_min(), "minutes": adjusted.minutes() },
         });
         writeln!(text, "{object:#}")?;
@@ -195,7 +195,7 @@ pub fn life(args: &LifeArgs) -> Outcome {
         groups.iter().try_for_each(|group| print(&mut text, group))?;
         writeln!(
             text,
-            "desired durability {wanted_min} min, this tool lives {} of Taylor's life",
+            "desired tool life {wanted_min} min, this tool lives {} of Taylor's life",
             scenario.wear.durability_factor
         )?;
         for (what, life) in [("constant speed", &fixed), ("speed adjusted", &adjusted)] {
@@ -221,9 +221,9 @@ fn print(text: &mut String, group: &Group) -> std::fmt::Result {
     writeln!(
         text,
         "{:>6}{:>8}{:>12}{:>8}{:>20}",
-        "x", "life", "reference", "rest", "in the 90 % range"
+        "x", "life", "reference", "left", "in the 90 % range"
     )?;
-    for (i, row) in group.forecasts.iter().enumerate() {
+    for (i, row) in group.predictions.iter().enumerate() {
         let reference = group.reference_life_error_percent.map(|errors| errors[i].to_string());
         writeln!(
             text,
@@ -231,7 +231,7 @@ fn print(text: &mut String, group: &Group) -> std::fmt::Result {
             row.x,
             row.life_error_percent,
             reference.unwrap_or_default(),
-            row.rest_error_percent,
+            row.remaining_error_percent,
             row.within_range_percent
         )?;
     }

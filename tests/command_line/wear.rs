@@ -125,12 +125,12 @@ fn machine_wear_prints_the_trends_beside_the_papers_claims() {
 }
 
 #[test]
-fn machine_life_judges_the_forecasts_and_reaches_the_desired_durability() {
+fn machine_life_judges_the_predictions_and_reaches_the_desired_tool_life() {
     let tool = ["--set", "wear.durability_factor=0.6", "--set", "life.durability_min=200"];
     let report = machine(&[&["life", "--json", "--tools", "2"], &tool[..]].concat());
     assert_eq!(report["groups"].as_array().unwrap().len(), 4);
-    let durability = &report["durability"];
-    let reached = |key: &str| durability[key].as_f64().unwrap();
+    let tool_life = &report["tool_life"];
+    let reached = |key: &str| tool_life[key].as_f64().unwrap();
     assert!(reached("reached_fixed_min") < 160.0);
     assert!((reached("reached_adjusted_min") / 200.0 - 1.0).abs() < 0.05);
 }

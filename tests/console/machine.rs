@@ -128,12 +128,12 @@ fn trends_are_solved_in_slices_and_stand_beside_the_papers_claim() {
         assert!(shown.contains("sound trend and roughness trend are identical"), "{shown}");
         assert!(shown.contains("found R = 0.9991, largest difference 0.039"), "{shown}");
         let shown = wait_for(&mut screen, "worn out after");
-        assert!(shown.contains("Foretold life from 0 min"), "{shown}");
+        assert!(shown.contains("Predicted life from 0 min"), "{shown}");
     }
 }
 
 #[test]
-fn a_speed_that_is_adjusted_brings_the_tool_to_its_durability() {
+fn a_speed_that_is_adjusted_brings_the_tool_to_its_desired_life() {
     let changes = [("wear.durability_factor", Value::Float(0.7))];
     let mut screen = open(SIZES[0].1, &changes);
     press(&mut screen, "Wear and sound");
@@ -292,7 +292,7 @@ fn every_part_looks_as_its_picture() {
 }
 
 #[test]
-fn the_running_cut_foretells_the_life_of_its_own_tool() {
+fn the_running_cut_predicts_the_life_of_its_own_tool() {
     for (_, size) in SIZES {
         let mut screen = screen::open("machine-life", size.into(), "Machine", &[]);
         press(&mut screen, "Wear and sound");

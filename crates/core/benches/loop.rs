@@ -10,7 +10,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use steadycut_core::base::rng::Stream;
 use steadycut_core::blocks::control::ControllerKind;
 use steadycut_core::blocks::cutting::process::ForceModel;
-use steadycut_core::models::machine::RoughnessFrom;
+use steadycut_core::models::structure::RoughnessFrom;
 use steadycut_core::run::edits::Edits;
 use steadycut_core::run::one_run::Run;
 use steadycut_core::run::presets::load;

@@ -7,8 +7,8 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::SMatrix;
 use nalgebra::SVector;
 use steadycut_core::blocks::machine::response::{CutForce, ModalResponse};
-use steadycut_core::models::machine::reduction::Reduction;
-use steadycut_core::models::machine::{FiveMass, MachineSettings};
+use steadycut_core::models::structure::reduction::Reduction;
+use steadycut_core::models::structure::{FiveMass, MachineSettings};
 
 /// Most that a step may cost, in matrix-vector products.
 const LIMIT: f64 = 4.0;

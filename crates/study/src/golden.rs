@@ -10,11 +10,11 @@ use crate::machine_life::adaptive::AdaptiveLife;
 use crate::machine_life::surface::surface;
 use crate::models::feed_drive::{ExactDrive, FeedDriveKind};
 use crate::models::genetic::{Calibration, ModelSet};
-use crate::models::machine::frf;
-use crate::models::machine::parameters::Parameters;
-use crate::models::machine::reduction::Reduction;
-use crate::models::machine::{FiveMass, MachineSettings, Reading};
 use crate::models::neural_force::NeuralForce;
+use crate::models::structure::frf;
+use crate::models::structure::parameters::Parameters;
+use crate::models::structure::reduction::Reduction;
+use crate::models::structure::{FiveMass, MachineSettings, Variant};
 use crate::plan::PlanJob;
 use crate::run::digest::Digest;
 use crate::run::edits::{Edit, Edits};
@@ -120,7 +120,7 @@ fn variants(preset: &Scenario) -> String {
 /// Both readings and all parameters of the machine: frequency response, and poles and residues
 /// from the library's eigenvalues.
 fn machines(preset: &MachineSettings, digest: &mut Digest) {
-    for reading in Reading::ALL {
+    for reading in Variant::ALL {
         for parameters in Parameters::ALL {
             let settings =
                 MachineSettings { reading: *reading, parameters: *parameters, ..preset.clone() };
@@ -139,7 +139,7 @@ fn machines(preset: &MachineSettings, digest: &mut Digest) {
     }
 }
 
-/// Trends, forecasts, adjusted speeds and the measured surface over the tool's life.
+/// Trends, predictions, adjusted speeds and the measured surface over the tool's life.
 fn tool_life(preset: &Scenario, digest: &mut Digest) {
     let model = machine_life::model(preset);
     for x in [0.0, 0.3, 1.0] {
@@ -153,7 +153,7 @@ fn tool_life(preset: &Scenario, digest: &mut Digest) {
     life.advance(25);
     for minute in life.minutes() {
         digest.word(minute.cutting_speed_m_min.to_bits());
-        digest.word(minute.rest_min.unwrap_or(f64::NAN).to_bits());
+        digest.word(minute.remaining_min.unwrap_or(f64::NAN).to_bits());
     }
 }
 

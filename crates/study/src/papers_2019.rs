@@ -2,14 +2,14 @@
 
 use serde::Serialize;
 
-use crate::models::machine::frf::{frequencies_hz, tree};
-use crate::models::machine::literal::Equation;
-use crate::models::machine::modes::undamped;
-use crate::models::machine::parameters::{
+use crate::models::structure::frf::{frequencies_hz, tree};
+use crate::models::structure::literal::Equation;
+use crate::models::structure::modes::undamped;
+use crate::models::structure::parameters::{
     DAMPING_PRINTED_N_S_M, Elements, FREQUENCY_HZ, MASS_KG, NODES, Parameters, QUALITY_PRINTED,
     STIFFNESS_PRINTED_N_M, by_rule,
 };
-use crate::models::machine::{FiveMass, MachineSettings};
+use crate::models::structure::{FiveMass, MachineSettings};
 
 /// Largest difference between a printed number and its rule that rounding explains.
 const ROUNDING: f64 = 0.05;
@@ -126,7 +126,7 @@ pub const NOT_REPRODUCED: &[&str] = &[
      chosen that gives them, which validates nothing",
     "how wear changes springs and dampers is not stated; every law of wear here is an assumption",
     "absolute amplitudes: a force of 107 N at every line of the spectrum is the formal reading of eq. 2",
-    "parameters of the tool's forecast: its equations are not in the paper",
+    "parameters of the tool-life prediction: its equations are not in the paper",
 ];
 
 #[cfg(test)]

@@ -15,9 +15,9 @@ use crate::base::math;
 use crate::base::rng::Stream;
 use crate::base::units::rev_s_from_rpm;
 use crate::blocks::cutting::tool::R216_16B20_040;
-use crate::models::machine::Complex;
-use crate::models::machine::frf::LAST_HZ;
 use crate::models::machine_trend::MachineTrend;
+use crate::models::structure::Complex;
+use crate::models::structure::frf::LAST_HZ;
 
 /// Samples of a block: 2.7 s at 48 kHz.
 pub const SAMPLES: usize = 1 << 17;
@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn the_teeth_are_heard_at_their_harmonics_and_the_spindle_at_its_mode() {
+    fn the_teeth_sound_at_their_harmonics_and_the_spindle_at_its_mode() {
         let sound = sound(1200.0);
         let powers = powers(&sound.block(0.3, 1.0));
         let line = |f_hz: f64| (f_hz * SAMPLES as f64 / f64::from(RATE_HZ)).round() as usize;

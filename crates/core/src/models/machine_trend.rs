@@ -12,10 +12,10 @@
 //! absolute amplitudes are formal, the trends are not. r_d is chosen so that Ra is 0.256 um at 107 N,
 //! where the 2007 paper's equation 8 gives 0.258 um; at other forces they part.
 
-use super::machine::Complex;
-use super::machine::FiveMass;
-use super::machine::frf::{LAST_HZ, STEP_HZ, Tree};
 use super::roughness_trend::{cusp_mm, ra_um};
+use super::structure::Complex;
+use super::structure::FiveMass;
+use super::structure::frf::{LAST_HZ, STEP_HZ, Tree};
 use super::wear::{WearCut, WearSettings};
 use crate::base::math::TAU;
 

@@ -3,7 +3,6 @@
 pub mod ball_end;
 pub mod feed_drive;
 pub mod genetic;
-pub mod machine;
 pub mod machine_trend;
 pub mod neural_force;
 pub mod part;
@@ -11,6 +10,7 @@ pub mod printed;
 pub mod roughness_profile;
 pub mod roughness_trend;
 pub mod spindle;
+pub mod structure;
 pub mod tool_life;
 pub mod unks;
 pub mod wear;

@@ -4,11 +4,11 @@
 //! E(a) = E0 g(w(a/T))                      g(0) = 1, g(1) = lambda: the criterion, from the model
 //! r_i(T) = ln E_i - ln g(w(a_i/T)),        ln E0 = mean r: eliminated
 //! J(T) = sum (r_i - mean r)^2/(sigma^2 n_c) + (ln(T/T_Taylor)/s_T)^2
-//! p(ln T) ~ exp(-J/2),  T > a;             T_hat = exp(mean of ln T),  rest = T_hat - a
+//! p(ln T) ~ exp(-J/2),  T > a;             T_hat = exp(mean of ln T),  remaining = T_hat - a
 //! ```
 //!
 //! a is the age: the time in cut, or under changing conditions the time that would wear the tool as
-//! much at the reference conditions, so a/T is the share x of the life. The minimum of parameters,
+//! much at the reference conditions, so a/T is the fraction x of the life. The minimum of parameters,
 //! T among them, is what the 2019 paper asks of a predictive model; its own is not printed.
 //! Samples are means of a minute. The posterior is held on a grid in ln T and grows sample by sample.
 
@@ -66,14 +66,14 @@ impl Growth {
     }
 }
 
-/// What is foretold.
+/// A prediction of the tool's life.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-pub struct Forecast {
+pub struct LifePrediction {
     /// Age of the tool, min.
     pub age_min: f64,
     /// Predicted life, min.
     pub life_min: f64,
-    /// Ninety percent of the belief lies between these, min.
+    /// The 5 % and 95 % quantiles of the belief, min.
     pub life_range_min: [f64; 2],
     /// Sound of the sharp tool as estimated.
     pub first_sound: f64,
@@ -81,10 +81,10 @@ pub struct Forecast {
     pub alarm: bool,
 }
 
-impl Forecast {
-    /// Time that is left, min.
+impl LifePrediction {
+    /// Remaining useful life, min.
     #[must_use]
-    pub fn rest_min(&self) -> f64 {
+    pub fn remaining_min(&self) -> f64 {
         math::positive(self.life_min - self.age_min)
     }
 }
@@ -138,7 +138,7 @@ impl Predictor {
 
     /// Takes the mean sound of a minute whose middle the tool reached at `age_min`; what is not
     /// finite and positive is left out.
-    pub fn hear(&mut self, age_min: f64, sound: f64) {
+    pub fn observe(&mut self, age_min: f64, sound: f64) {
         if !(sound > 0.0 && sound.is_finite() && age_min >= self.age_min) {
             return;
         }
@@ -157,7 +157,7 @@ impl Predictor {
 
     /// The present belief; `None` once the tool is older than all that was thought possible.
     #[must_use]
-    pub fn forecast(&self) -> Option<Forecast> {
+    pub fn prediction(&self) -> Option<LifePrediction> {
         let cost = |i: usize| self.squares[i] / self.variance + self.log_prior[i];
         let possible = (0..GRID).filter(|i| self.life_min[*i] > self.age_min);
         let points: Vec<usize> = possible.collect();
@@ -171,16 +171,16 @@ impl Predictor {
         let mean_of = |values: &[f64]| {
             points.iter().zip(&weights).map(|(i, weight)| values[*i] * weight).sum::<f64>() / total
         };
-        let quantile = |share: f64| {
+        let quantile = |probability: f64| {
             let mut sum = 0.0;
             let reached = points.iter().zip(&weights).find(|(_, weight)| {
                 sum += **weight;
-                sum >= share * total
+                sum >= probability * total
             });
             self.life_min[reached.map_or(GRID - 1, |(i, _)| *i)]
         };
         let first_sound = math::exp(mean_of(&self.mean));
-        Some(Forecast {
+        Some(LifePrediction {
             age_min: self.age_min,
             life_min: math::exp(mean_of(&self.log_life)),
             life_range_min: [quantile(0.05), quantile(0.95)],
@@ -199,37 +199,38 @@ mod tests {
         Predictor::new(&wear, &Growth::linear(1.844), &life, 240.0)
     }
 
-    /// A tool that lives `life_min` and sounds like the closed form, heard until `share` of it.
-    fn heard(life_min: f64, share: f64) -> Predictor {
+    /// A tool that lives `life_min` and sounds like the closed form, observed until the fraction `used` of it.
+    fn observed(life_min: f64, used: f64) -> Predictor {
         let (wear, growth) = (WearSettings::default(), Growth::linear(1.844));
         let mut predictor = predictor();
-        for minute in 0..(life_min * share) as u32 {
+        for minute in 0..(life_min * used) as u32 {
             let age_min = f64::from(minute) + 0.5;
-            predictor.hear(age_min, 3.7 * growth.at(wear.wear(age_min / life_min)));
+            predictor.observe(age_min, 3.7 * growth.at(wear.wear(age_min / life_min)));
         }
         predictor
     }
 
     #[test]
-    fn without_sound_the_forecast_is_taylors_life_with_its_spread() {
-        let forecast = predictor().forecast().unwrap();
-        assert!((forecast.life_min / 240.0 - 1.0).abs() < 1e-9);
+    fn without_sound_the_prediction_is_taylors_life_with_its_spread() {
+        let prediction = predictor().prediction().unwrap();
+        assert!((prediction.life_min / 240.0 - 1.0).abs() < 1e-9);
         // Ninety percent of a normal distribution: 1.645 spreads to each side.
-        for (limit, sign) in forecast.life_range_min.into_iter().zip([-1.0, 1.0]) {
+        for (limit, sign) in prediction.life_range_min.into_iter().zip([-1.0, 1.0]) {
             let expected = 240.0 * math::exp(sign * 1.645 * 0.3);
             assert!((limit / expected - 1.0).abs() < 0.01, "{limit} {expected}");
         }
-        assert!(!forecast.alarm);
+        assert!(!prediction.alarm);
     }
 
     #[test]
-    fn a_clean_trend_tells_the_life_and_the_sound_of_the_sharp_tool() {
+    fn a_clean_trend_gives_the_life_and_the_sound_of_the_sharp_tool() {
         for life_min in [160.0, 240.0, 380.0] {
-            let [early, late] = [0.5, 0.95].map(|share| heard(life_min, share).forecast().unwrap());
+            let [early, late] =
+                [0.5, 0.95].map(|used| observed(life_min, used).prediction().unwrap());
             assert!((late.life_min / life_min - 1.0).abs() < 0.01, "{late:?}");
             assert!((late.first_sound / 3.7 - 1.0).abs() < 0.01);
             assert!((early.life_min / life_min - 1.0).abs() < 0.15, "{early:?}");
-            let width = |f: &Forecast| f.life_range_min[1] / f.life_range_min[0];
+            let width = |f: &LifePrediction| f.life_range_min[1] / f.life_range_min[0];
             assert!(width(&late) < 0.5 * width(&early) + 0.5, "{early:?} {late:?}");
             assert!(late.life_range_min[0] < life_min && life_min < late.life_range_min[1]);
             assert!(!early.alarm && !late.alarm);
@@ -238,20 +239,20 @@ mod tests {
 
     #[test]
     fn the_alarm_comes_at_lambda_and_does_not_know_the_life() {
-        let mut predictor = heard(240.0, 0.6);
-        predictor.hear(145.0, 3.7 * 1.9);
-        assert!(predictor.forecast().unwrap().alarm);
+        let mut predictor = observed(240.0, 0.6);
+        predictor.observe(145.0, 3.7 * 1.9);
+        assert!(predictor.prediction().unwrap().alarm);
     }
 
     #[test]
-    fn what_cannot_be_heard_changes_nothing_and_an_immortal_tool_has_no_forecast() {
-        let mut predictor = heard(240.0, 0.3);
-        let before = predictor.forecast();
+    fn what_cannot_be_observed_changes_nothing_and_an_immortal_tool_has_no_prediction() {
+        let mut predictor = observed(240.0, 0.3);
+        let before = predictor.prediction();
         for (age, sound) in [(f64::NAN, 1.0), (80.0, f64::NAN), (80.0, -1.0), (1.0, 3.7)] {
-            predictor.hear(age, sound);
+            predictor.observe(age, sound);
         }
-        assert_eq!(predictor.forecast(), before);
-        predictor.hear(1e7, 3.7);
-        assert_eq!(predictor.forecast(), None);
+        assert_eq!(predictor.prediction(), before);
+        predictor.observe(1e7, 3.7);
+        assert_eq!(predictor.prediction(), None);
     }
 }

@@ -9,9 +9,9 @@ use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::wear::ToolWear;
 use crate::blocks::machine::coupled::{Coupled, CoupledSetup, CutState};
 use crate::blocks::surface::finish::Finish;
-use crate::models::machine::FiveMass;
-use crate::models::machine::RoughnessFrom;
-use crate::models::machine::reduction::Reduction;
+use crate::models::structure::FiveMass;
+use crate::models::structure::RoughnessFrom;
+use crate::models::structure::reduction::Reduction;
 
 /// Micrometres in a metre, and millimetres.
 const UM_PER_M: f64 = 1e6;

@@ -1,4 +1,4 @@
-//! The adaptive use of the forecast in the running cut: the programmed speed is adjusted so that the
+//! The adaptive use of the life prediction in the running cut: the programmed speed is adjusted so that the
 //! tool reaches the desired durability (2019).
 //!
 //! ```text
@@ -15,20 +15,22 @@ use crate::base::math;
 use crate::base::settings::SettingError;
 use crate::blocks::control::FeedSpeed;
 use crate::blocks::cutting::tool::R216_16B20_040;
-use crate::blocks::sensing::listener::{Listened, Listener, ListenerSetup};
+use crate::blocks::sensing::tool_condition::{
+    CutObservation, EstimatorSetup, ToolConditionEstimator,
+};
 use crate::models::genetic::GeneticModels;
-use crate::models::machine::FiveMass;
-use crate::models::machine::reduction::Reduction;
+use crate::models::structure::FiveMass;
+use crate::models::structure::reduction::Reduction;
 use crate::models::wear::{WearCut, WearModel};
 
 /// Minutes of the tool's life between two adjustments (chosen).
 pub const PERIOD_MIN: f64 = 10.0;
-/// The speed stays between these shares of the programmed one (chosen: the range of the overrides).
-pub const SPEED_SHARES: [f64; 2] = [0.5, 1.5];
-/// No adjustment in the last minutes: the rest that is wanted is too short to divide by.
+/// The speed stays between these ratios to the programmed one (chosen: the range of the overrides).
+pub const SPEED_RATIOS: [f64; 2] = [0.5, 1.5];
+/// No adjustment in the last minutes: the remaining life wanted is too short to divide by.
 pub const LAST_MIN: f64 = 10.0;
 
-/// What of a cut at feed and speed wears the papers' tool, at an axial depth in mm.
+/// The quantities of Taylor's equation for the papers' tool at a feed, a speed and an axial depth in mm.
 #[must_use]
 pub fn wear_cut(at: FeedSpeed, axial_depth_mm: f64) -> WearCut {
     let tool = R216_16B20_040;
@@ -39,13 +41,13 @@ pub fn wear_cut(at: FeedSpeed, axial_depth_mm: f64) -> WearCut {
     }
 }
 
-/// The listener of a scenario before the cut.
+/// The tool-condition estimator of a scenario before the cut.
 ///
 /// # Errors
 /// As [`Reduction::new`].
-pub fn listener(scenario: &Scenario) -> Result<Listener, SettingError> {
+pub fn estimator(scenario: &Scenario) -> Result<ToolConditionEstimator, SettingError> {
     let tool = R216_16B20_040;
-    Ok(Listener::new(ListenerSetup {
+    Ok(ToolConditionEstimator::new(EstimatorSetup {
         machine: Reduction::new(&FiveMass::new(&scenario.machine))?,
         teeth: tool.teeth as u32,
         diameter_mm: tool.diameter_mm,
@@ -55,12 +57,12 @@ pub fn listener(scenario: &Scenario) -> Result<Listener, SettingError> {
     }))
 }
 
-/// What a row lets hear, for `dt_s`; `belief` gives the force of a sharp tool.
+/// What a row of length `dt_s` shows of the cut; `belief` gives the force of a sharp tool.
 #[must_use]
-pub fn listened(row: &Row, belief: &GeneticModels, dt_s: f64) -> Listened {
+pub fn observation_of(row: &Row, belief: &GeneticModels, dt_s: f64) -> CutObservation {
     let at = FeedSpeed { feed_mm_min: row.feed_mm_min, speed_rpm: row.spindle_rpm };
     let force_n = belief.force(at.feed_mm_min, at.speed_rpm).value;
-    Listened {
+    CutObservation {
         dt_s,
         cut: wear_cut(at, row.axial_depth_mm),
         speed_rpm: row.spindle_rpm,
@@ -74,7 +76,7 @@ pub fn listened(row: &Row, belief: &GeneticModels, dt_s: f64) -> Listened {
 /// The adjustment of the speed in a run.
 #[derive(Clone, Debug)]
 pub struct Durability {
-    listener: Listener,
+    estimator: ToolConditionEstimator,
     desired_min: f64,
     taylor_exponent: f64,
     time_scale: f64,
@@ -86,28 +88,28 @@ pub struct Durability {
 }
 
 impl Durability {
-    /// The adjustment of a scenario; `None` where it is off, or nothing wears or is heard.
+    /// The adjustment of a scenario; `None` where it is off, or where nothing wears or sounds.
     #[must_use]
     pub fn new(scenario: &Scenario) -> Option<Box<Self>> {
         let (wear, machine) = (&scenario.wear, &scenario.machine);
         if !(wear.adjust_speed && wear.model == WearModel::Life && machine.coupled) {
             return None;
         }
-        let listener = listener(scenario).ok()?;
+        let estimator = estimator(scenario).ok()?;
         Some(Box::new(Self {
             desired_min: scenario.life.durability_min,
             taylor_exponent: wear.taylor_exponent,
             time_scale: wear.time_scale,
-            time_min: listener.age_min(),
-            next_min: listener.age_min() + PERIOD_MIN,
+            time_min: estimator.age_min(),
+            next_min: estimator.age_min() + PERIOD_MIN,
             share: 1.0,
-            listener,
+            estimator,
         }))
     }
 
-    /// Takes over changed settings; what was heard stays.
+    /// Takes over changed settings; what was observed stays.
     pub fn reconfigure(&mut self, scenario: &Scenario) {
-        self.listener.reconfigure(&scenario.wear);
+        self.estimator.reconfigure(&scenario.wear);
         self.desired_min = scenario.life.durability_min;
         self.taylor_exponent = scenario.wear.taylor_exponent;
         self.time_scale = scenario.wear.time_scale;
@@ -124,19 +126,20 @@ impl Durability {
 
     /// Lets `dt_s` of the cut in `row` pass.
     pub fn update(&mut self, row: &Row, belief: &GeneticModels, dt_s: f64) {
-        let heard = listened(row, belief, dt_s);
-        if heard.in_cut {
+        let observation = observation_of(row, belief, dt_s);
+        if observation.in_cut {
             self.time_min += self.time_scale * dt_s / 60.0;
         }
-        let Some(forecast) = self.listener.hear(&heard) else { return };
+        let Some(prediction) = self.estimator.observe(&observation) else { return };
         let wanted_min = self.desired_min - self.time_min;
         if self.time_min < self.next_min || wanted_min < LAST_MIN {
             return;
         }
         self.next_min = self.time_min + PERIOD_MIN;
-        let rest_min = forecast.rest_min() * self.listener.stretch(&heard.cut);
-        let ratio = math::pow(rest_min / wanted_min, self.taylor_exponent);
-        let [low, high] = SPEED_SHARES;
+        let remaining_min =
+            prediction.remaining_min() * self.estimator.life_ratio(&observation.cut);
+        let ratio = math::pow(remaining_min / wanted_min, self.taylor_exponent);
+        let [low, high] = SPEED_RATIOS;
         self.share = math::limit(self.share * ratio, low, high);
     }
 }

@@ -23,12 +23,12 @@ use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::Target;
 use crate::blocks::sensing::dynamic_force::NoiseSettings;
 use crate::models::genetic::ModelSet;
-use crate::models::machine::FiveMass;
-use crate::models::machine::MachineSettings;
-use crate::models::machine::reduction::Reduction;
 use crate::models::machine_trend::LifeSettings;
 use crate::models::part::ProgrammedPart;
 use crate::models::roughness_profile::ProfileSettings;
+use crate::models::structure::FiveMass;
+use crate::models::structure::MachineSettings;
+use crate::models::structure::reduction::Reduction;
 use crate::models::unks::Stored;
 use crate::models::wear::WearSettings;
 

@@ -12,8 +12,8 @@ use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::surface::profile::Passing;
 use crate::blocks::surface::topography::{ToothMark, Topography};
-use crate::models::machine::RoughnessFrom;
 use crate::models::part::APPROACH_MM;
+use crate::models::structure::RoughnessFrom;
 
 /// A straight cut of the part.
 #[derive(Clone, Debug)]

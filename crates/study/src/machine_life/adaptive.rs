@@ -1,13 +1,13 @@
-//! The adaptive use: the cutting speed is adjusted so that the tool reaches the desired durability.
+//! The adaptive use: the cutting speed is adjusted so that the tool reaches the desired tool life.
 //!
 //! ```text
 //! vc_new = vc [ R/R_des ]^n,   R = (T_hat - a) T(vc)/T(vc0),   R_des = T_des - t
 //! ```
 //!
-//! R is the rest that is foretold at the present speed, R_des the rest that is wanted. The feed per
+//! R is the remaining life predicted at the present speed, R_des the remaining life wanted. The feed per
 //! tooth stays. The age a counts in minutes at the programmed speed vc0. Taken as known: Taylor's
-//! exponents. Unknown: how long this very tool lives. The sound is heard relative to that of a sharp
-//! tool in the same cut, so that the speed itself is not heard as wear (chosen).
+//! exponents. Unknown: how long this very tool lives. The sound is taken relative to that of a sharp
+//! tool in the same cut, so that the speed itself is not mistaken for wear (chosen).
 
 use serde::Serialize;
 
@@ -16,15 +16,15 @@ use super::monte_carlo::MinuteNoise;
 use crate::base::math;
 use crate::base::rng::Stream;
 use crate::models::machine_trend::MachineTrend;
-use crate::models::tool_life::{Forecast, Growth, Predictor};
+use crate::models::tool_life::{Growth, LifePrediction, Predictor};
 use crate::models::wear::WearCut;
 use crate::run::scenario::Scenario;
 
 /// Minutes between two adjustments (chosen).
 const PERIOD_MIN: u64 = 10;
 /// The speed stays between these shares of the programmed one (chosen: the range of the overrides).
-const SPEED_SHARES: [f64; 2] = [0.5, 1.5];
-/// No adjustment in the last minutes: the rest that is wanted is too short to divide by.
+const SPEED_RATIOS: [f64; 2] = [0.5, 1.5];
+/// No adjustment in the last minutes: the remaining life wanted is too short to divide by.
 const LAST_MIN: f64 = 10.0;
 /// A tool that lives longer than this many times the wish is given up.
 const LONGEST: f64 = 10.0;
@@ -38,12 +38,12 @@ pub struct Minute {
     pub x: f64,
     /// Cutting speed, m/min.
     pub cutting_speed_m_min: f64,
-    /// Sound relative to the sharp tool, as heard.
+    /// Measured sound relative to the sharp tool.
     pub sound: f64,
-    /// Foretold rest at the present speed, min.
-    pub rest_min: Option<f64>,
-    /// Ninety percent of the belief about the rest, min.
-    pub rest_range_min: Option<[f64; 2]>,
+    /// Predicted remaining life at the present speed, min.
+    pub remaining_min: Option<f64>,
+    /// The 5 % and 95 % quantiles of the remaining life, min.
+    pub remaining_range_min: Option<[f64; 2]>,
 }
 
 /// The life of one tool, minute by minute.
@@ -85,7 +85,7 @@ impl AdaptiveLife {
     }
 
     /// Life at the present speed over that at the programmed one.
-    fn stretch(&self) -> f64 {
+    fn life_ratio(&self) -> f64 {
         let wear = &self.model.wear;
         wear.taylor_min(&self.cut) / wear.taylor_min(&self.model.cut)
     }
@@ -105,41 +105,42 @@ impl AdaptiveLife {
     fn minute(&mut self) {
         let wear = &self.model.wear;
         let (before, rate) = (self.x, 1.0 / wear.life_min(&self.cut));
-        let passed = 1.0 / self.stretch();
+        let passed = 1.0 / self.life_ratio();
         let time_min = self.minutes.len() as f64;
         let sound = self.growth.at(wear.wear(before + 0.5 * rate)) * self.noise.factor();
         self.x = before + rate;
         if self.x >= 1.0 {
             self.end_min = Some(time_min + (1.0 - before) / rate);
         }
-        self.predictor.hear(self.age_min + 0.5 * passed, sound);
+        self.predictor.observe(self.age_min + 0.5 * passed, sound);
         self.age_min += passed;
-        let forecast = self.predictor.forecast();
+        let prediction = self.predictor.prediction();
         self.minutes.push(Minute {
             time_min: time_min + 1.0,
             x: self.x,
             cutting_speed_m_min: self.cut.cutting_speed_m_min,
             sound,
-            rest_min: forecast.map(|forecast| forecast.rest_min() * self.stretch()),
-            rest_range_min: forecast.map(|forecast| {
-                let rest = |life_min: f64| math::positive(life_min - forecast.age_min);
-                forecast.life_range_min.map(|life_min| rest(life_min) * self.stretch())
+            remaining_min: prediction
+                .map(|prediction| prediction.remaining_min() * self.life_ratio()),
+            remaining_range_min: prediction.map(|prediction| {
+                let remaining = |life_min: f64| math::positive(life_min - prediction.age_min);
+                prediction.life_range_min.map(|life_min| remaining(life_min) * self.life_ratio())
             }),
         });
-        if let Some(forecast) = forecast.filter(|_| self.adjusts) {
-            self.adjust(&forecast);
+        if let Some(prediction) = prediction.filter(|_| self.adjusts) {
+            self.adjust(&prediction);
         }
     }
 
-    fn adjust(&mut self, forecast: &Forecast) {
+    fn adjust(&mut self, prediction: &LifePrediction) {
         let wanted_min = self.model.life.durability_min - self.minutes.len() as f64;
         if !(self.minutes.len() as u64).is_multiple_of(PERIOD_MIN) || wanted_min < LAST_MIN {
             return;
         }
-        let rest_min = forecast.rest_min() * self.stretch();
-        let ratio = math::pow(rest_min / wanted_min, self.model.wear.taylor_exponent);
+        let remaining_min = prediction.remaining_min() * self.life_ratio();
+        let ratio = math::pow(remaining_min / wanted_min, self.model.wear.taylor_exponent);
         let programmed = self.model.cut.cutting_speed_m_min;
-        let [low, high] = SPEED_SHARES.map(|share| share * programmed);
+        let [low, high] = SPEED_RATIOS.map(|share| share * programmed);
         let speed = math::limit(self.cut.cutting_speed_m_min * ratio, low, high);
         self.cut.cutting_speed_m_min = speed;
     }
@@ -172,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn tools_better_and_worse_than_taylor_reach_the_desired_durability() {
+    fn tools_better_and_worse_than_taylor_reach_the_desired_tool_life() {
         for factor in [0.7, 1.0, 1.4] {
             let [fixed, adjusted] = [false, true].map(|adjusts| lived(factor, adjusts));
             let wanted = adjusted.model.life.durability_min;

@@ -7,10 +7,10 @@
 
 pub mod adaptive;
 pub mod calibration;
-pub mod listening;
 pub mod measurement;
 pub mod monte_carlo;
 pub mod surface;
+pub mod tool_condition;
 
 use serde::Serialize;
 
@@ -19,8 +19,8 @@ use crate::base::units::s_from_min;
 use crate::blocks::cnc::feed_override::Program;
 use crate::blocks::control::FeedSpeed;
 use crate::blocks::cutting::tool::R216_16B20_040;
-use crate::models::machine::FiveMass;
 use crate::models::machine_trend::{MachineTrend, TrendLine, TrendPoint};
+use crate::models::structure::FiveMass;
 use crate::models::wear::WearCut;
 use crate::run::durability::wear_cut;
 use crate::run::scenario::Scenario;

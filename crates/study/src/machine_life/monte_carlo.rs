@@ -1,4 +1,4 @@
-//! How well the life is foretold: many tools whose lives differ, each heard with noise.
+//! How well the life is predicted: many tools whose lives differ, each measured with noise.
 //!
 //! A tool's true life is log-normal around the prior, clipped; a minute's mean sound carries the
 //! white noise of its sixty seconds and a slow noise with memory, both in proportion to the sound.
@@ -11,7 +11,7 @@ use crate::models::machine_trend::LifeSettings;
 use crate::models::tool_life::{Growth, Predictor};
 use crate::models::wear::WearSettings;
 
-/// Shares of the true life at which the forecast is judged.
+/// Fractions of the true life at which the prediction is judged.
 pub const SHARES: [f64; 6] = [0.3, 0.5, 0.7, 0.8, 0.9, 0.95];
 /// True lives are clipped to these shares of the prior: 100 to 560 min at 240.
 const LIFE_SHARES: [f64; 2] = [100.0 / 240.0, 560.0 / 240.0];
@@ -80,7 +80,7 @@ impl MinuteNoise {
 #[derive(Clone, Copy, Debug)]
 struct Judged {
     life_error: f64,
-    rest_error: f64,
+    remaining_error: f64,
     within: bool,
 }
 
@@ -93,7 +93,7 @@ pub struct LifeMonteCarlo {
     prior_errors: Vec<f64>,
 }
 
-/// The forecasts at one share of the life.
+/// The predictions at one fraction of the life.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Judgement {
     /// Share of the true life.
@@ -101,7 +101,7 @@ pub struct Judgement {
     /// Median error of the predicted life, percent of the true one.
     pub life_error_percent: f64,
     /// Median error of the time that is left, percent of the true one.
-    pub rest_error_percent: f64,
+    pub remaining_error_percent: f64,
     /// How often the true life lay in the range of ninety percent, percent.
     pub within_range_percent: f64,
 }
@@ -154,13 +154,14 @@ impl LifeMonteCarlo {
         for minute in 0..life_min as u32 {
             let age_min = f64::from(minute) + 0.5;
             let growth = 1.0 + louder * (truth.at(wear.wear(age_min / life_min)) - 1.0);
-            predictor.hear(age_min, growth * noise.factor());
+            predictor.observe(age_min, growth * noise.factor());
             if next < SHARES.len() && age_min + 1.0 > SHARES[next] * life_min {
-                judged[next] = predictor.forecast().map(|forecast| Judged {
-                    life_error: (forecast.life_min / life_min - 1.0).abs(),
-                    rest_error: (forecast.rest_min() / (life_min - age_min) - 1.0).abs(),
-                    within: forecast.life_range_min[0] <= life_min
-                        && life_min <= forecast.life_range_min[1],
+                judged[next] = predictor.prediction().map(|prediction| Judged {
+                    life_error: (prediction.life_min / life_min - 1.0).abs(),
+                    remaining_error: (prediction.remaining_min() / (life_min - age_min) - 1.0)
+                        .abs(),
+                    within: prediction.life_range_min[0] <= life_min
+                        && life_min <= prediction.life_range_min[1],
                 });
                 next += 1;
             }
@@ -174,7 +175,7 @@ impl LifeMonteCarlo {
         100.0 * median(self.prior_errors.clone())
     }
 
-    /// The forecasts of the tools done, by share of the life.
+    /// The predictions for the tools done, by fraction of the life.
     #[must_use]
     pub fn table(&self) -> Vec<Judgement> {
         let row = |(i, x): (usize, &f64)| {
@@ -184,7 +185,7 @@ impl LifeMonteCarlo {
             Judgement {
                 x: *x,
                 life_error_percent: percent(|judged| judged.life_error),
-                rest_error_percent: percent(|judged| judged.rest_error),
+                remaining_error_percent: percent(|judged| judged.remaining_error),
                 within_range_percent: 100.0 * within / here.len().max(1) as f64,
             }
         };
@@ -229,13 +230,16 @@ mod tests {
         for (row, reference) in table.iter().zip(REFERENCE_PERCENT[0]) {
             assert!(row.life_error_percent < BAND * reference, "{row:?}");
             assert!(row.life_error_percent > reference / 3.0, "too good to be true: {row:?}");
-            assert!(row.rest_error_percent < 35.0 && row.within_range_percent > 70.0, "{row:?}");
+            assert!(
+                row.remaining_error_percent < 35.0 && row.within_range_percent > 70.0,
+                "{row:?}"
+            );
         }
         assert!((14.0..26.0).contains(&study.prior_error_percent()));
     }
 
     #[test]
-    fn tools_of_other_shapes_are_foretold_worse() {
+    fn tools_of_other_shapes_are_predicted_worse() {
         let study = study(true, 40);
         for (row, reference) in study.table().iter().zip(REFERENCE_PERCENT[1]) {
             assert!(row.life_error_percent < BAND * reference, "{row:?}");

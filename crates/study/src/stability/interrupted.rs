@@ -17,7 +17,7 @@ use nalgebra::SMatrix;
 
 use super::{StabilityCut, least_unstable, lobes};
 use crate::base::math;
-use crate::models::machine::reduction::Reduction;
+use crate::models::structure::reduction::Reduction;
 
 /// Longest interval, s: some sixty for a period of the spindle's mode.
 const INTERVAL_S: f64 = 1.5e-4;
@@ -191,7 +191,7 @@ pub fn limit_mm(cut: &StabilityCut, speed_rpm: f64, highest_mm: f64) -> Option<f
 mod tests {
     use super::*;
     use crate::base::math::PI;
-    use crate::models::machine::engagement::EngagementAngles;
+    use crate::models::structure::engagement::EngagementAngles;
     use crate::run::scenario::Scenario;
 
     fn cut() -> StabilityCut {

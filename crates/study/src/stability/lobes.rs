@@ -10,8 +10,8 @@
 
 use super::StabilityCut;
 use crate::base::math::{self, TAU};
-use crate::models::machine::Complex;
-use crate::models::machine::frf::Tree;
+use crate::models::structure::Complex;
+use crate::models::structure::frf::Tree;
 
 /// Highest chatter frequency that is looked for, Hz: above it Re G_rel is positive.
 const HIGHEST_HZ: f64 = 1500.0;

@@ -17,9 +17,9 @@ pub mod simulated;
 use crate::base::settings::SettingError;
 use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::workpiece::RADIAL_DEPTH_2007_MM;
-use crate::models::machine::FiveMass;
-use crate::models::machine::engagement::EngagementAngles;
-use crate::models::machine::reduction::Reduction;
+use crate::models::structure::FiveMass;
+use crate::models::structure::engagement::EngagementAngles;
+use crate::models::structure::reduction::Reduction;
 use crate::run::scenario::Scenario;
 
 /// A cut on a machine, all but its speed and depth.

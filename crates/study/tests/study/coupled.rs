@@ -1,4 +1,4 @@
-//! The five-mass machine in the running cut: vibration, chatter, and what is heard and felt of it.
+//! The five-mass machine in the running cut: vibration, chatter, and its sound and what reaches the surface.
 
 use steadycut_core::base::math::extent;
 use steadycut_core::base::settings::Value;
@@ -9,7 +9,7 @@ use steadycut_core::run::one_run::{End, Run};
 use steadycut_core::run::presets::load;
 use steadycut_core::run::scenario::Scenario;
 use steadycut_core::run::signals::{Row, flag};
-use steadycut_study::machine_life::listening::listen;
+use steadycut_study::machine_life::tool_condition::predictions;
 use steadycut_study::machine_life::{correlation, programmed_cut};
 use steadycut_study::stability::{StabilityCut, interrupted};
 
@@ -202,7 +202,7 @@ fn the_hardest_machines_stay_contained() {
 #[test]
 fn wear_sound_and_roughness_tell_one_story() {
     let mut scenario = load("machine-life").unwrap();
-    // Worse than Taylor's equation promises, which the listener does not know.
+    // Worse than Taylor's equation promises, which the estimator does not know.
     scenario.wear.durability_factor = 0.8;
     scenario.wear.time_scale = 400.0;
     scenario.run.duration_s = 38.0;
@@ -231,21 +231,21 @@ fn wear_sound_and_roughness_tell_one_story() {
     let growth = sound[sound.len() - 1] / sound[0];
     println!("sound grows to {growth:.3}");
 
-    let heard = listen(&scenario, run.recording()).unwrap();
-    assert!(heard.len() > 200, "{}", heard.len());
+    let estimates = predictions(&scenario, run.recording()).unwrap();
+    assert!(estimates.len() > 200, "{}", estimates.len());
     let truth_min = scenario.wear.life_min(&programmed_cut(&scenario));
     for (share, band) in [(0.5, 0.25), (0.8, 0.1), (0.95, 0.05)] {
-        let then = heard.iter().find(|heard| heard.used_life >= share).unwrap();
-        let error = then.forecast.life_min / truth_min - 1.0;
-        println!("x = {share}: {:?}, error {:.2} %", then.forecast, 100.0 * error);
+        let then = estimates.iter().find(|estimate| estimate.used_life >= share).unwrap();
+        let error = then.prediction.life_min / truth_min - 1.0;
+        println!("x = {share}: {:?}, error {:.2} %", then.prediction, 100.0 * error);
         assert!(error.abs() < band, "{share}: {error}");
         // The loop's sound is the closed form's; the force model is told the depth of 2 mm twice.
-        assert!((2.0 * then.forecast.first_sound - 1.0).abs() < 0.02, "{:?}", then.forecast);
+        assert!((2.0 * then.prediction.first_sound - 1.0).abs() < 0.02, "{:?}", then.prediction);
     }
 }
 
 #[test]
-fn the_speed_is_adjusted_so_that_the_tool_reaches_the_desired_durability() {
+fn the_speed_is_adjusted_so_that_the_tool_reaches_the_desired_tool_life() {
     // 311 min by Taylor's equation at this cut; wanted are 250 of tools that live 0.7 and 1.4 times that.
     let end_min = |factor: f64, adjust: bool| {
         let mut scenario = load("machine-life").unwrap();

@@ -10,7 +10,7 @@ use super::models::{desired_force, roughness};
 use super::overrides::overrides;
 use crate::base::units::percent_from_ratio;
 use crate::models::genetic::GeneticModels;
-use crate::models::machine::RoughnessFrom;
+use crate::models::structure::RoughnessFrom;
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 

@@ -5,7 +5,7 @@ use super::live::Live;
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 
-/// The force that drives the machine, and what is felt and heard of it.
+/// The force that drives the machine, and its vibration and sound.
 pub fn vibration(row: &Row, scenario: &Scenario) -> Live {
     let machine = &scenario.machine;
     Live::everywhere(

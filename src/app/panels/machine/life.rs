@@ -1,16 +1,16 @@
 //! What is worked out over the tool's life, in slices beside the picture: the trends, and one tool
-//! whose life is foretold; and what the cut in the console foretells of its own.
+//! whose life is predicted; and the life predicted from the cut in the console.
 
 use crate::app::session::Session;
 use crate::models::machine_trend::{MachineTrend, TrendPoint};
 use crate::models::wear::WearModel;
 use crate::run::scenario::Scenario;
 use crate::study::machine_life::adaptive::AdaptiveLife;
-use crate::study::machine_life::listening::{Heard, listen};
 use crate::study::machine_life::measurement::measure;
+use crate::study::machine_life::tool_condition::{ConditionEstimate, predictions};
 use crate::study::machine_life::{LifeFindings, LifeJob, model};
 
-/// Points of time that one frame may cost, and minutes of the tool that is foretold: some
+/// Points of time that one frame may cost, and minutes of the tool whose life is predicted: some
 /// milliseconds each.
 const POINTS_PER_FRAME: usize = 300;
 const MINUTES_PER_FRAME: usize = 12;
@@ -27,7 +27,7 @@ pub struct Life {
     pub findings: Option<LifeFindings>,
     /// Correlations of a virtual measurement with the calculation: trend and spectrum.
     pub measured_r: [Option<f64>; 2],
-    /// The tool whose life is foretold.
+    /// The tool whose life is predicted.
     pub tool: AdaptiveLife,
     /// Whether its life is over, or given up.
     pub tool_done: bool,
@@ -47,7 +47,7 @@ impl Key {
 }
 
 impl Life {
-    /// The jobs of a scenario, not yet begun; `adjusts` adjusts the speed to the durability.
+    /// The jobs of a scenario, not yet begun; `adjusts` adjusts the speed to the desired tool life.
     #[must_use]
     pub fn new(scenario: &Scenario, adjusts: bool) -> Self {
         let key = Key::new(scenario, adjusts);
@@ -104,24 +104,24 @@ impl Life {
     }
 }
 
-/// What the sound of the cut in the console has foretold, up to the playhead.
+/// The life predicted from the sound of the cut in the console, up to the playhead.
 #[derive(Default)]
 pub struct LifeInCut {
-    /// Changes and rows of the run that was listened to.
+    /// Changes and rows of the run that was evaluated.
     of: Option<(u64, usize)>,
-    heard: Vec<Heard>,
-    /// Why nothing can be heard.
+    estimates: Vec<ConditionEstimate>,
+    /// Why there is no prediction.
     pub problem: Option<String>,
 }
 
 impl LifeInCut {
-    /// Whether the cut can be listened to: the machine vibrates in it, and the tool wears.
+    /// Whether the cut can be evaluated: the machine vibrates in it, and the tool wears.
     #[must_use]
     pub fn possible(scenario: &Scenario) -> bool {
         scenario.machine.coupled && scenario.wear.model == WearModel::Life
     }
 
-    /// Listens to the run once it is simulated to its end, and again when it has changed.
+    /// Evaluates the run once it is simulated to its end, and again when it has changed.
     pub fn follow(&mut self, session: &Session) {
         let cut = session.chosen();
         let of = (session.changes(), cut.run().recording().rows().len());
@@ -129,18 +129,18 @@ impl LifeInCut {
             return;
         }
         self.of = Some(of);
-        let found = listen(session.scenario(), cut.run().recording());
+        let found = predictions(session.scenario(), cut.run().recording());
         self.problem = found.as_ref().err().map(ToString::to_string);
-        self.heard = found.unwrap_or_default();
+        self.estimates = found.unwrap_or_default();
     }
 
-    /// What was heard up to a time of the run in s.
+    /// The estimates up to a time of the run in s.
     #[must_use]
-    pub fn until(&self, time_s: f64) -> &[Heard] {
-        &self.heard[..self.heard.partition_point(|heard| heard.time_s <= time_s)]
+    pub fn until(&self, time_s: f64) -> &[ConditionEstimate] {
+        &self.estimates[..self.estimates.partition_point(|estimate| estimate.time_s <= time_s)]
     }
 
-    /// Whether the run has been listened to.
+    /// Whether the run has been evaluated.
     #[must_use]
     pub fn is_ready(&self) -> bool {
         self.of.is_some()

@@ -1,6 +1,6 @@
 //! The five-mass machine: its masses moving, its frequency response and modes; wear, sound and
-//! roughness over the tool's life and the life foretold; the stability chart; and the sound of the
-//! cut to listen to.
+//! roughness over the tool's life and the predicted life; the stability chart; and the sound of the
+//! cut.
 
 mod controls;
 mod life;
@@ -52,7 +52,7 @@ const PARTS: [(Part, &str, &str); 3] = [
     (
         Part::Life,
         "Wear and sound",
-        "Wear, sound and roughness over the tool's life, and the life foretold",
+        "Wear, sound and roughness over the tool's life, and its predicted life",
     ),
     (Part::Stability, "Stability", "The depth at which the cut chatters, over the speed"),
 ];

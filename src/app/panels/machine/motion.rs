@@ -2,8 +2,8 @@
 
 use super::state::MachineState;
 use crate::base::math::{TAU, cos, extent, sin};
-use crate::models::machine::Complex;
-use crate::models::machine::frf::{LAST_HZ, Tree};
+use crate::models::structure::Complex;
+use crate::models::structure::frf::{LAST_HZ, Tree};
 
 /// What moves the masses.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +77,7 @@ pub fn amplitude(z: Complex) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::machine::MachineSettings;
+    use crate::models::structure::MachineSettings;
 
     #[test]
     fn a_slow_force_bends_the_machine_by_its_compliance() {

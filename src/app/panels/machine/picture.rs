@@ -8,7 +8,7 @@ use super::motion::{MotionPicture, amplitude};
 use super::state::MachineState;
 use crate::app::theme::{self, Palette};
 use crate::base::math::pow;
-use crate::models::machine::parameters::NODES;
+use crate::models::structure::parameters::NODES;
 
 /// Width of a point on a screen, m: 96 to the inch.
 const POINT_M: f64 = 0.0254 / 96.0;

@@ -11,8 +11,8 @@ use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::legend;
 use crate::app::widgets::zoom::by_touch;
 use crate::base::math::{TAU, acos};
-use crate::models::machine::Complex;
-use crate::models::machine::frf::{FrequencyResponse, LAST_HZ, tree};
+use crate::models::structure::Complex;
+use crate::models::structure::frf::{FrequencyResponse, LAST_HZ, tree};
 
 /// Micrometres per kilonewton in a metre per newton.
 const UM_KN: f64 = 1e9;
@@ -195,7 +195,7 @@ fn degrees(z: Complex) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::machine::MachineSettings;
+    use crate::models::structure::MachineSettings;
 
     #[test]
     fn phases_are_those_of_the_plane() {

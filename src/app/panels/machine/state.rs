@@ -1,9 +1,9 @@
 //! The machine that is shown: its modes and its frequency response, made anew when its settings
 //! change.
 
-use crate::models::machine::frf::{FrequencyResponse, LAST_HZ, tree};
-use crate::models::machine::modes::{UndampedMode, damped, undamped};
-use crate::models::machine::{FiveMass, MachineSettings};
+use crate::models::structure::frf::{FrequencyResponse, LAST_HZ, tree};
+use crate::models::structure::modes::{UndampedMode, damped, undamped};
+use crate::models::structure::{FiveMass, MachineSettings};
 
 /// Step of the drawn response, Hz; the paper's own is 10 Hz.
 const STEP_HZ: u32 = 2;

@@ -169,7 +169,7 @@ fn hertz(f_hz: f64) -> String {
 
 /// The nodes that move at least a third as far as the one that moves most.
 fn movers(shape: &[f64; 5]) -> String {
-    use crate::models::machine::parameters::NODES;
+    use crate::models::structure::parameters::NODES;
     let largest = shape.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
     let mut parts: Vec<(f64, &str)> =
         shape.iter().map(|x| x / largest).zip(NODES).filter(|(x, _)| x.abs() > 1.0 / 3.0).collect();

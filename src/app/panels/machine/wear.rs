@@ -1,5 +1,5 @@
 //! The tool's life: wear, sound and roughness at a share of it, the sound's spectrum, the trends
-//! side by side, and the life foretold from the sound.
+//! side by side, and the life predicted from the sound.
 
 use egui::{ProgressBar, RichText, Role, Sense, Slider, Ui, WidgetInfo};
 use egui_plot::MarkerShape;
@@ -12,7 +12,7 @@ use crate::base::math::extent;
 use crate::models::machine_trend::{TrendLine, TrendPoint};
 use crate::models::wear::WearModel;
 use crate::study::machine_life::CLAIMS;
-use crate::study::machine_life::listening::Heard;
+use crate::study::machine_life::tool_condition::ConditionEstimate;
 
 /// From this width on, points, two plots stand beside each other.
 const BESIDE_FROM: f32 = 620.0;
@@ -25,13 +25,13 @@ const WORDS: f32 = 76.0;
 
 /// See the head of this file.
 pub struct WearView {
-    /// Share of the tool's life that is looked at and heard.
+    /// Fraction of the tool's life that is drawn and sounded.
     pub x: f64,
     /// Whether it is that of the cut, where the tool wears in it.
     follows: bool,
-    /// Whether the speed of the tool that is foretold is adjusted.
+    /// Whether the speed of the predicted tool is adjusted.
     pub adjusts: bool,
-    /// Whether the life of the tool in the cut is foretold, where it can be.
+    /// Whether the life of the tool in the cut is predicted, where it can be.
     of_cut: bool,
 }
 
@@ -67,7 +67,7 @@ impl WearView {
             spectrum(ui, life, self.x, height);
             self.wear(ui, life, &now, height);
             trends(ui, life, self.x, height);
-            self.forecast(ui, life, (in_cut, session), height);
+            self.prediction(ui, life, (in_cut, session), height);
         } else {
             let height = (0.5 * (seen_height - used - WORDS)).max(theme::PLOT_HEIGHT_MIN + 30.0);
             ui.columns_const(|[left, right]| {
@@ -76,7 +76,7 @@ impl WearView {
             });
             ui.columns_const(|[left, right]| {
                 trends(left, life, self.x, height);
-                self.forecast(right, life, (in_cut, session), height);
+                self.prediction(right, life, (in_cut, session), height);
             });
         }
         words(ui, life);
@@ -94,7 +94,7 @@ impl WearView {
             if response.changed() {
                 (self.x, self.follows) = (x, false);
             }
-            response.on_hover_text("Share τ/T of the tool's life that is looked at and heard");
+            response.on_hover_text("Fraction τ/T of the tool's life that is drawn and sounded");
             if life.model().wear.model == WearModel::Life {
                 let help = "The tool of the running cut, which wears in it";
                 ui.checkbox(&mut self.follows, "As in the cut").on_hover_text(help);
@@ -134,7 +134,7 @@ impl WearView {
         draw(ui, &figure, height);
     }
 
-    fn forecast(
+    fn prediction(
         &mut self,
         ui: &mut Ui,
         life: &Life,
@@ -144,8 +144,8 @@ impl WearView {
         let top = ui.cursor().top();
         let possible = LifeInCut::possible(session.scenario());
         let of_cut = possible && self.of_cut;
-        let heard = in_cut.until(session.playback().playhead_s);
-        let figure = if of_cut { forecast_in_cut(life, heard) } else { forecast(life) };
+        let estimates = in_cut.until(session.playback().playhead_s);
+        let figure = if of_cut { prediction_in_cut(life, estimates) } else { prediction(life) };
         figure.legend(ui);
         ui.horizontal_wrapped(|ui| {
             if possible {
@@ -153,26 +153,26 @@ impl WearView {
                 ui.checkbox(&mut self.of_cut, "In the cut").on_hover_text(help);
             }
             if of_cut {
-                let said = match (heard.last(), &in_cut.problem) {
+                let said = match (estimates.last(), &in_cut.problem) {
                     (_, Some(problem)) => problem.clone(),
                     (Some(last), None) => {
-                        let rest = theme::quantity(last.forecast.rest_min(), "min");
+                        let remaining = theme::quantity(last.prediction.remaining_min(), "min");
                         let alarm =
-                            if last.forecast.alarm { ", worn out by its sound" } else { "" };
-                        format!("{rest} left at the programmed cut{alarm}")
+                            if last.prediction.alarm { ", worn out by its sound" } else { "" };
+                        format!("{remaining} left at the programmed cut{alarm}")
                     }
-                    (None, None) if in_cut.is_ready() => "nothing heard yet".to_owned(),
-                    (None, None) => "heard once the cut is simulated".to_owned(),
+                    (None, None) if in_cut.is_ready() => "no estimate yet".to_owned(),
+                    (None, None) => "estimated once the cut is simulated".to_owned(),
                 };
                 ui.label(RichText::new(said).small().color(Palette::at(ui).weak));
                 return;
             }
             let help = "Every ten minutes the cutting speed is set so that the tool reaches the \
-                        desired durability, as far as its sound tells";
+                        desired tool life, as far as its sound shows it";
             ui.checkbox(&mut self.adjusts, "Adjust the speed").on_hover_text(help);
             let said = match (life.tool_done, life.tool.end_min()) {
                 (_, Some(end_min)) => format!("worn out after {}", theme::quantity(end_min, "min")),
-                (true, None) => "not worn out in ten times the desired durability".to_owned(),
+                (true, None) => "not worn out in ten times the desired tool life".to_owned(),
                 (false, None) => format!("cutting: minute {}", life.tool.minutes().len()),
             };
             let speed = life.tool.minutes().last().map_or(0.0, |minute| minute.cutting_speed_m_min);
@@ -247,27 +247,27 @@ fn trends(ui: &mut Ui, life: &Life, x: f64, height: f32) {
     draw(ui, &figure, height);
 }
 
-/// The life foretold over the time in cut, with the range of ninety percent.
-fn forecast(life: &Life) -> Figure {
+/// The predicted life over the time in cut, with its 90 % range.
+fn prediction(life: &Life) -> Figure {
     let minutes = life.tool.minutes();
     let wanted_min = life.model().life.durability_min;
-    let foretold = minutes.iter().filter_map(|minute| {
-        let (rest, range) = (minute.rest_min?, minute.rest_range_min?);
-        let total = |rest_min: f64| minute.time_min + rest_min;
-        Some((minute.time_min, total(rest), range.map(total)))
+    let predicted = minutes.iter().filter_map(|minute| {
+        let (remaining, range) = (minute.remaining_min?, minute.remaining_range_min?);
+        let total = |remaining_min: f64| minute.time_min + remaining_min;
+        Some((minute.time_min, total(remaining), range.map(total)))
     });
-    let foretold: Vec<_> = foretold.collect();
+    let predicted: Vec<_> = predicted.collect();
     let [_, last_min] = extent(minutes.iter().map(|minute| minute.time_min));
     let promised_min = life.model().wear.taylor_min(&life.model().cut);
     let length_min = last_min.max(promised_min.min(10.0 * wanted_min)).max(1.0);
-    let mut figure = Figure::new("Foretold life", ["min", "min"], [0.0, length_min]);
-    let band = foretold.iter().map(|(time, _, [low, high])| [*time, *low, *high]);
+    let mut figure = Figure::new("Predicted life", ["min", "min"], [0.0, length_min]);
+    let band = predicted.iter().map(|(time, _, [low, high])| [*time, *low, *high]);
     figure.band = Some(("90 % of the belief", band.collect()));
-    let points = foretold.iter().map(|(time, total, _)| [*time, *total]);
+    let points = predicted.iter().map(|(time, total, _)| [*time, *total]);
     figure.curves =
         vec![PlotCurve { name: "from the sound", look: Look::Produced, points: points.collect() }];
     figure.levels.push(("desired", Look::Reference, wanted_min));
-    let known = foretold.iter().flat_map(|(_, _, range)| *range);
+    let known = predicted.iter().flat_map(|(_, _, range)| *range);
     let end = life.tool.end_min();
     if let Some(end_min) = end {
         figure.levels.push(("true", Look::Ghost, end_min));
@@ -277,28 +277,30 @@ fn forecast(life: &Life) -> Figure {
     figure
 }
 
-/// The life that the sound of the running cut foretells, up to the playhead.
-fn forecast_in_cut(life: &Life, heard: &[Heard]) -> Figure {
+/// The life predicted from the sound of the running cut, up to the playhead.
+fn prediction_in_cut(life: &Life, estimates: &[ConditionEstimate]) -> Figure {
     let wanted_min = life.model().life.durability_min;
     let promised_min = life.model().wear.taylor_min(&life.model().cut);
-    let [_, last_min] = extent(heard.iter().map(|heard| heard.forecast.age_min));
+    let [_, last_min] = extent(estimates.iter().map(|estimate| estimate.prediction.age_min));
     let length_min = last_min.max(promised_min).max(1.0);
-    let mut figure = Figure::new("Foretold life", ["min", "min"], [0.0, length_min]);
-    let band = heard.iter().map(|heard| {
-        let [low, high] = heard.forecast.life_range_min;
-        [heard.forecast.age_min, low, high]
+    let mut figure = Figure::new("Predicted life", ["min", "min"], [0.0, length_min]);
+    let band = estimates.iter().map(|estimate| {
+        let [low, high] = estimate.prediction.life_range_min;
+        [estimate.prediction.age_min, low, high]
     });
     figure.band = Some(("90 % of the belief", band.collect()));
-    let points = heard.iter().map(|heard| [heard.forecast.age_min, heard.forecast.life_min]);
+    let points = estimates
+        .iter()
+        .map(|estimate| [estimate.prediction.age_min, estimate.prediction.life_min]);
     figure.curves =
         vec![PlotCurve { name: "from the sound", look: Look::Produced, points: points.collect() }];
     figure.levels.push(("desired", Look::Reference, wanted_min));
     // What really is: the age over the share of the life used so far.
-    let worn = heard.last().filter(|heard| heard.used_life > 0.0);
+    let worn = estimates.last().filter(|estimate| estimate.used_life > 0.0);
     if let Some(worn) = worn {
-        figure.levels.push(("true", Look::Ghost, worn.forecast.age_min / worn.used_life));
+        figure.levels.push(("true", Look::Ghost, worn.prediction.age_min / worn.used_life));
     }
-    let known = heard.iter().map(|heard| heard.forecast.life_range_min[1]);
+    let known = estimates.iter().map(|estimate| estimate.prediction.life_range_min[1]);
     let [_, high] = range_of(known.chain([wanted_min, length_min]));
     figure.up = [-0.04 * high, high];
     figure

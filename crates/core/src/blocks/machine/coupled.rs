@@ -17,8 +17,8 @@
 use super::response::{CutForce, ModalResponse, Motion};
 use crate::base::math::{self, TAU};
 use crate::base::units::rev_s_from_rpm;
-use crate::models::machine::engagement::EngagementAngles;
-use crate::models::machine::reduction::Reduction;
+use crate::models::structure::engagement::EngagementAngles;
+use crate::models::structure::reduction::Reduction;
 
 /// Longest step of the machine, s.
 pub const STEP_MAX_S: f64 = 1e-4;
@@ -56,7 +56,7 @@ pub struct CutState {
     pub radial_depth_mm: f64,
 }
 
-/// The machine with what is heard and felt of it.
+/// The machine with its vibration and sound.
 #[derive(Clone, Debug)]
 pub struct Coupled {
     response: ModalResponse,
@@ -178,7 +178,7 @@ impl Coupled {
             self.peaks_n = [[0.0; 2], self.peaks_n[0]];
         }
         self.displacement_m = motion.displacement_m;
-        self.sound.hear(motion.velocity_m_s);
+        self.sound.observe(motion.velocity_m_s);
         motion
     }
 
@@ -234,7 +234,7 @@ impl Sound {
     }
 
     #[inline]
-    fn hear(&mut self, velocity_m_s: f64) {
+    fn observe(&mut self, velocity_m_s: f64) {
         self.sum += velocity_m_s * velocity_m_s;
         self.steps += 1;
         if self.steps == self.steps_per_part {

@@ -15,8 +15,8 @@
 //! When contact is lost (F = 0) the surface stays where the tooth before left it.
 
 use crate::base::math;
-use crate::models::machine::Complex;
-use crate::models::machine::reduction::Reduction;
+use crate::models::structure::Complex;
+use crate::models::structure::reduction::Reduction;
 
 /// What drives the machine for one step: averages over its interval.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

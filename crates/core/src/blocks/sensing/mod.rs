@@ -3,5 +3,5 @@
 pub mod dynamic_force;
 pub mod dynamometer;
 pub mod field;
-pub mod listener;
 pub mod peak;
+pub mod tool_condition;

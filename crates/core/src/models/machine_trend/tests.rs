@@ -1,5 +1,5 @@
 use super::*;
-use crate::models::machine::MachineSettings;
+use crate::models::structure::MachineSettings;
 
 /// The papers' cut: 430.4 mm/min, 80 m/min on 16 mm, two teeth.
 fn papers() -> MachineTrend {

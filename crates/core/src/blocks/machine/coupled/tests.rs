@@ -1,5 +1,5 @@
 use super::*;
-use crate::models::machine::{FiveMass, MachineSettings};
+use crate::models::structure::{FiveMass, MachineSettings};
 
 fn machine(dt_s: f64) -> Coupled {
     let reduced = Reduction::new(&FiveMass::new(&MachineSettings::default())).unwrap();
@@ -40,13 +40,14 @@ fn pulses_of_107_newton_shake_the_machine_as_the_reference_says() {
 #[test]
 fn the_sound_is_the_rms_of_the_velocity_over_a_second() {
     let mut sound = Sound::new(1e-4);
-    let mut heard = Vec::new();
+    let mut measured = Vec::new();
     for i in 0..25_000_u32 {
         let size = if i < 15_000 { 1.0 } else { 3.0 };
-        sound.hear(size * math::sin(TAU * 50.0 * 1e-4 * f64::from(i)));
-        heard.push(sound.rms_m_s);
+        sound.observe(size * math::sin(TAU * 50.0 * 1e-4 * f64::from(i)));
+        measured.push(sound.rms_m_s);
     }
-    let near = |at: usize, x: f64| assert!((heard[at] - x).abs() < 1e-6, "{at}: {}", heard[at]);
+    let near =
+        |at: usize, x: f64| assert!((measured[at] - x).abs() < 1e-6, "{at}: {}", measured[at]);
     near(99 + 200, 0.5_f64.sqrt());
     near(14_999, 0.5_f64.sqrt());
     near(19_999, (0.5 * 0.5 + 0.5 * 4.5_f64).sqrt());

@@ -1,7 +1,7 @@
 use super::*;
 use crate::base::math::PI;
-use crate::models::machine::engagement::EngagementAngles;
-use crate::models::machine::{FiveMass, MachineSettings};
+use crate::models::structure::engagement::EngagementAngles;
+use crate::models::structure::{FiveMass, MachineSettings};
 
 fn standard() -> Reduction {
     Reduction::new(&FiveMass::new(&MachineSettings::default())).unwrap()

@@ -44,7 +44,7 @@ pub fn velocity_m_s_n(machine: &Reduction, cut: &EngagementAngles, speed_rpm: f6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::machine::{FiveMass, MachineSettings};
+    use crate::models::structure::{FiveMass, MachineSettings};
 
     #[test]
     fn the_sum_is_the_rms_of_the_sampled_response() {

@@ -76,7 +76,7 @@ impl Equation {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::machine::parameters::Parameters;
+    use crate::models::structure::parameters::Parameters;
 
     #[test]
     fn equation_1_is_unstable_as_printed() {

@@ -1,11 +1,11 @@
 //! The five-mass machine of Panda et al. 2019, with its errata mended (`study/errata_2019.rs`).
 //!
 //! ```text
-//! reading A                                        M z'' + C z' + K z = b P(t)
+//! variant A                                        M z'' + C z' + K z = b P(t)
 //!   ground -k1- 1 -k2- 2 -k3- 3  (tooth, -P)       K = sum of k_i d_i d_i^T over the springs of
 //!               |                                  the tree, d_i its elongation; C likewise
 //!               +-k5- 5 -k4- 4   (work, +P)
-//! reading B: 4 and 5 change places (the table is the outer node)
+//! variant B: 4 and 5 change places (the table is the outer node)
 //! ```
 //!
 //! 1 base console, 2 spindle, 3 tooth, 4 slides, 5 table. P parts tooth and work; u = z_work - z_3
@@ -30,8 +30,8 @@ pub type Complex = nalgebra::Complex<f64>;
 pub type Matrix5 = SMatrix<f64, 5, 5>;
 
 crate::choice! {
-    /// How slides and table hang on the base.
-    pub enum Reading {
+    /// Topology variant: how slides and table hang on the base.
+    pub enum Variant {
         /// The table carries the slides and the force acts on the slides: rows 4 and 5 of eq. 2 as printed.
         Equations = "A", "A, by the equations";
         /// The slides carry the table and the force acts on the table: by the names of the nodes.
@@ -53,7 +53,7 @@ crate::settings! {
     /// The five-mass model of the machine (2019).
     pub struct MachineSettings {
         /// Which of slides and table is the outer one; their relative frequency responses differ by 3 %.
-        reading: Reading = Reading::Equations, [], "", setup, "Reading";
+        reading: Variant = Variant::Equations, [], "", setup, "Reading";
         /// Parameters: from the rules of Table 1, its digits with two exponents corrected, or as printed.
         parameters: Parameters = Parameters::Rules, [], "", setup, "Parameters";
         /// Quality factor Q of the spindle: its printed damper shows 5, the table prints 17.
@@ -75,7 +75,7 @@ pub struct FiveMass {
     /// Masses, springs, dampers.
     pub elements: Elements,
     /// Where slides and table stand.
-    pub reading: Reading,
+    pub reading: Variant,
 }
 
 impl FiveMass {
@@ -91,8 +91,8 @@ impl FiveMass {
     #[must_use]
     pub fn branch(&self) -> (usize, usize) {
         match self.reading {
-            Reading::Equations => (4, 3),
-            Reading::Names => (3, 4),
+            Variant::Equations => (4, 3),
+            Variant::Names => (3, 4),
         }
     }
 
@@ -185,14 +185,14 @@ pub struct StaticCompliance {
 mod tests {
     use super::*;
 
-    fn machine(reading: Reading) -> FiveMass {
+    fn machine(reading: Variant) -> FiveMass {
         FiveMass::new(&MachineSettings { reading, ..MachineSettings::default() })
     }
 
     #[test]
     fn matrices_are_those_of_the_reference() {
-        let k = machine(Reading::Equations).stiffness();
-        let c = machine(Reading::Equations).damping();
+        let k = machine(Variant::Equations).stiffness();
+        let c = machine(Variant::Equations).damping();
         let near = |x: f64, y: f64| assert!((x / y - 1.0).abs() < 1e-11, "{x} {y}");
         near(k[(0, 0)], 9_862_920_704.99);
         near(k[(1, 1)], 211_113_996.413);
@@ -203,7 +203,7 @@ mod tests {
         near(c[(3, 4)], -145_644.235_42);
         near(c[(4, 4)], 407_443.623_22);
         assert_eq!((k[(0, 3)], k[(0, 2)], k[(2, 3)]), (0.0, 0.0, 0.0));
-        let b = machine(Reading::Names).stiffness();
+        let b = machine(Variant::Names).stiffness();
         assert_eq!((b[(0, 4)], b[(3, 4)]), (0.0, k[(0, 4)]));
         for matrix in [k, c, b] {
             assert_eq!(matrix, matrix.transpose());
@@ -212,7 +212,7 @@ mod tests {
 
     #[test]
     fn the_stiffness_has_the_springs_product_as_determinant() {
-        for reading in Reading::ALL {
+        for reading in Variant::ALL {
             let machine = machine(*reading);
             let product: f64 = machine.elements.stiffness_n_m.iter().product();
             let determinant = machine.stiffness().determinant();
@@ -222,7 +222,7 @@ mod tests {
 
     #[test]
     fn static_compliances_meet_the_reference_and_the_matrix() {
-        for reading in Reading::ALL {
+        for reading in Variant::ALL {
             let machine = machine(*reading);
             let closed = machine.static_compliance();
             let reference = [

@@ -143,11 +143,11 @@ pub fn tree(machine: &FiveMass, f_hz: f64) -> FrequencyResponse {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::machine::parameters::Parameters;
-    use crate::models::machine::{MachineSettings, Reading};
+    use crate::models::structure::parameters::Parameters;
+    use crate::models::structure::{MachineSettings, Variant};
 
     fn named(name: &str) -> FiveMass {
-        let reading = if name.ends_with("_B") { Reading::Names } else { Reading::Equations };
+        let reading = if name.ends_with("_B") { Variant::Names } else { Variant::Equations };
         let parameters = if name.starts_with('T') { Parameters::Table } else { Parameters::Rules };
         let spindle_quality = if name.contains("Q2=17") { 17.0 } else { 5.0 };
         let settings =

@@ -1,8 +1,8 @@
 use super::*;
-use crate::models::machine::parameters::Parameters;
-use crate::models::machine::{MachineSettings, Reading};
+use crate::models::structure::parameters::Parameters;
+use crate::models::structure::{MachineSettings, Variant};
 
-fn machine(reading: Reading, parameters: Parameters) -> FiveMass {
+fn machine(reading: Variant, parameters: Parameters) -> FiveMass {
     FiveMass::new(&MachineSettings { reading, parameters, ..MachineSettings::default() })
 }
 
@@ -21,14 +21,14 @@ fn undamped_modes_meet_the_reference() {
         4_140_000.036_529_41,
     ];
     let b = [109.918_296_277_706, 122.600_809_237_896, 258.756_600_868_438, 449.523_896_085_113];
-    let modes = of(Reading::Equations);
+    let modes = of(Variant::Equations);
     assert_eq!(modes.len(), 5);
     modes.iter().zip(a).for_each(|(mode, f)| near(mode.frequency_hz, f, 2e-12));
-    of(Reading::Names).iter().zip(b).for_each(|(mode, f)| near(mode.frequency_hz, f, 2e-12));
+    of(Variant::Names).iter().zip(b).for_each(|(mode, f)| near(mode.frequency_hz, f, 2e-12));
     // Orthogonal with respect to the masses.
     for (i, x) in modes.iter().enumerate() {
         for (j, y) in modes.iter().enumerate() {
-            let masses = machine(Reading::Equations, Parameters::Rules).elements.mass_kg;
+            let masses = machine(Variant::Equations, Parameters::Rules).elements.mass_kg;
             let product: f64 =
                 (0..5).map(|node| masses[node] * (x.shape[node] * y.shape[node])).sum();
             let expected = if i == j { 1.0 } else { 0.0 };
@@ -40,7 +40,7 @@ fn undamped_modes_meet_the_reference() {
 #[test]
 fn undamped_modes_of_every_set_make_the_flexibility() {
     for parameters in Parameters::ALL {
-        for reading in Reading::ALL {
+        for reading in Variant::ALL {
             let machine = machine(*reading, *parameters);
             let modes = undamped(&machine).unwrap();
             // K^-1 = sum of x x^T / w^2.
@@ -65,7 +65,7 @@ fn undamped_modes_of_every_set_make_the_flexibility() {
 
 #[test]
 fn poles_meet_the_reference() {
-    let modes = damped(&machine(Reading::Equations, Parameters::Rules)).unwrap();
+    let modes = damped(&machine(Variant::Equations, Parameters::Rules)).unwrap();
     let poles = [
         (-68.992_174_807_2, 687.253_725_307),
         (-102.766_480_987, 965.256_560_906),
@@ -89,7 +89,7 @@ fn poles_meet_the_reference() {
         near(mode.damped_hz(), damped, 1e-11);
         near(mode.damping_ratio(), ratio, 1e-11);
     }
-    let b = damped(&machine(Reading::Names, Parameters::Rules)).unwrap();
+    let b = damped(&machine(Variant::Names, Parameters::Rules)).unwrap();
     for (mode, ratio) in
         b.iter().zip([0.099_839_941_9, 0.087_578_107, 0.173_602_522_8, 0.305_615_872_8])
     {
@@ -100,7 +100,7 @@ fn poles_meet_the_reference() {
 #[test]
 fn poles_and_residues_make_the_response() {
     for parameters in Parameters::ALL {
-        for reading in Reading::ALL {
+        for reading in Variant::ALL {
             let machine = machine(*reading, *parameters);
             let modes = damped(&machine).unwrap();
             let count: usize =
@@ -117,7 +117,7 @@ fn poles_and_residues_make_the_response() {
                         if mode.pole.im > 0.0 { one + other } else { one }
                     })
                     .sum();
-                let direct = crate::models::machine::frf::tree(&machine, f_hz).grel;
+                let direct = crate::models::structure::frf::tree(&machine, f_hz).grel;
                 let gap = size(sum - direct) / size(direct);
                 assert!(gap < 1e-8, "{parameters:?} {reading:?} {f_hz} Hz: {gap:e}");
             }

@@ -77,10 +77,10 @@ impl Reduction {
 mod tests {
     use super::*;
     use crate::base::math::{self, TAU};
-    use crate::models::machine::frf::{frequencies_hz, tree};
-    use crate::models::machine::modes::damped;
-    use crate::models::machine::parameters::Parameters;
-    use crate::models::machine::{MachineSettings, Reading};
+    use crate::models::structure::frf::{frequencies_hz, tree};
+    use crate::models::structure::modes::damped;
+    use crate::models::structure::parameters::Parameters;
+    use crate::models::structure::{MachineSettings, Variant};
 
     fn standard() -> FiveMass {
         FiveMass::new(&MachineSettings::default())
@@ -216,7 +216,7 @@ mod tests {
 
     #[test]
     fn every_machine_that_settings_allow_reduces_or_says_why_not() {
-        for reading in Reading::ALL {
+        for reading in Variant::ALL {
             for parameters in Parameters::ALL {
                 for spindle_quality in [1.0, 5.0, 17.0, 100.0] {
                     let machine = FiveMass::new(&MachineSettings {

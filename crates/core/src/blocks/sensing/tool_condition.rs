@@ -1,32 +1,34 @@
-//! Listens to the cut and foretells the tool's life (2019; [`crate::models::tool_life`]).
+//! Tool-condition estimator: predicts the tool's life from the sound of the cut (2019;
+//! [`crate::models::tool_life`]).
 //!
 //! ```text
 //! E = E_S / rms(F_b v(n))       both over the last second; v(n) the velocity that 1 N makes at a speed
 //! a += time_scale dt T(programmed)/T(now)                        age in minutes at the programmed cut
 //! ```
 //!
-//! F_b is what the controller's force model says of a sharp tool, so that neither feed nor speed is
-//! heard as wear; its error in size is E0, which the forecast eliminates. The sound of the modes grows as
-//! the force does: E/E0 = 1 + kappa w, without process damping. Known: Taylor's exponents and the wear's
-//! shape; not known: how long this very tool lives. Heard once in a minute of the tool's life.
+//! F_b is the force of a sharp tool by the controller's force model, so that neither feed nor speed is
+//! mistaken for wear; its error in size is E0, which the prediction eliminates. The sound of the modes
+//! grows as the force does: E/E0 = 1 + kappa w, without process damping. Known: Taylor's exponents and
+//! the wear's shape; unknown: the life of this very tool. One observation enters for each minute of the
+//! tool's life.
 
 use std::collections::VecDeque;
 
-use crate::models::machine::engagement::EngagementAngles;
-use crate::models::machine::pulses::velocity_m_s_n;
-use crate::models::machine::reduction::Reduction;
 use crate::models::machine_trend::LifeSettings;
-use crate::models::tool_life::{Forecast, Growth, Predictor};
+use crate::models::structure::engagement::EngagementAngles;
+use crate::models::structure::pulses::velocity_m_s_n;
+use crate::models::structure::reduction::Reduction;
+use crate::models::tool_life::{Growth, LifePrediction, Predictor};
 use crate::models::wear::{WearCut, WearSettings};
 
 /// Window of the sound, s.
 const WINDOW_S: f64 = 1.0;
-/// Time in the cut before anything is taken from the sound: its window and the first strike's decay, s.
+/// Time in the cut before the sound is used: its window and the decay of the first impact, s.
 const SETTLING_S: f64 = 1.5;
 
 /// What is known beforehand.
 #[derive(Clone, Debug)]
-pub struct ListenerSetup {
+pub struct EstimatorSetup {
     /// The machine, reduced.
     pub machine: Reduction,
     /// Number of teeth.
@@ -41,9 +43,9 @@ pub struct ListenerSetup {
     pub programmed: WearCut,
 }
 
-/// The cut over a stretch of time.
+/// What is observed of the cut over an interval of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Listened {
+pub struct CutObservation {
     /// Length, s.
     pub dt_s: f64,
     /// What wears the tool.
@@ -52,7 +54,7 @@ pub struct Listened {
     pub speed_rpm: f64,
     /// Radial depth, mm.
     pub radial_depth_mm: f64,
-    /// Force of a sharp tool as far as known, N.
+    /// Force of a sharp tool by the controller's model, N.
     pub sharp_force_n: f64,
     /// The sound, m/s.
     pub sound_m_s: f64,
@@ -60,10 +62,10 @@ pub struct Listened {
     pub in_cut: bool,
 }
 
-/// The listener with its belief.
+/// The estimator: its knowledge of the cut and its belief about the tool.
 #[derive(Clone, Debug)]
-pub struct Listener {
-    setup: ListenerSetup,
+pub struct ToolConditionEstimator {
+    setup: EstimatorSetup,
     predictor: Predictor,
     prior_min: f64,
     age_min: f64,
@@ -71,16 +73,16 @@ pub struct Listener {
     settled_s: f64,
     /// (F_b v)^2 over the window, the latest last.
     expected: VecDeque<f64>,
-    /// Speed in 1/min and radial depth in mm, and v there.
-    loudness: ([f64; 2], f64),
+    /// Speed in 1/min and radial depth in mm, and the velocity v per newton there, m/s/N.
+    sensitivity: ([f64; 2], f64),
 }
 
-impl Listener {
-    /// Before anything is heard; the age is that of a tool that has its stated share of the life
-    /// behind it.
+impl ToolConditionEstimator {
+    /// Before the first observation; the age is that of a tool that has used the stated fraction of
+    /// its life.
     #[must_use]
-    pub fn new(setup: ListenerSetup) -> Self {
-        let ListenerSetup { wear, life, programmed, .. } = &setup;
+    pub fn new(setup: EstimatorSetup) -> Self {
+        let EstimatorSetup { wear, life, programmed, .. } = &setup;
         let prior_min = wear.taylor_min(programmed);
         let growth = Growth::linear(wear.force_factor(1.0));
         let age_min =
@@ -92,7 +94,7 @@ impl Listener {
             minutes: age_min.floor(),
             settled_s: 0.0,
             expected: VecDeque::new(),
-            loudness: ([0.0; 2], 0.0),
+            sensitivity: ([0.0; 2], 0.0),
             setup,
         }
     }
@@ -105,7 +107,7 @@ impl Listener {
 
     /// Life at `cut` over that at the programmed one.
     #[must_use]
-    pub fn stretch(&self, cut: &WearCut) -> f64 {
+    pub fn life_ratio(&self, cut: &WearCut) -> f64 {
         self.setup.wear.taylor_min(cut) / self.prior_min
     }
 
@@ -116,32 +118,32 @@ impl Listener {
     }
 
     /// The square of the sound that a sharp tool should make, (m/s)^2.
-    fn expect(&mut self, heard: &Listened) -> f64 {
-        let at = [heard.speed_rpm, heard.radial_depth_mm];
-        if at != self.loudness.0 {
-            let ListenerSetup { machine, teeth, diameter_mm, .. } = &self.setup;
+    fn expect(&mut self, observation: &CutObservation) -> f64 {
+        let at = [observation.speed_rpm, observation.radial_depth_mm];
+        if at != self.sensitivity.0 {
+            let EstimatorSetup { machine, teeth, diameter_mm, .. } = &self.setup;
             let engaged =
-                EngagementAngles::side_milling(*teeth, heard.radial_depth_mm, *diameter_mm);
-            self.loudness = (at, velocity_m_s_n(machine, &engaged, heard.speed_rpm));
+                EngagementAngles::side_milling(*teeth, observation.radial_depth_mm, *diameter_mm);
+            self.sensitivity = (at, velocity_m_s_n(machine, &engaged, observation.speed_rpm));
         }
-        let sound_m_s = heard.sharp_force_n * self.loudness.1;
+        let sound_m_s = observation.sharp_force_n * self.sensitivity.1;
         sound_m_s * sound_m_s
     }
 
-    /// Listens to a stretch of the cut; a forecast with every minute of the tool's life that is heard.
-    pub fn hear(&mut self, heard: &Listened) -> Option<Forecast> {
-        let stretch = self.stretch(&heard.cut);
-        if !(heard.in_cut && stretch.is_finite() && stretch > 0.0) {
+    /// Takes an interval of the cut; returns a prediction after every minute of the tool's life.
+    pub fn observe(&mut self, observation: &CutObservation) -> Option<LifePrediction> {
+        let life_ratio = self.life_ratio(&observation.cut);
+        if !(observation.in_cut && life_ratio.is_finite() && life_ratio > 0.0) {
             self.settled_s = 0.0;
             self.expected.clear();
             return None;
         }
-        let rate_min_s = self.setup.wear.time_scale / (60.0 * stretch);
-        self.age_min += rate_min_s * heard.dt_s;
-        self.settled_s += heard.dt_s;
-        let expected = self.expect(heard);
+        let rate_min_s = self.setup.wear.time_scale / (60.0 * life_ratio);
+        self.age_min += rate_min_s * observation.dt_s;
+        self.settled_s += observation.dt_s;
+        let expected = self.expect(observation);
         self.expected.push_back(expected);
-        if self.expected.len() as f64 * heard.dt_s > WINDOW_S {
+        if self.expected.len() as f64 * observation.dt_s > WINDOW_S {
             self.expected.pop_front();
         }
         if self.age_min < self.minutes + 1.0 {
@@ -153,21 +155,21 @@ impl Listener {
         }
         let mean = self.expected.iter().sum::<f64>() / self.expected.len() as f64;
         let middle_min = self.age_min - 0.5 * WINDOW_S * rate_min_s;
-        self.predictor.hear(middle_min, heard.sound_m_s / mean.sqrt());
-        self.predictor.forecast()
+        self.predictor.observe(middle_min, observation.sound_m_s / mean.sqrt());
+        self.predictor.prediction()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::machine::{FiveMass, MachineSettings};
+    use crate::models::structure::{FiveMass, MachineSettings};
 
     const CUT: WearCut =
         WearCut { cutting_speed_m_min: 80.0, feed_per_tooth_mm: 0.135, axial_depth_mm: 2.0 };
 
-    fn listener() -> Listener {
-        Listener::new(ListenerSetup {
+    fn estimator() -> ToolConditionEstimator {
+        ToolConditionEstimator::new(EstimatorSetup {
             machine: Reduction::new(&FiveMass::new(&MachineSettings::default())).unwrap(),
             teeth: 2,
             diameter_mm: 16.0,
@@ -177,19 +179,19 @@ mod tests {
         })
     }
 
-    /// A tool of 180 min; from minute 60 on at another speed, by whose loudness the sound changes.
+    /// A tool of 180 min; from minute 60 on at another speed, with whose sensitivity the sound changes.
     #[test]
-    fn another_speed_is_not_heard_as_wear() {
-        let mut listener = listener();
-        let (machine, wear) = (listener.setup.machine, WearSettings::default());
+    fn another_speed_is_not_mistaken_for_wear() {
+        let mut estimator = estimator();
+        let (machine, wear) = (estimator.setup.machine, WearSettings::default());
         let engaged = EngagementAngles::side_milling(2, 3.0, 16.0);
         let mut last = None;
         for second in 0..9000 {
             let speed_rpm = if second < 3600 { 1592.0 } else { 1400.0 };
             let cut = WearCut { cutting_speed_m_min: 80.0 * speed_rpm / 1592.0, ..CUT };
-            let x = listener.age_min() / 180.0;
+            let x = estimator.age_min() / 180.0;
             let force = 170.0 * wear.force_factor(wear.wear(x));
-            let heard = Listened {
+            let observation = CutObservation {
                 dt_s: 1.0,
                 cut,
                 speed_rpm,
@@ -198,20 +200,20 @@ mod tests {
                 sound_m_s: force * velocity_m_s_n(&machine, &engaged, speed_rpm),
                 in_cut: true,
             };
-            last = listener.hear(&heard).or(last);
+            last = estimator.observe(&observation).or(last);
         }
-        let age = listener.age_min();
+        let age = estimator.age_min();
         // Taylor: 60 min, and 90 min at a speed that wears (1400/1592)^4 as fast.
         assert!((age - (60.0 + 90.0 * 0.598)).abs() < 0.1, "{age}");
-        let forecast = last.unwrap();
-        assert!((forecast.life_min / 180.0 - 1.0).abs() < 0.1, "{forecast:?}");
-        assert!((forecast.first_sound - 0.85).abs() < 0.02, "{forecast:?}");
+        let prediction = last.unwrap();
+        assert!((prediction.life_min / 180.0 - 1.0).abs() < 0.1, "{prediction:?}");
+        assert!((prediction.first_sound - 0.85).abs() < 0.02, "{prediction:?}");
     }
 
     #[test]
-    fn the_air_and_nonsense_are_not_heard() {
-        let mut listener = listener();
-        let air = Listened {
+    fn air_and_values_that_are_not_finite_are_not_observed() {
+        let mut estimator = estimator();
+        let air = CutObservation {
             dt_s: 60.0,
             cut: CUT,
             speed_rpm: 1592.0,
@@ -220,9 +222,12 @@ mod tests {
             sound_m_s: f64::NAN,
             in_cut: false,
         };
-        assert_eq!(listener.hear(&air), None);
-        assert_eq!(listener.age_min(), 0.0);
-        let forecast = listener.hear(&Listened { in_cut: true, ..air }).unwrap();
-        assert!((forecast.life_min / 240.0 - 1.0).abs() < 1e-9, "the prior alone: {forecast:?}");
+        assert_eq!(estimator.observe(&air), None);
+        assert_eq!(estimator.age_min(), 0.0);
+        let prediction = estimator.observe(&CutObservation { in_cut: true, ..air }).unwrap();
+        assert!(
+            (prediction.life_min / 240.0 - 1.0).abs() < 1e-9,
+            "the prior alone: {prediction:?}"
+        );
     }
 }
