@@ -3,7 +3,7 @@
 
 use egui::{RichText, Role, ThemePreference, Ui, WidgetInfo};
 
-use super::command::Command;
+use super::command::{Command, FileCommand, SessionCommand, ShellCommand};
 use super::panels::View;
 use super::theme::{self, Palette};
 use super::widgets::icon::{self, Icon};
@@ -35,7 +35,7 @@ pub fn show(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &
             for tab in tabs {
                 let text = RichText::new(tab.title).strong();
                 if ui.selectable_label(tab.id == shown, text).clicked() {
-                    commands.push(Command::ShowScreen(tab.id));
+                    commands.push(Command::Shell(ShellCommand::ShowScreen(tab.id)));
                 }
             }
         } else {
@@ -88,7 +88,7 @@ fn choice(ui: &mut Ui, tabs: &[Tab], shown: &str, commands: &mut Vec<Command>) {
     let list = list.show_ui(ui, |ui| {
         for tab in tabs {
             if ui.selectable_label(tab.id == shown, tab.title).clicked() {
-                commands.push(Command::ShowScreen(tab.id));
+                commands.push(Command::Shell(ShellCommand::ShowScreen(tab.id)));
             }
         }
     });
@@ -114,7 +114,7 @@ fn help(ui: &mut Ui, commands: &mut Vec<Command>) {
     let response = ui.button("?").on_hover_text("Keyboard (?)");
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Keyboard"));
     if response.clicked() {
-        commands.push(Command::ShowShortcuts(true));
+        commands.push(Command::Shell(ShellCommand::ShowShortcuts(true)));
     }
 }
 
@@ -127,19 +127,31 @@ fn theme_button(ui: &mut Ui, commands: &mut Vec<Command>) {
     let help = format!("{name} colours; right-click: as the system has it");
     let response = icon::button(ui, sign, name, &help, true);
     if response.clicked() {
-        commands.push(Command::Theme(next));
+        commands.push(Command::Shell(ShellCommand::Theme(next)));
     } else if response.secondary_clicked() {
-        commands.push(Command::Theme(ThemePreference::System));
+        commands.push(Command::Shell(ShellCommand::Theme(ThemePreference::System)));
     }
 }
 
 fn file_buttons(ui: &mut Ui, commands: &mut Vec<Command>) {
     // In reading order; a layout from the right turns it round.
     let mut buttons = [
-        ("Open", "Open a scenario file (Ctrl+O); one can also be dropped here", Command::Open),
-        ("Save", "Save the scenario with its edits (Ctrl+S)", Command::Save),
-        ("CSV", "Export all signals of the run as CSV (Ctrl+E)", Command::ExportCsv),
-        ("Link", "Copy a link that holds scenario and edits (Ctrl+L)", Command::CopyLink),
+        (
+            "Open",
+            "Open a scenario file (Ctrl+O); one can also be dropped here",
+            Command::File(FileCommand::Open),
+        ),
+        ("Save", "Save the scenario with its edits (Ctrl+S)", Command::File(FileCommand::Save)),
+        (
+            "CSV",
+            "Export all signals of the run as CSV (Ctrl+E)",
+            Command::File(FileCommand::ExportCsv),
+        ),
+        (
+            "Link",
+            "Copy a link that holds scenario and edits (Ctrl+L)",
+            Command::File(FileCommand::CopyLink),
+        ),
     ];
     if ui.layout().prefer_right_to_left() {
         buttons.reverse();
@@ -162,7 +174,11 @@ fn undo_buttons(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     }
     for (sign, name, help, enabled) in buttons {
         if icon::button(ui, sign, name, help, enabled).clicked() {
-            commands.push(if sign == Icon::Undo { Command::Undo } else { Command::Redo });
+            commands.push(if sign == Icon::Undo {
+                Command::Session(SessionCommand::Undo)
+            } else {
+                Command::Session(SessionCommand::Redo)
+            });
         }
     }
 }
@@ -179,7 +195,7 @@ pub fn notices(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
                 ui.with_layout(right, |ui| {
                     let help = "Remove this message";
                     if icon::button(ui, Icon::Close, "Dismiss", help, true).clicked() {
-                        commands.push(Command::Dismiss(notice.number));
+                        commands.push(Command::Session(SessionCommand::Dismiss(notice.number)));
                     }
                     ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                         ui.add(egui::Label::new(&notice.text).wrap());

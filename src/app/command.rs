@@ -1,12 +1,34 @@
 //! Everything that can be done in the console. Panels read a view and push commands; the console
-//! alone carries them out, so buttons, keys, tests and scripts go the same way.
+//! alone carries them out, so buttons, keys, tests and scripts go the same way. Each kind of
+//! command is carried out in one place, by a `match` over all of it.
 
 use super::playback::Speed;
 use crate::base::settings::Value;
 
-/// One thing to do.
+/// One thing to do, by the part of the console that does it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
+    /// Scenario, edits and messages: [`super::session::Session::execute`].
+    Session(SessionCommand),
+    /// The playhead: [`super::session::Session::play`].
+    Playback(PlaybackCommand),
+    /// Files and the clipboard.
+    File(FileCommand),
+    /// What surrounds the screens.
+    Shell(ShellCommand),
+}
+
+impl Command {
+    /// Shows a message.
+    #[must_use]
+    pub fn notify(text: String) -> Self {
+        Self::Session(SessionCommand::Notify(text))
+    }
+}
+
+/// What changes scenario and edits, and what is said about it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SessionCommand {
     /// Changes a setting: at the playhead of a running cut if the setting is live, otherwise in
     /// the scenario itself.
     Set {
@@ -27,10 +49,26 @@ pub enum Command {
         /// The file's text.
         text: String,
     },
+    /// Begins with the networks of a file's text, UNKS chosen.
+    LoadNetworks {
+        /// Where it came from, for messages.
+        name: String,
+        /// The file's text.
+        text: String,
+    },
     /// Shows a message.
     Notify(String),
     /// Removes the notice with this number.
     Dismiss(u64),
+    /// Takes back the last change; the playhead stays.
+    Undo,
+    /// Does the change taken back last again.
+    Redo,
+}
+
+/// What moves the playhead.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PlaybackCommand {
     /// Play or pause; at the end of the cut: again from the start.
     TogglePlay,
     /// From the start of the cut, playing.
@@ -47,10 +85,11 @@ pub enum Command {
     Speed(Speed),
     /// Plots show the last seconds before the playhead (on) or the whole run (off).
     Follow(bool),
-    /// Takes back the last change; the playhead stays.
-    Undo,
-    /// Does the change taken back last again.
-    Redo,
+}
+
+/// What goes to or comes from files and the clipboard.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FileCommand {
     /// Asks for a scenario file and loads it.
     Open,
     /// Saves scenario and edits as a scenario file.
@@ -66,17 +105,15 @@ pub enum Command {
     },
     /// Asks for a file of UNKS networks and begins with them.
     OpenNetworks,
-    /// Begins with the networks of a file's text, UNKS chosen.
-    LoadNetworks {
-        /// Where it came from, for messages.
-        name: String,
-        /// The file's text.
-        text: String,
-    },
     /// Saves the networks as they are at the end of the cut.
     SaveNetworks,
     /// Copies a link (on the desktop: its part after `#`) that holds scenario and edits.
     CopyLink,
+}
+
+/// What concerns the window around the screens.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ShellCommand {
     /// Shows the screen with this id.
     ShowScreen(&'static str),
     /// Light, dark, or as the system has it.

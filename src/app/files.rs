@@ -2,7 +2,7 @@
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 
-use super::command::Command;
+use super::command::{Command, SessionCommand};
 
 #[cfg(not(target_arch = "wasm32"))]
 mod fallback;
@@ -65,7 +65,7 @@ impl Files {
                 Some(file) => answer.send(loaded(file.file_name(), &file.read().await)),
                 #[cfg(not(target_arch = "wasm32"))]
                 None if opened.was_never_shown() => {
-                    answer.send(Command::Notify(fallback::NO_DIALOG_TO_OPEN.to_owned()));
+                    answer.send(Command::notify(fallback::NO_DIALOG_TO_OPEN.to_owned()));
                 }
                 // The user has thought better of it.
                 None => {}
@@ -85,7 +85,7 @@ impl Files {
                 let bytes = file.bytes();
                 answer.send(match bytes {
                     Ok(bytes) => loaded(name, &bytes),
-                    Err(error) => Command::Notify(format!("{name} could not be read: {error}")),
+                    Err(error) => Command::notify(format!("{name} could not be read: {error}")),
                 });
             });
         }
@@ -102,7 +102,7 @@ impl Files {
             match picked.await {
                 Some(file) => {
                     let name = file.file_name();
-                    answer.send(Command::Notify(match file.write(&bytes).await {
+                    answer.send(Command::notify(match file.write(&bytes).await {
                         Ok(()) => format!("saved as {name}"),
                         Err(error) => format!("{name} could not be written: {error}"),
                     }));
@@ -121,7 +121,7 @@ impl Files {
                                 format!("No file dialog is available: saved as {}", path.display())
                             },
                         );
-                    answer.send(Command::Notify(text));
+                    answer.send(Command::notify(text));
                 }
                 // The user has thought better of it.
                 None => {}
@@ -136,7 +136,7 @@ impl Files {
             Ok(()) => format!("saved as {name} in the browser's downloads"),
             Err(_) => format!("the browser did not take {name} for download"),
         };
-        self.answer(ctx).send(Command::Notify(text));
+        self.answer(ctx).send(Command::notify(text));
     }
 }
 
@@ -151,9 +151,11 @@ fn is_networks(name: &str) -> bool {
 #[must_use]
 pub fn loaded(name: String, bytes: &[u8]) -> Command {
     match std::str::from_utf8(bytes) {
-        Ok(text) if is_networks(&name) => Command::LoadNetworks { name, text: text.to_owned() },
-        Ok(text) => Command::LoadText { name, text: text.to_owned() },
-        Err(_) => Command::Notify(format!("{name}: not a scenario file: it is not UTF-8 text")),
+        Ok(text) if is_networks(&name) => {
+            Command::Session(SessionCommand::LoadNetworks { name, text: text.to_owned() })
+        }
+        Ok(text) => Command::Session(SessionCommand::LoadText { name, text: text.to_owned() }),
+        Err(_) => Command::notify(format!("{name}: not a scenario file: it is not UTF-8 text")),
     }
 }
 
@@ -205,8 +207,17 @@ mod tests {
 
     #[test]
     fn bytes_that_are_no_text_become_a_message() {
-        assert!(matches!(loaded("x.toml".to_owned(), &[0xff, 0xfe]), Command::Notify(_)));
-        assert!(matches!(loaded("x.toml".to_owned(), b"x"), Command::LoadText { .. }));
-        assert!(matches!(loaded("x.JSON".to_owned(), b"x"), Command::LoadNetworks { .. }));
+        assert!(matches!(
+            loaded("x.toml".to_owned(), &[0xff, 0xfe]),
+            Command::Session(SessionCommand::Notify(_))
+        ));
+        assert!(matches!(
+            loaded("x.toml".to_owned(), b"x"),
+            Command::Session(SessionCommand::LoadText { .. })
+        ));
+        assert!(matches!(
+            loaded("x.JSON".to_owned(), b"x"),
+            Command::Session(SessionCommand::LoadNetworks { .. })
+        ));
     }
 }

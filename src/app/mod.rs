@@ -4,6 +4,7 @@
 mod bar;
 pub mod command;
 pub mod cut;
+mod execute;
 mod files;
 pub mod history;
 #[cfg(not(target_arch = "wasm32"))]
@@ -24,9 +25,7 @@ pub mod widgets;
 
 use egui::{CentralPanel, Frame, Margin, Panel as SidePanel, Ui};
 
-use crate::run::{Start, scenario_file, scenario_link};
-use crate::study::export;
-use crate::study::unks_passes::learned;
+use crate::run::{Start, scenario_link};
 use bar::Tab;
 use command::Command;
 use files::Files;
@@ -153,74 +152,9 @@ impl Console {
         });
     }
 
-    fn execute(&mut self, command: Command, ctx: &egui::Context) {
-        if matches!(command, Command::Set { .. } | Command::SetUp(_)) {
-            self.since_change_s = 0.0;
-        }
-        match self.session.execute(command) {
-            None => {}
-            Some(Command::ShowScreen(id)) => {
-                let shown = self.panels.iter().position(|p| p.id() == id).unwrap_or(self.shown);
-                if shown != self.shown {
-                    self.panels[self.shown].left();
-                }
-                self.shown = shown;
-            }
-            Some(Command::Theme(preference)) => ctx.set_theme(preference),
-            Some(Command::ShowShortcuts(show)) => self.shortcuts = show,
-            Some(Command::Open) => self.files.open(ctx),
-            Some(Command::Save) => {
-                let text = scenario_file::write(self.session.scenario(), self.session.edits());
-                self.save(ctx, "toml", text.into_bytes());
-            }
-            Some(Command::ExportCsv) => self.export_csv(ctx),
-            Some(Command::SaveCsv { what, text }) => {
-                self.save(ctx, &format!("{what}.csv"), text.into_bytes());
-            }
-            Some(Command::OpenNetworks) => self.files.open_networks(ctx),
-            Some(Command::SaveNetworks) => self.save_networks(ctx),
-            Some(Command::CopyLink) => self.copy_link(ctx),
-            Some(other) => unreachable!("the session does not know {other:?}"),
-        }
-    }
-
-    fn save(&self, ctx: &egui::Context, extension: &str, bytes: Vec<u8>) {
-        let name = files::file_name(&self.session.scenario().info.name, extension);
-        self.files.save(ctx, &name, bytes);
-    }
-
-    fn export_csv(&mut self, ctx: &egui::Context) {
-        let mut bytes = Vec::new();
-        match export::csv::write(&mut bytes, self.session.chosen().run().recording()) {
-            Ok(()) => self.save(ctx, "csv", bytes),
-            Err(error) => self.session.notify(format!("CSV: {error}")),
-        }
-    }
-
-    /// Saves what the networks have learned at the end of the cut.
-    fn save_networks(&mut self, ctx: &egui::Context) {
-        match learned(self.session.chosen().run(), 1) {
-            Some(stored) => self.save(ctx, "json", stored.write().into_bytes()),
-            None => self.session.notify("The chosen controller has no networks that learn."),
-        }
-    }
-
+    /// Scenario and edits as the part of a link after `#`.
     fn fragment(&self) -> String {
         scenario_link::write(self.session.scenario(), self.session.edits())
-    }
-
-    #[cfg(target_arch = "wasm32")]
-    fn copy_link(&mut self, ctx: &egui::Context) {
-        ctx.copy_text(web::address(&self.fragment()));
-        self.session.notify("The link is in the clipboard: it opens this scenario with its edits.");
-    }
-
-    #[cfg(not(target_arch = "wasm32"))]
-    fn copy_link(&mut self, ctx: &egui::Context) {
-        ctx.copy_text(format!("#{}", self.fragment()));
-        let text = "The link's part from # on is in the clipboard: append it to the address of \
-                    SteadyCut's web page.";
-        self.session.notify(text);
     }
 
     /// Keeps the page's address current; a window of the desktop has none.

@@ -8,7 +8,6 @@
 
 mod change;
 
-use super::command::Command;
 use super::cut::{Cut, Ghost};
 use super::playback::Playback;
 use super::twin::{self, Comparison};

@@ -2,7 +2,7 @@
 
 use egui::{Context, Key, KeyboardShortcut, Modifiers};
 
-use super::command::Command;
+use super::command::{Command, FileCommand, PlaybackCommand, SessionCommand, ShellCommand};
 
 /// A key with what it does.
 struct Shortcut {
@@ -20,22 +20,57 @@ fn table() -> Vec<Shortcut> {
     let (none, shift, ctrl) = (Modifiers::NONE, Modifiers::SHIFT, Modifiers::COMMAND);
     // Keys with more modifiers stand before the same keys with fewer.
     vec![
-        shortcut(none, Key::Space, "Play or pause; after the end: again", Command::TogglePlay),
-        shortcut(ctrl, Key::ArrowRight, "One control sample on", Command::Step(1)),
-        shortcut(ctrl, Key::ArrowLeft, "One control sample back", Command::Step(-1)),
-        shortcut(shift, Key::ArrowRight, "1 s on", Command::SeekBy(1.0)),
-        shortcut(shift, Key::ArrowLeft, "1 s back", Command::SeekBy(-1.0)),
-        shortcut(none, Key::ArrowRight, "0.1 s on", Command::SeekBy(0.1)),
-        shortcut(none, Key::ArrowLeft, "0.1 s back", Command::SeekBy(-0.1)),
-        shortcut(none, Key::Home, "To the start", Command::SeekTo(0.0)),
-        shortcut(none, Key::End, "To the end", Command::SeekToEnd),
-        shortcut(ctrl | shift, Key::Z, "Redo", Command::Redo),
-        shortcut(ctrl, Key::Z, "Undo", Command::Undo),
-        shortcut(ctrl, Key::Y, "Redo", Command::Redo),
-        shortcut(ctrl, Key::O, "Open a scenario file", Command::Open),
-        shortcut(ctrl, Key::S, "Save the scenario with its edits", Command::Save),
-        shortcut(ctrl, Key::E, "Export all signals as CSV", Command::ExportCsv),
-        shortcut(ctrl, Key::L, "Copy a link to this state", Command::CopyLink),
+        shortcut(
+            none,
+            Key::Space,
+            "Play or pause; after the end: again",
+            Command::Playback(PlaybackCommand::TogglePlay),
+        ),
+        shortcut(
+            ctrl,
+            Key::ArrowRight,
+            "One control sample on",
+            Command::Playback(PlaybackCommand::Step(1)),
+        ),
+        shortcut(
+            ctrl,
+            Key::ArrowLeft,
+            "One control sample back",
+            Command::Playback(PlaybackCommand::Step(-1)),
+        ),
+        shortcut(shift, Key::ArrowRight, "1 s on", Command::Playback(PlaybackCommand::SeekBy(1.0))),
+        shortcut(
+            shift,
+            Key::ArrowLeft,
+            "1 s back",
+            Command::Playback(PlaybackCommand::SeekBy(-1.0)),
+        ),
+        shortcut(
+            none,
+            Key::ArrowRight,
+            "0.1 s on",
+            Command::Playback(PlaybackCommand::SeekBy(0.1)),
+        ),
+        shortcut(
+            none,
+            Key::ArrowLeft,
+            "0.1 s back",
+            Command::Playback(PlaybackCommand::SeekBy(-0.1)),
+        ),
+        shortcut(none, Key::Home, "To the start", Command::Playback(PlaybackCommand::SeekTo(0.0))),
+        shortcut(none, Key::End, "To the end", Command::Playback(PlaybackCommand::SeekToEnd)),
+        shortcut(ctrl | shift, Key::Z, "Redo", Command::Session(SessionCommand::Redo)),
+        shortcut(ctrl, Key::Z, "Undo", Command::Session(SessionCommand::Undo)),
+        shortcut(ctrl, Key::Y, "Redo", Command::Session(SessionCommand::Redo)),
+        shortcut(ctrl, Key::O, "Open a scenario file", Command::File(FileCommand::Open)),
+        shortcut(
+            ctrl,
+            Key::S,
+            "Save the scenario with its edits",
+            Command::File(FileCommand::Save),
+        ),
+        shortcut(ctrl, Key::E, "Export all signals as CSV", Command::File(FileCommand::ExportCsv)),
+        shortcut(ctrl, Key::L, "Copy a link to this state", Command::File(FileCommand::CopyLink)),
     ]
 }
 
@@ -61,11 +96,11 @@ pub fn read(ctx: &Context, screens: &[&'static str], commands: &mut Vec<Command>
     ctx.input_mut(|input| {
         for (key, id) in DIGITS.into_iter().zip(screens) {
             if input.consume_key(Modifiers::COMMAND, key) {
-                commands.push(Command::ShowScreen(id));
+                commands.push(Command::Shell(ShellCommand::ShowScreen(id)));
             }
         }
         if input.key_pressed(Key::Questionmark) && !focused {
-            commands.push(Command::ShowShortcuts(true));
+            commands.push(Command::Shell(ShellCommand::ShowShortcuts(true)));
         }
         for shortcut in table() {
             let free = shortcut.keys.modifiers.command || !focused;

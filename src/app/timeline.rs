@@ -2,7 +2,7 @@
 
 use egui::{ComboBox, Label, RichText, Role, Slider, TextWrapMode, Ui, WidgetInfo};
 
-use super::command::Command;
+use super::command::{Command, PlaybackCommand};
 use super::panels::View;
 use super::playback::Speed;
 use super::theme::{self, Palette};
@@ -18,19 +18,19 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         }
         let playback = view.session.playback();
         if icon::button(ui, Icon::Restart, "Restart", "Again from the start", true).clicked() {
-            commands.push(Command::Restart);
+            commands.push(Command::Playback(PlaybackCommand::Restart));
         }
         let (sign, name) =
             if playback.playing { (Icon::Pause, "Pause") } else { (Icon::Play, "Play") };
         if icon::button(ui, sign, name, &format!("{name} (Space)"), true).clicked() {
-            commands.push(Command::TogglePlay);
+            commands.push(Command::Playback(PlaybackCommand::TogglePlay));
         }
         let help = "One control sample on (Ctrl+Right)";
         if icon::button(ui, Icon::Step, "Step", help, true).clicked() {
-            commands.push(Command::Step(1));
+            commands.push(Command::Playback(PlaybackCommand::Step(1)));
         }
         if icon::button(ui, Icon::End, "End", "To the end of the cut (End)", true).clicked() {
-            commands.push(Command::SeekToEnd);
+            commands.push(Command::Playback(PlaybackCommand::SeekToEnd));
         }
         let text = theme::time_of(playback.playhead_s, view.session.length_s());
         let text = RichText::new(text).monospace();
@@ -40,7 +40,7 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let mut follow = playback.follow;
         let help = "Plots show the last seconds before the playhead; otherwise the whole run.";
         if ui.checkbox(&mut follow, "Follow").on_hover_text(help).changed() {
-            commands.push(Command::Follow(follow));
+            commands.push(Command::Playback(PlaybackCommand::Follow(follow)));
         }
         state(ui, view, commands);
     });
@@ -58,7 +58,7 @@ fn speed(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         .show_ui(ui, |ui| {
             for speed in Speed::ALL {
                 if ui.selectable_label(speed == now, speed.label()).clicked() {
-                    commands.push(Command::Speed(speed));
+                    commands.push(Command::Playback(PlaybackCommand::Speed(speed)));
                 }
             }
         })
@@ -82,7 +82,7 @@ fn state(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let text = RichText::new(text).color(color).strong();
         ui.add(Label::new(text).wrap_mode(TextWrapMode::Extend));
         if ui.button("Restart the cut").on_hover_text("Space does the same").clicked() {
-            commands.push(Command::Restart);
+            commands.push(Command::Playback(PlaybackCommand::Restart));
         }
     } else if progress < 1.0 {
         ui.label(
@@ -105,7 +105,7 @@ fn scrub(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         response.surrender_focus();
     }
     if playhead_s != now {
-        commands.push(Command::SeekTo(playhead_s));
+        commands.push(Command::Playback(PlaybackCommand::SeekTo(playhead_s)));
     }
     let rail = response.rect.x_range().shrink(0.4 * response.rect.height());
     for edit in view.session.edits().list() {

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use egui::{Frame, Margin, RichText, ScrollArea, Ui};
 
 use super::{Panel, View};
-use crate::app::command::Command;
+use crate::app::command::{Command, SessionCommand, ShellCommand};
 use crate::app::theme::{self, Palette};
 use crate::base::settings::Choice;
 use crate::blocks::cutting::process::ForceModel;
@@ -136,7 +136,7 @@ fn combined(ui: &mut Ui, commands: &mut Vec<Command>) {
     );
     ui.horizontal_wrapped(|ui| {
         if ui.button("Open Compare").clicked() {
-            commands.push(Command::ShowScreen("compare"));
+            commands.push(Command::Shell(ShellCommand::ShowScreen("compare")));
         }
         for (label, preset) in [
             ("Load Experiment 1", "experiment-1"),
@@ -145,8 +145,8 @@ fn combined(ui: &mut Ui, commands: &mut Vec<Command>) {
         ] {
             let hint = format!("Opens the scenario {preset} in the console");
             if ui.button(label).on_hover_text(hint).clicked() {
-                commands.push(Command::LoadPreset(preset.to_owned()));
-                commands.push(Command::ShowScreen("console"));
+                commands.push(Command::Session(SessionCommand::LoadPreset(preset.to_owned())));
+                commands.push(Command::Shell(ShellCommand::ShowScreen("console")));
             }
         }
     });

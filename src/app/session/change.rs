@@ -1,6 +1,7 @@
 //! How commands change a session: settings, undo and redo, and the playhead.
 
-use super::{Command, HAIR_S, MAX_UNDO, Plan, Session, TICKS_PER_FRAME};
+use super::{HAIR_S, MAX_UNDO, Plan, Session, TICKS_PER_FRAME};
+use crate::app::command::{PlaybackCommand, SessionCommand};
 use crate::app::cut::{Ghost, first_difference};
 use crate::app::twin;
 use crate::base::settings::{SettingError, Value};
@@ -16,83 +17,81 @@ use crate::study::unks_passes::beginning_with;
 const DRAG_S: f64 = 0.1;
 
 impl Session {
-    /// Does what a command says about scenario, run and playhead; gives back what is not the
-    /// session's.
-    pub fn execute(&mut self, command: Command) -> Option<Command> {
+    /// Changes scenario and edits, and shows or removes messages.
+    pub fn execute(&mut self, command: SessionCommand) {
         match command {
-            Command::Set { path, value } => {
+            SessionCommand::Set { path, value } => {
                 if let Err(error) = self.set(&path, value) {
                     self.notify(error.to_string());
                 }
             }
-            Command::SetUp(changes) => {
+            SessionCommand::SetUp(changes) => {
                 if let Err(error) = self.set_up(&changes) {
                     self.notify(error.to_string());
                 }
             }
-            Command::LoadPreset(name) => {
+            SessionCommand::LoadPreset(name) => {
                 self.load(presets::load(&name).map(|s| (s, Edits::none())))
             }
-            Command::LoadText { name, text } => {
+            SessionCommand::LoadText { name, text } => {
                 let named =
                     |e: SettingError| SettingError::Format { what: name, problem: e.to_string() };
                 self.load(scenario_file::parse(&text).map_err(named));
             }
-            Command::LoadNetworks { name, text } => {
+            SessionCommand::LoadNetworks { name, text } => {
                 if let Err(error) = self.load_networks(&text) {
                     self.notify(format!("{name}: {error}"));
                 }
             }
-            Command::Notify(text) => self.notify(text),
-            Command::Dismiss(number) => self.notices.retain(|notice| notice.number != number),
-            Command::Undo => {
+            SessionCommand::Notify(text) => self.notify(text),
+            SessionCommand::Dismiss(number) => {
+                self.notices.retain(|notice| notice.number != number)
+            }
+            SessionCommand::Undo => {
                 self.gesture = None;
                 if let Some(plan) = self.undo.pop() {
                     let now = self.change(plan);
                     self.redo.push(now);
                 }
             }
-            Command::Redo => {
+            SessionCommand::Redo => {
                 self.gesture = None;
                 if let Some(plan) = self.redo.pop() {
                     let now = self.change(plan);
                     self.undo.push(now);
                 }
             }
-            other => return self.execute_playback(other),
         }
-        None
     }
 
-    fn execute_playback(&mut self, command: Command) -> Option<Command> {
+    /// Moves the playhead, or says how it moves and what the plots show of it.
+    pub fn play(&mut self, command: PlaybackCommand) {
         let (end_s, over) = (self.chosen.simulated_s(), self.chosen.is_over());
         let playback = &mut self.playback;
         let playhead_s = playback.playhead_s;
         match command {
-            Command::TogglePlay if playback.playing => playback.playing = false,
-            Command::TogglePlay if !playback.at_end || !over => {
+            PlaybackCommand::TogglePlay if playback.playing => playback.playing = false,
+            PlaybackCommand::TogglePlay if !playback.at_end || !over => {
                 (playback.playing, playback.at_end) = (true, false);
             }
-            Command::TogglePlay | Command::Restart => playback.restart(),
-            Command::Step(samples) => {
+            PlaybackCommand::TogglePlay | PlaybackCommand::Restart => playback.restart(),
+            PlaybackCommand::Step(samples) => {
                 playback.playing = false;
                 let period_s = self.plan.0.control_period_s();
                 // On the grid of control samples, with room for the rounding of its times.
                 let sample = (playhead_s / period_s + 1e-6).floor() + samples as f64;
                 self.seek(sample * period_s);
             }
-            Command::SeekBy(by_s) => self.seek(playhead_s + by_s),
-            Command::SeekTo(to_s) => self.seek(to_s),
+            PlaybackCommand::SeekBy(by_s) => self.seek(playhead_s + by_s),
+            PlaybackCommand::SeekTo(to_s) => self.seek(to_s),
             // And on with it, while it is still being simulated.
-            Command::SeekToEnd => {
+            PlaybackCommand::SeekToEnd => {
                 (playback.playhead_s, playback.playing, playback.at_end) = (end_s, false, true);
             }
-            Command::Speed(speed) => playback.speed = speed,
-            Command::Follow(follow) => playback.follow = follow,
-            other => return Some(other),
+            PlaybackCommand::Speed(speed) => playback.speed = speed,
+            PlaybackCommand::Follow(follow) => playback.follow = follow,
         }
         self.refresh();
-        None
     }
 
     fn seek(&mut self, to_s: f64) {

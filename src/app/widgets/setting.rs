@@ -3,7 +3,7 @@
 
 use egui::{ComboBox, Response, Slider, Ui, WidgetInfo};
 
-use super::super::command::Command;
+use super::super::command::{Command, SessionCommand};
 use super::super::theme;
 use super::icon::{self, Icon};
 use super::number::NumberField;
@@ -80,8 +80,10 @@ pub fn setting(
             });
         }
     });
-    commands.extend(said.map(Command::Notify));
-    commands.extend(changed.map(|value| Command::Set { path: path.to_owned(), value }));
+    commands.extend(said.map(Command::notify));
+    commands.extend(
+        changed.map(|value| Command::Session(SessionCommand::Set { path: path.to_owned(), value })),
+    );
 }
 
 /// The tooltip: what it is, what is allowed, its name in files.

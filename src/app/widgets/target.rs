@@ -3,7 +3,7 @@
 
 use egui::Ui;
 
-use super::super::command::Command;
+use super::super::command::{Command, SessionCommand};
 use super::super::theme::Palette;
 use super::setting::{Size, setting, slider_rect};
 use crate::base::math::ln;
@@ -47,7 +47,10 @@ pub fn target(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
         let at = egui::pos2(x, row.top() + 4.0);
         ui.painter().text(at, egui::Align2::CENTER_TOP, name, font, color);
         if response.on_hover_text(format!("ISO 1302 grade {name}: Ra {ra_um} µm")).clicked() {
-            commands.push(Command::Set { path: PATH.to_owned(), value: Value::Float(ra_um) });
+            commands.push(Command::Session(SessionCommand::Set {
+                path: PATH.to_owned(),
+                value: Value::Float(ra_um),
+            }));
         }
     }
 }

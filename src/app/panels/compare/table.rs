@@ -3,7 +3,7 @@
 
 use egui::{Color32, Grid, RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
 
-use crate::app::command::Command;
+use crate::app::command::{Command, SessionCommand, ShellCommand};
 use crate::app::theme::{self, Palette};
 use crate::run::edits::Edits;
 use crate::run::scenario_file;
@@ -97,8 +97,9 @@ fn load(ui: &mut Ui, tournament: &Tournament, index: usize, commands: &mut Vec<C
         let mut scenario = entrant.scenario.clone();
         scenario.info.name = format!("{} ({})", scenario.info.name, entrant.name);
         let text = scenario_file::write(&scenario, &Edits::none());
-        commands.push(Command::LoadText { name: entrant.name.clone(), text });
-        commands.push(Command::ShowScreen("console"));
+        commands
+            .push(Command::Session(SessionCommand::LoadText { name: entrant.name.clone(), text }));
+        commands.push(Command::Shell(ShellCommand::ShowScreen("console")));
     }
 }
 

@@ -4,7 +4,7 @@
 use egui::{CollapsingHeader, ComboBox, RichText, Role, Ui, WidgetInfo};
 
 use super::Windows;
-use crate::app::command::Command;
+use crate::app::command::{Command, SessionCommand};
 use crate::app::panels::View;
 use crate::app::theme::Palette;
 use crate::app::widgets::setting::{Size, setting};
@@ -140,7 +140,8 @@ pub fn presets(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
                 ui.label(RichText::new(title).small().color(Palette::at(ui).weak));
                 for name in names {
                     if ui.selectable_label(name == info.name, name).clicked() {
-                        commands.push(Command::LoadPreset(name.to_owned()));
+                        commands
+                            .push(Command::Session(SessionCommand::LoadPreset(name.to_owned())));
                     }
                 }
             }

@@ -6,7 +6,7 @@ mod plot;
 use egui::{RichText, Ui};
 
 use super::super::View;
-use crate::app::command::Command;
+use crate::app::command::{Command, FileCommand, SessionCommand};
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::legend;
 use crate::app::widgets::window::{self, WindowPlace};
@@ -151,7 +151,10 @@ impl RevolutionWindow {
             let help = "Save these samples as CSV: time, angle, Fx, Fy, Fz, Fxy";
             let button = ui.button("Samples as CSV").on_hover_text(help);
             if button.clicked() {
-                commands.push(Command::SaveCsv { what: "revolution".to_owned(), text: csv });
+                commands.push(Command::File(FileCommand::SaveCsv {
+                    what: "revolution".to_owned(),
+                    text: csv,
+                }));
             }
         });
         ui.scope(|ui| {
@@ -195,14 +198,14 @@ fn nothing(ui: &mut Ui, by_teeth: bool, commands: &mut Vec<Command>) {
         if ui.button("Simulate tooth by tooth").clicked() {
             let [steps, rows] = STEPS;
             let model = ForceModel::Mechanistic.id().to_owned();
-            commands.push(Command::SetUp(vec![
+            commands.push(Command::Session(SessionCommand::SetUp(vec![
                 ("plant.force_model".to_owned(), Value::Text(model)),
                 ("run.steps_per_control".to_owned(), Value::Int(steps)),
                 ("run.record_every".to_owned(), Value::Int(rows)),
-            ]));
+            ])));
         }
         if ui.button("Load Experiment 2").clicked() {
-            commands.push(Command::LoadPreset("experiment-2".to_owned()));
+            commands.push(Command::Session(SessionCommand::LoadPreset("experiment-2".to_owned())));
         }
     });
     let text = "Both can be undone. The first keeps this scenario and changes its plant.";

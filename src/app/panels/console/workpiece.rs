@@ -8,7 +8,7 @@ mod table;
 use egui::{RichText, Ui};
 
 use super::super::View;
-use crate::app::command::Command;
+use crate::app::command::{Command, SessionCommand};
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::setting::{Size, setting};
@@ -117,7 +117,10 @@ impl WorkpieceWindow {
             table::sections(ui, self.cut, &mut cuts, &mut self.said);
         }
         if cuts != workpiece.cuts {
-            commands.push(Command::Set { path: CUTS.to_owned(), value: Value::Cuts(cuts) });
+            commands.push(Command::Session(SessionCommand::Set {
+                path: CUTS.to_owned(),
+                value: Value::Cuts(cuts),
+            }));
         }
     }
 
@@ -193,7 +196,10 @@ impl WorkpieceWindow {
 /// The shipped parts, and the way from one path to cuts and back.
 fn parts(ui: &mut Ui, workpiece: &Workpiece, commands: &mut Vec<Command>) {
     let mut set = |cuts: Vec<Vec<Section>>| {
-        commands.push(Command::Set { path: CUTS.to_owned(), value: Value::Cuts(cuts) });
+        commands.push(Command::Session(SessionCommand::Set {
+            path: CUTS.to_owned(),
+            value: Value::Cuts(cuts),
+        }));
     };
     ui.horizontal_wrapped(|ui| {
         ui.label("Take the part of");

@@ -2,7 +2,7 @@
 
 use egui::{RichText, Ui};
 
-use crate::app::command::Command;
+use crate::app::command::{Command, FileCommand, PlaybackCommand, SessionCommand};
 use crate::app::panels::View;
 use crate::app::theme::Palette;
 use crate::app::widgets::setting::{Size, setting};
@@ -20,7 +20,7 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
             let chosen = stored.is_none() && settings.start == *start;
             let button = ui.selectable_label(chosen, option.label);
             if button.on_hover_text(option.doc.replace('\n', " ")).clicked() {
-                commands.push(Command::SetUp(beginning_anew(*start)));
+                commands.push(Command::Session(SessionCommand::SetUp(beginning_anew(*start))));
             }
         }
         if stored.is_some() {
@@ -48,17 +48,17 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         if again.on_hover_text(help).clicked()
             && let Some(stored) = learned(view.session.chosen().run(), 1)
         {
-            commands.push(Command::SetUp(beginning_with(&stored)));
-            commands.push(Command::Restart);
+            commands.push(Command::Session(SessionCommand::SetUp(beginning_with(&stored))));
+            commands.push(Command::Playback(PlaybackCommand::Restart));
         }
         let help = "Save NM-R, NM-1 and NM-2 as they are at the end of the cut";
         let save = ui.add_enabled(over, egui::Button::new("Save networks"));
         if save.on_hover_text(help).clicked() {
-            commands.push(Command::SaveNetworks);
+            commands.push(Command::File(FileCommand::SaveNetworks));
         }
         let help = "Begin with the networks of a file; one can also be dropped here";
         if ui.button("Load networks").on_hover_text(help).clicked() {
-            commands.push(Command::OpenNetworks);
+            commands.push(Command::File(FileCommand::OpenNetworks));
         }
     });
 }

@@ -2,7 +2,7 @@
 
 use egui::{Grid, ProgressBar, RichText, Ui};
 
-use crate::app::command::Command;
+use crate::app::command::{Command, SessionCommand};
 use crate::app::panels::View;
 use crate::app::theme::{Palette, deviation, number};
 use crate::base::units::percent_from_ratio;
@@ -70,7 +70,7 @@ impl PassesView {
         if let Some(stored) = job.learned().filter(|_| !running) {
             let help = "Begin the cut with the networks as they are after the last pass";
             if ui.button("Use these networks").on_hover_text(help).clicked() {
-                commands.push(Command::SetUp(beginning_with(stored)));
+                commands.push(Command::Session(SessionCommand::SetUp(beginning_with(stored))));
             }
         }
     }

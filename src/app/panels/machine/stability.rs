@@ -5,7 +5,7 @@ use egui::{ProgressBar, RichText, Role, Sense, Ui, WidgetInfo};
 use egui_plot::MarkerShape;
 
 use super::plot::{Figure, Marks, PlotCurve};
-use crate::app::command::Command;
+use crate::app::command::{Command, SessionCommand};
 use crate::app::theme::{self, Look, Palette};
 use crate::base::math::{extent, limit};
 use crate::base::settings::Value;
@@ -137,7 +137,10 @@ fn quality(ui: &mut Ui, now: f64, commands: &mut Vec<Command>) {
             let chosen = now == quality;
             if ui.selectable_label(chosen, name).on_hover_text(help).clicked() && !chosen {
                 let path = "machine.spindle_quality".to_owned();
-                commands.push(Command::Set { path, value: Value::Float(quality) });
+                commands.push(Command::Session(SessionCommand::Set {
+                    path,
+                    value: Value::Float(quality),
+                }));
             }
         }
     });

@@ -3,7 +3,7 @@
 
 use egui::{Grid, RichText, ScrollArea, TextWrapMode, Ui};
 
-use crate::app::command::Command;
+use crate::app::command::{Command, ShellCommand};
 use crate::app::theme::{self, Palette};
 use crate::study::papers_2019::{NOT_REPRODUCED, REPRODUCED, table};
 
@@ -50,7 +50,7 @@ pub fn show(ui: &mut Ui, measured: &[String], commands: &mut Vec<Command>) {
     });
     ui.horizontal_wrapped(|ui| {
         if ui.button("Open Machine").clicked() {
-            commands.push(Command::ShowScreen("machine"));
+            commands.push(Command::Shell(ShellCommand::ShowScreen("machine")));
         }
     });
     let measured: Vec<&str> = measured.iter().map(String::as_str).collect();

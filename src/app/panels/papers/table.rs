@@ -3,7 +3,7 @@
 use egui::{Grid, RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
 
 use super::Shown;
-use crate::app::command::Command;
+use crate::app::command::{Command, SessionCommand, ShellCommand};
 use crate::app::panels::equation_cards::Names;
 use crate::app::theme::{self, Palette};
 use crate::blocks::cutting::process::ForceModel;
@@ -70,8 +70,8 @@ fn load(ui: &mut Ui, shown: Shown, row: &PaperRow, commands: &mut Vec<Command>) 
             scenario.info.name = format!("{name} ({})", changed.join(", "));
         }
         let text = scenario_file::write(&scenario, &Edits::none());
-        commands.push(Command::LoadText { name, text });
-        commands.push(Command::ShowScreen("console"));
+        commands.push(Command::Session(SessionCommand::LoadText { name, text }));
+        commands.push(Command::Shell(ShellCommand::ShowScreen("console")));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use egui::{Button, Grid, RichText, Ui};
 
-use crate::app::command::Command;
+use crate::app::command::{Command, PlaybackCommand, SessionCommand, ShellCommand};
 use crate::app::theme::{self, Palette};
 use crate::base::settings::Value;
 use crate::run::scenario::Scenario;
@@ -27,9 +27,9 @@ fn use_it(optimum: &Optimum, commands: &mut Vec<Command>) {
     let changes =
         [("program.feed_mm_min", optimum.feed_mm_min), ("program.spindle_rpm", optimum.speed_rpm)];
     let changes = changes.map(|(path, value)| (path.to_owned(), Value::Float(value)));
-    commands.push(Command::SetUp(changes.to_vec()));
-    commands.push(Command::ShowScreen("console"));
-    commands.push(Command::Restart);
+    commands.push(Command::Session(SessionCommand::SetUp(changes.to_vec())));
+    commands.push(Command::Shell(ShellCommand::ShowScreen("console")));
+    commands.push(Command::Playback(PlaybackCommand::Restart));
 }
 
 /// The card with the best cut, the verdict, the button and what a run does with it.

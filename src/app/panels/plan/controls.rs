@@ -3,7 +3,7 @@
 
 use egui::{CollapsingHeader, RichText, Ui};
 
-use crate::app::command::Command;
+use crate::app::command::{Command, SessionCommand};
 use crate::app::session::Session;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::setting::{Size, setting};
@@ -58,7 +58,7 @@ fn changed_in_the_cut(ui: &mut Ui, session: &Session, commands: &mut Vec<Command
         let help = "Makes the values at the playhead those of the start, and plans for them";
         if ui.button("Plan for the values now").on_hover_text(help).clicked() {
             let values = changed.into_iter().map(|(param, value)| (param.path.clone(), value));
-            commands.push(Command::SetUp(values.collect()));
+            commands.push(Command::Session(SessionCommand::SetUp(values.collect())));
         }
     });
     ui.add_space(4.0);
@@ -98,7 +98,9 @@ pub fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     let note = "A plan is made before the cut: changes here hold from its start on.";
     ui.label(RichText::new(note).small().color(Palette::at(ui).weak));
     commands.extend(changes.into_iter().map(|command| match command {
-        Command::Set { path, value } => Command::SetUp(vec![(path, value)]),
+        Command::Session(SessionCommand::Set { path, value }) => {
+            Command::Session(SessionCommand::SetUp(vec![(path, value)]))
+        }
         other => other,
     }));
 }

@@ -3,7 +3,7 @@
 
 use egui::{CollapsingHeader, ComboBox, RichText, Role, Ui, WidgetInfo};
 
-use crate::app::command::Command;
+use crate::app::command::{Command, SessionCommand};
 use crate::app::theme::{self, Palette};
 use crate::base::settings::Value;
 use crate::blocks::cutting::tool::R216_16B20_040;
@@ -90,7 +90,7 @@ fn answer(
     if ui.button("Start from it").on_hover_text(help).clicked() {
         let changes = [("program.feed_mm_min", feed), ("program.spindle_rpm", rpm)];
         let changes = changes.map(|(path, value)| (path.to_owned(), Value::Float(value)));
-        commands.push(Command::SetUp(changes.to_vec()));
+        commands.push(Command::Session(SessionCommand::SetUp(changes.to_vec())));
     }
     let note = format!("{NOTE} The table: {TABLE_NOTE}.");
     ui.label(RichText::new(note).small().color(palette.weak));

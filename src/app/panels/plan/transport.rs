@@ -3,7 +3,7 @@
 use egui::{ComboBox, Label, RichText, Role, Ui, WidgetInfo};
 
 use super::search::{SPEEDS, Search};
-use crate::app::command::Command;
+use crate::app::command::{Command, SessionCommand};
 use crate::app::playback::Speed;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
@@ -52,7 +52,10 @@ pub fn show(
         let help = "Another seed: another random start, and nearly the same optimum";
         if ui.button("Other seed").on_hover_text(help).clicked() {
             let seed = i64::from(scenario.plan.seed.wrapping_add(1));
-            commands.push(Command::SetUp(vec![("plan.seed".to_owned(), Value::Int(seed))]));
+            commands.push(Command::Session(SessionCommand::SetUp(vec![(
+                "plan.seed".to_owned(),
+                Value::Int(seed),
+            )])));
         }
         if let Some(progress) = progress {
             let state = if progress.done { "done" } else { "searching" };

@@ -2,7 +2,7 @@
 
 use egui::{Grid, RichText, Ui, WidgetInfo};
 
-use crate::app::command::Command;
+use crate::app::command::{Command, SessionCommand};
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::number::NumberField;
@@ -188,7 +188,9 @@ pub fn profile(
         let [last_mm, depth_mm] = steps.last().copied().unwrap_or([0.0, first_mm]);
         steps.push([last_mm + NEXT_STEP_MM, depth_mm]);
     }
-    let mut set = |path: &str, value| commands.push(Command::Set { path: path.to_owned(), value });
+    let mut set = |path: &str, value| {
+        commands.push(Command::Session(SessionCommand::Set { path: path.to_owned(), value }))
+    };
     if first_mm != workpiece.axial_depth_mm {
         set("workpiece.axial_depth_mm", Value::Float(first_mm));
     }

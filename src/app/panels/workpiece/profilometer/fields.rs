@@ -66,7 +66,7 @@ impl Profilometer {
                 ui.end_row();
             }
         });
-        commands.extend(said.map(Command::Notify));
+        commands.extend(said.map(Command::notify));
         let edited = ProfileLine { from_mm: ends[0], to_mm: ends[1] };
         if edited != line {
             self.own = Some(edited);

@@ -1,0 +1,91 @@
+//! How the console carries commands out: what is not the session's is done here.
+
+use super::command::{Command, FileCommand, SessionCommand, ShellCommand};
+#[cfg(target_arch = "wasm32")]
+use super::web;
+use super::{Console, files};
+use crate::run::scenario_file;
+use crate::study::export;
+use crate::study::unks_passes::learned;
+
+impl Console {
+    pub(super) fn execute(&mut self, command: Command, ctx: &egui::Context) {
+        match command {
+            Command::Session(command) => {
+                if matches!(command, SessionCommand::Set { .. } | SessionCommand::SetUp(_)) {
+                    self.since_change_s = 0.0;
+                }
+                self.session.execute(command);
+            }
+            Command::Playback(command) => self.session.play(command),
+            Command::File(command) => self.execute_file(command, ctx),
+            Command::Shell(command) => self.execute_shell(command, ctx),
+        }
+    }
+
+    fn execute_shell(&mut self, command: ShellCommand, ctx: &egui::Context) {
+        match command {
+            ShellCommand::ShowScreen(id) => {
+                let shown = self.panels.iter().position(|p| p.id() == id).unwrap_or(self.shown);
+                if shown != self.shown {
+                    self.panels[self.shown].left();
+                }
+                self.shown = shown;
+            }
+            ShellCommand::Theme(preference) => ctx.set_theme(preference),
+            ShellCommand::ShowShortcuts(show) => self.shortcuts = show,
+        }
+    }
+
+    fn execute_file(&mut self, command: FileCommand, ctx: &egui::Context) {
+        match command {
+            FileCommand::Open => self.files.open(ctx),
+            FileCommand::Save => {
+                let text = scenario_file::write(self.session.scenario(), self.session.edits());
+                self.save(ctx, "toml", text.into_bytes());
+            }
+            FileCommand::ExportCsv => self.export_csv(ctx),
+            FileCommand::SaveCsv { what, text } => {
+                self.save(ctx, &format!("{what}.csv"), text.into_bytes());
+            }
+            FileCommand::OpenNetworks => self.files.open_networks(ctx),
+            FileCommand::SaveNetworks => self.save_networks(ctx),
+            FileCommand::CopyLink => self.copy_link(ctx),
+        }
+    }
+
+    fn save(&self, ctx: &egui::Context, extension: &str, bytes: Vec<u8>) {
+        let name = files::file_name(&self.session.scenario().info.name, extension);
+        self.files.save(ctx, &name, bytes);
+    }
+
+    fn export_csv(&mut self, ctx: &egui::Context) {
+        let mut bytes = Vec::new();
+        match export::csv::write(&mut bytes, self.session.chosen().run().recording()) {
+            Ok(()) => self.save(ctx, "csv", bytes),
+            Err(error) => self.session.notify(format!("CSV: {error}")),
+        }
+    }
+
+    /// Saves what the networks have learned at the end of the cut.
+    fn save_networks(&mut self, ctx: &egui::Context) {
+        match learned(self.session.chosen().run(), 1) {
+            Some(stored) => self.save(ctx, "json", stored.write().into_bytes()),
+            None => self.session.notify("The chosen controller has no networks that learn."),
+        }
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    fn copy_link(&mut self, ctx: &egui::Context) {
+        ctx.copy_text(web::address(&self.fragment()));
+        self.session.notify("The link is in the clipboard: it opens this scenario with its edits.");
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    fn copy_link(&mut self, ctx: &egui::Context) {
+        ctx.copy_text(format!("#{}", self.fragment()));
+        let text = "The link's part from # on is in the clipboard: append it to the address of \
+                    SteadyCut's web page.";
+        self.session.notify(text);
+    }
+}
