@@ -1,11 +1,11 @@
-// The program in WebAssembly gives the same bits as natively: every preset's digest against
-// tests/golden.json, in Node, without a browser. Needs web/dist (web/build).
+// The program in WebAssembly gives the same bits as natively: every preset's digest, metrics and
+// variants against tests/golden.json, in Node, without a browser. Needs web/dist (web/build).
 
 import assert from "node:assert/strict";
 import { cpSync, readFileSync, rmSync } from "node:fs";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { assertGolden, presets } from "./golden.mjs";
+import { assertGolden, bases, presets } from "./golden.mjs";
 import { DIST } from "./server.mjs";
 
 // Node takes .js files for ES modules only under a package.json that says so, as this folder's does.
@@ -20,6 +20,7 @@ const json = program.preset_digests();
 test("the presets are those of tests/golden.json", () => {
   assert.deepEqual(Object.keys(JSON.parse(json)).sort(), [...presets].sort());
   assert.notEqual(presets.length, 0);
+  assert.notEqual(bases.length, 0);
 });
 for (const preset of presets) {
   test(`${preset}: the same digest in WebAssembly`, () => assertGolden(json, preset));

@@ -1,6 +1,9 @@
 //! Golden digests: the bits of every preset, here and (through `web/test`) in wasm.
 
-use steadycut_study::golden;
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+use steadycut_study::golden::{self, BASES};
 
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden.json");
 
@@ -9,7 +12,28 @@ fn every_preset_has_its_golden_digest() {
     let now = golden::to_json();
     if std::env::var_os("STEADYCUT_WRITE_GOLDEN").is_some() {
         std::fs::write(FILE, &now).unwrap();
+        // A run that rewrites what it is to hold shows nothing.
+        panic!("tests/golden.json is written anew: look at what moved, then test without");
     }
     let golden = std::fs::read_to_string(FILE).unwrap();
     assert_eq!(now, golden, "write it anew with STEADYCUT_WRITE_GOLDEN=1 if the change is meant");
+}
+
+/// The variants of every base in the file, by base.
+fn variants() -> BTreeMap<String, BTreeMap<String, String>> {
+    let all: Value = serde_json::from_str(&std::fs::read_to_string(FILE).unwrap()).unwrap();
+    let of = |base: &&str| serde_json::from_value(all[*base]["variants"].clone()).unwrap();
+    BASES.iter().map(|base| ((*base).to_owned(), of(base))).collect()
+}
+
+/// Variants that give the same digest hold nothing: the run ended before they differed.
+#[test]
+fn every_variant_is_a_run_of_its_own() {
+    for (base, digests) in variants() {
+        let mut seen = BTreeMap::new();
+        for (name, digest) in digests {
+            let twin = seen.insert(digest, name.clone());
+            assert_eq!(twin, None, "{base}: {name}");
+        }
+    }
 }

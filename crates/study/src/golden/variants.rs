@@ -1,0 +1,289 @@
+//! What the presets themselves do not show, over a handful of them that stand for every model set,
+//! every kind of plant and every machine: short runs of every controller, drive and calibration,
+//! changed in the cut; the coefficients of drives and machine; a tool's life; a plan.
+
+use serde_json::{Map, Value as Json};
+
+use crate::base::settings::{Kind, Value};
+use crate::blocks::control::ControllerKind;
+use crate::blocks::machine::response::ModalResponse;
+use crate::machine_life;
+use crate::machine_life::adaptive::AdaptiveLife;
+use crate::machine_life::surface::surface;
+use crate::models::feed_drive::{ExactDrive, FeedDriveKind};
+use crate::models::genetic::{Calibration, ModelSet};
+use crate::models::neural_force::NeuralForce;
+use crate::models::part::APPROACH_MM;
+use crate::models::structure::frf;
+use crate::models::structure::parameters::Parameters;
+use crate::models::structure::reduction::Reduction;
+use crate::models::structure::{FiveMass, MachineSettings, Variant};
+use crate::models::wear::WearModel;
+use crate::plan::PlanJob;
+use crate::run::digest::Digest;
+use crate::run::edits::{Edit, Edits};
+use crate::run::one_run::Run;
+use crate::run::scenario::{Param, Scenario, table};
+
+/// The presets whose variants are held: formula, neural network and tooth by tooth, one cut and
+/// several, the models of 2005, 2007 and 2013, with and without the machine.
+pub const BASES: [&str; 6] = [
+    "experiment-1",
+    "experiment-2-neural",
+    "machine-dynamics",
+    "machine-life",
+    "strategy-2013",
+    "table3-5-noise",
+];
+
+/// Seconds in the cut of a short run.
+const SHORT_S: f64 = 1.5;
+/// Seconds in the cut until a worn tool's speed has been adjusted several times.
+const WORN_S: f64 = 4.0;
+/// Plant steps of a control period tooth by tooth: the fewest that are allowed.
+const TOOTH_STEPS: u32 = 200;
+
+/// Digests of the variants of a base preset, by name.
+pub(super) fn variants(preset: &Scenario) -> Map<String, Json> {
+    let base = short(preset);
+    let mut all = Map::new();
+    let mut put = |name: &str, digest: String| {
+        all.insert(name.to_owned(), Json::String(digest));
+    };
+    put("drives", drives());
+    put("machine", machines(&preset.machine));
+    put("tool_life", tool_life(preset));
+    put("plan", plan(preset));
+    put("drives_and_calibrations", drives_and_calibrations(&base));
+    for kind in ControllerKind::ALL {
+        put(&format!("controller {}", kind.id()), controller(&base, *kind));
+        for (param, value) in choices(&base, *kind) {
+            let mut scenario = base.clone();
+            let name = format!("controller {}, {} {value}", kind.id(), param.spec.key);
+            scenario.set(&param.path, value).expect("a choice that the controller has");
+            put(&name, controller(&scenario, *kind));
+        }
+    }
+    let mut coupled = base.clone();
+    coupled.set("machine.coupled", Value::Bool(true)).expect("the base presets' machine runs");
+    if !preset.machine.coupled {
+        put("machine coupled", controller(&coupled, preset.controller.kind));
+    }
+    put("worn", worn(&coupled, false));
+    put("worn, speed adjusted", worn(&coupled, true));
+    all
+}
+
+/// The preset for a short run: tooth by tooth with the longest step allowed.
+fn short(preset: &Scenario) -> Scenario {
+    let mut scenario = preset.clone();
+    let steps = &mut scenario.run.steps_per_control;
+    if *steps > TOOTH_STEPS {
+        *steps = TOOTH_STEPS;
+        scenario.run.record_every = TOOTH_STEPS / 10;
+    }
+    scenario.run.duration_s = enters_s(preset) + SHORT_S;
+    scenario
+}
+
+/// When the tool meets the work, s: a part of cuts is approached at the programmed feed.
+fn enters_s(scenario: &Scenario) -> f64 {
+    if scenario.workpiece.cuts.is_empty() {
+        return 0.0;
+    }
+    APPROACH_MM / (scenario.programmed(0).feed_mm_min / 60.0)
+}
+
+/// Digest of a run with changes, their times counted from the entry into the work.
+fn run(scenario: &Scenario, changes: &[(f64, &str, Value)], digest: &mut Digest) {
+    let mut edits = Edits::none();
+    for (after_s, path, value) in changes {
+        let at_s = enters_s(scenario) + after_s;
+        let edit = Edit { at_s, path: (*path).to_owned(), value: value.clone() };
+        edits.push(scenario, edit).expect("these edits fit every base preset");
+    }
+    let run = Run::complete(scenario, &edits);
+    run.recording().rows().iter().for_each(|row| digest.row(row));
+}
+
+fn text(id: &str) -> Value {
+    Value::Text(id.to_owned())
+}
+
+/// A controller from the start, the tool worn in the cut, left and taken up again.
+fn controller(base: &Scenario, kind: ControllerKind) -> String {
+    let mut scenario = base.clone();
+    scenario.controller.kind = kind;
+    let other = if kind == ControllerKind::ConstantFeed {
+        ControllerKind::Tracking
+    } else {
+        ControllerKind::ConstantFeed
+    };
+    let mut digest = Digest::default();
+    run(
+        &scenario,
+        &[
+            (0.4, "plant.wear_factor", Value::Float(1.15)),
+            (0.8, "controller.kind", text(other.id())),
+            (1.0, "controller.kind", text(kind.id())),
+            (1.2, "belief.dead_time_s", Value::Float(0.1)),
+        ],
+        &mut digest,
+    );
+    digest.hex()
+}
+
+/// Every closed choice among a controller's own settings, at each value other than the preset's.
+fn choices(base: &Scenario, kind: ControllerKind) -> Vec<(&'static Param, Value)> {
+    let group = format!("controller.{}", kind.id());
+    let mut found = Vec::new();
+    for param in table().iter().filter(|param| param.group == group) {
+        let now = base.get(&param.path).expect("a path of the table");
+        let values: Vec<Value> = match param.spec.allowed {
+            Kind::Bool => vec![Value::Bool(now != Value::Bool(true))],
+            Kind::Choice { options } => options.iter().map(|option| text(option.id)).collect(),
+            Kind::Float { .. }
+            | Kind::Int { .. }
+            | Kind::Text { .. }
+            | Kind::Steps { .. }
+            | Kind::Cuts { .. }
+            | Kind::Numbers { .. }
+            | Kind::Networks => vec![],
+        };
+        let others = values.into_iter().filter(|value| *value != now);
+        found.extend(others.map(|value| (param, value)));
+    }
+    found
+}
+
+/// A tool that wears out while it is heard, at the programmed speed or at an adjusted one; a
+/// controller that works out the speed itself would hide the adjustment.
+fn worn(base: &Scenario, adjust_speed: bool) -> String {
+    let mut scenario = base.clone();
+    scenario.run.duration_s = enters_s(base) + WORN_S;
+    scenario.controller.kind = ControllerKind::ConstantFeed;
+    scenario.wear.model = WearModel::Life;
+    scenario.wear.time_scale = 600.0;
+    scenario.wear.adjust_speed = adjust_speed;
+    let mut digest = Digest::default();
+    run(&scenario, &[], &mut digest);
+    digest.hex()
+}
+
+/// Short runs with every drive and calibration, changed in the cut.
+fn drives_and_calibrations(base: &Scenario) -> String {
+    let mut digest = Digest::default();
+    for kind in FeedDriveKind::ALL {
+        for (set, calibration) in
+            ModelSet::ALL.iter().flat_map(|set| Calibration::ALL.iter().map(move |c| (*set, *c)))
+        {
+            let mut scenario = base.clone();
+            scenario.feed_drive.kind = *kind;
+            scenario.plant.model_set = set;
+            scenario.plant.calibration = calibration;
+            scenario.belief.model_set = set;
+            scenario.belief.calibration = calibration;
+            run(
+                &scenario,
+                &[
+                    (0.1, "cnc.override_quantised", Value::Bool(true)),
+                    (0.2, "cnc.override_rate_limited", Value::Bool(true)),
+                    (0.3, "noise.level", Value::Float(1.5)),
+                    (0.5, "controller.kind", text("tracking")),
+                    (0.6, "plant.force_model", text("neural")),
+                    (0.7, "plant.wear_factor", Value::Float(1.2)),
+                    (0.8, "plant.force_model", text("neural_literal")),
+                    (0.75, "controller.kind", text("unks")),
+                    (0.85, "controller.kind", text("preview")),
+                    (0.9, "cnc.dead_time_s", Value::Float(0.033)),
+                    (0.95, "controller.kind", text("mrac")),
+                    (1.05, "controller.kind", text("adjustable_pi")),
+                    (1.07, "wear.time_scale", Value::Float(9e3)),
+                    (1.08, "wear.model", text("life")),
+                    (1.1, "controller.kind", text("sdnrp")),
+                    (1.2, "plant.force_model", text("formula")),
+                    (1.3, "controller.kind", text("division")),
+                    (1.4, "controller.kind", text("p")),
+                ],
+                &mut digest,
+            );
+        }
+    }
+    digest.hex()
+}
+
+/// The coefficients of every drive for several steps: the matrix exponential comes from a library,
+/// which must give the same bits everywhere too.
+fn drives() -> String {
+    let mut digest = Digest::default();
+    for kind in FeedDriveKind::ALL {
+        for dt_s in [5e-6, 1e-3, 7e-3, 2e-2] {
+            let drive = ExactDrive::new(*kind, dt_s);
+            drive.coefficient_bits().into_iter().for_each(|word| digest.word(word));
+        }
+    }
+    digest.hex()
+}
+
+/// The plan, iteration by iteration, and the shipped networks; the message where the preset cannot
+/// be planned.
+fn plan(preset: &Scenario) -> String {
+    let mut digest = Digest::default();
+    NeuralForce::output_bits().into_iter().for_each(|word| digest.word(word));
+    let job = match PlanJob::complete(preset) {
+        Ok(job) => job,
+        Err(error) => return error.to_string(),
+    };
+    for step in job.history() {
+        digest.word(step.best.value.to_bits());
+        digest.word(step.mean_value.to_bits());
+    }
+    let optimum = job.optimum();
+    digest.word(optimum.feed_mm_min.to_bits());
+    digest.word(optimum.speed_rpm.to_bits());
+    digest.hex()
+}
+
+/// Both variants and all parameters of the machine: frequency response, and poles and residues
+/// from the library's eigenvalues.
+fn machines(preset: &MachineSettings) -> String {
+    let mut digest = Digest::default();
+    for variant in Variant::ALL {
+        for parameters in Parameters::ALL {
+            let settings =
+                MachineSettings { reading: *variant, parameters: *parameters, ..preset.clone() };
+            let machine = FiveMass::new(&settings);
+            for f_hz in [0.0, 110.0, 580.0, 3000.0] {
+                let solved = frf::gauss(&machine, f_hz).map_or(f64::NAN, |r| r.grel.re);
+                digest.word(solved.to_bits());
+                digest.word(frf::tree(&machine, f_hz).grel.im.to_bits());
+            }
+            if let Ok(reduction) = Reduction::new(&machine) {
+                let response = ModalResponse::new(&reduction, 1e-4, 0.1);
+                reduction.bits().into_iter().for_each(|word| digest.word(word));
+                response.coefficient_bits().into_iter().for_each(|word| digest.word(word));
+            }
+        }
+    }
+    digest.hex()
+}
+
+/// Trends, predictions, adjusted speeds and the measured surface over the tool's life.
+fn tool_life(preset: &Scenario) -> String {
+    let mut digest = Digest::default();
+    let model = machine_life::model(preset);
+    for x in [0.0, 0.3, 1.0] {
+        let point = model.at(x);
+        digest.word(point.sound.to_bits());
+        digest.word(point.ra_um.to_bits());
+    }
+    let rough = surface(&model, &preset.profile, preset.plant.runout_um, 0.5, 1);
+    digest.word(rough.map_or(f64::NAN, |rough| rough.rz_um).to_bits());
+    let mut life = AdaptiveLife::new(preset, true);
+    life.advance(25);
+    for minute in life.minutes() {
+        digest.word(minute.cutting_speed_m_min.to_bits());
+        digest.word(minute.remaining_min.unwrap_or(f64::NAN).to_bits());
+    }
+    digest.hex()
+}
