@@ -9,7 +9,7 @@ use crate::base::network::Activation;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::Calibration;
-use crate::run::plan_settings::PlannedSection;
+use crate::models::plan::PlannedSection;
 use crate::study::profilometer::ProfileLine;
 use crate::study::published::PaperId;
 use crate::study::recommend::EngagementCode;

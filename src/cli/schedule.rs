@@ -7,8 +7,8 @@ use serde_json::json;
 
 use super::Outcome;
 use super::args::PlanArgs;
+use crate::models::plan::PlannedSection;
 use crate::run::edits::Edits;
-use crate::run::plan_settings::PlannedSection;
 use crate::run::scenario::Scenario;
 use crate::run::scenario_file;
 use crate::study::plan::machine::MachineLimits;

@@ -4,9 +4,9 @@ use std::process::Command;
 
 use steadycut::base::settings::Value;
 use steadycut::blocks::control::ControllerKind;
+use steadycut::models::plan::PlannedSection;
 use steadycut::run::edits::Edits;
 use steadycut::run::one_run::Run;
-use steadycut::run::plan_settings::PlannedSection;
 use steadycut::run::presets::load;
 use steadycut::run::scenario::Scenario;
 use steadycut::study::combined::Combined;

@@ -64,7 +64,8 @@ mod baseline {
         let (mut cell, mut here) = (0_u64, field.normal(0));
         let mut next = field_pole * here + field_drive * field.normal(1);
 
-        let mut peak = PeakWindow::new(&scenario.noise, scenario.run.seed, steps);
+        let mut peak =
+            PeakWindow::new(scenario.noise.sensor_deviation_n(), scenario.run.seed, steps);
         let mut queue = vec![programmed; scenario.ticks(scenario.cnc.dead_time_s) as usize];
         let mut head = 0;
         let mut history = [[0.0_f64; 2]; RING];

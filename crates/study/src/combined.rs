@@ -30,9 +30,9 @@ use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::models::part::APPROACH_MM;
+use crate::models::plan::PlannedSection;
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
-use crate::run::plan_settings::PlannedSection;
 use crate::run::scenario::Scenario;
 use crate::run::signals::{Row, flag};
 

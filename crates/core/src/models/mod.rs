@@ -6,6 +6,7 @@ pub mod genetic;
 pub mod machine_trend;
 pub mod neural_force;
 pub mod part;
+pub mod plan;
 pub mod printed;
 pub mod roughness_profile;
 pub mod roughness_trend;

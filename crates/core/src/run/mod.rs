@@ -1,13 +1,11 @@
 //! One run: a pure function of a scenario (with its seed) and its edits.
 
 pub mod closed_loop;
-pub mod coupling;
 pub mod digest;
 pub mod durability;
 pub mod edits;
 pub mod metrics;
 pub mod one_run;
-pub mod plan_settings;
 pub mod presets;
 pub mod recording;
 pub mod revolution;

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use super::plan_settings::PlanSettings;
 use crate::base::settings::{Group, Kind, SettingError, Spec, Value};
 use crate::blocks::cnc::feed_drive::FeedDriveSettings;
 use crate::blocks::cnc::feed_override::{Cnc, Program};
@@ -18,13 +17,14 @@ use crate::blocks::control::sdnrp::SdnrpSettings;
 use crate::blocks::control::tracking::TrackingSettings;
 use crate::blocks::control::unks::UnksSettings;
 use crate::blocks::control::{Belief, ControlSetup, ControllerChoice, FeedSpeed};
+use crate::blocks::cutting::disturbance::NoiseSettings;
 use crate::blocks::cutting::process::Plant;
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::Target;
-use crate::blocks::sensing::dynamic_force::NoiseSettings;
 use crate::models::genetic::ModelSet;
 use crate::models::machine_trend::LifeSettings;
 use crate::models::part::ProgrammedPart;
+use crate::models::plan::PlanSettings;
 use crate::models::roughness_profile::ProfileSettings;
 use crate::models::structure::FiveMass;
 use crate::models::structure::MachineSettings;

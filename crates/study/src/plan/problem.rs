@@ -20,7 +20,7 @@ use crate::base::settings::SettingError;
 use crate::blocks::cutting::tool::{R216_16B20_040, Tool};
 use crate::blocks::reference::desired_force;
 use crate::models::genetic::GeneticModels;
-use crate::run::plan_settings::{ForceLimit, PlanSettings, PlannedSection};
+use crate::models::plan::{ForceLimit, PlanSettings, PlannedSection};
 use crate::run::scenario::Scenario;
 
 /// Range of the cutting speed, m/min: the network's training range.

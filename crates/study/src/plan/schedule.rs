@@ -15,7 +15,7 @@ use super::problem::{CUTTING_SPEED_M_MIN, Problem};
 use crate::base::settings::{Section, SettingError, Value};
 use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::tool_path::Engagement;
-use crate::run::plan_settings::PlannedSection;
+use crate::models::plan::PlannedSection;
 use crate::run::scenario::Scenario;
 
 /// A cut and its planned feed.

@@ -1,9 +1,9 @@
 //! Programmed feeds of the single cuts: files and links, limits and overrides, and the plan's schedule.
 
 use steadycut_core::base::settings::Value;
+use steadycut_core::models::plan::PlannedSection;
 use steadycut_core::run::edits::Edits;
 use steadycut_core::run::one_run::{End, Run};
-use steadycut_core::run::plan_settings::PlannedSection;
 use steadycut_core::run::presets::load;
 use steadycut_core::run::scenario::{Scenario, parse_value};
 use steadycut_core::run::{scenario_file, scenario_link};

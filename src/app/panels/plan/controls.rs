@@ -8,7 +8,7 @@ use crate::app::session::Session;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::setting::{Size, setting};
 use crate::app::widgets::target::target;
-use crate::run::plan_settings::{ForceLimit, PlanSettings};
+use crate::models::plan::{ForceLimit, PlanSettings};
 
 const WEIGHTS: [&str; 4] =
     ["plan.weight_force", "plan.weight_removal_rate", "plan.weight_time", "plan.weight_cost"];

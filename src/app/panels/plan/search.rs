@@ -7,7 +7,7 @@ use crate::blocks::control::Belief;
 use crate::blocks::cutting::process::Plant;
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::Target;
-use crate::run::plan_settings::PlanSettings;
+use crate::models::plan::PlanSettings;
 use crate::run::scenario::Scenario;
 use crate::study::plan::PlanJob;
 

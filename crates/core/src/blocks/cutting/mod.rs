@@ -1,6 +1,8 @@
 //! Cutting: workpiece, material and the force of the cut.
 
 pub mod contact;
+pub mod disturbance;
+pub mod field;
 pub mod force_model;
 pub mod material;
 pub mod milling;

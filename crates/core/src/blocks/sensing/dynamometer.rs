@@ -1,6 +1,5 @@
 //! The dynamometer: adds its own noise to the dynamic force once per control period.
 
-use super::dynamic_force::NoiseSettings;
 use crate::base::math;
 use crate::base::rng::Stream;
 
@@ -12,18 +11,15 @@ pub struct Dynamometer {
 }
 
 impl Dynamometer {
-    /// The sensor under `seed`.
+    /// The sensor under `seed` with a standard deviation of its noise in N.
     #[must_use]
-    pub fn new(settings: &NoiseSettings, seed: u32) -> Self {
-        let mut this =
-            Self { stream: Stream::new(u64::from(seed), "noise.sensor"), deviation_n: 0.0 };
-        this.reconfigure(settings);
-        this
+    pub fn new(deviation_n: f64, seed: u32) -> Self {
+        Self { stream: Stream::new(u64::from(seed), "noise.sensor"), deviation_n }
     }
 
-    /// Takes over changed settings.
-    pub fn reconfigure(&mut self, settings: &NoiseSettings) {
-        self.deviation_n = settings.level * settings.sensor_n;
+    /// Takes over another standard deviation in N.
+    pub fn reconfigure(&mut self, deviation_n: f64) {
+        self.deviation_n = deviation_n;
     }
 
     /// The reading in N of a force in N, reading number `sample`; never negative.

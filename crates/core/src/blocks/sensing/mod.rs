@@ -1,7 +1,5 @@
-//! Sensing: the dynamic component of the force and the dynamometer.
+//! Sensing: the force sensors, and what the sound tells of the tool.
 
-pub mod dynamic_force;
 pub mod dynamometer;
-pub mod field;
 pub mod peak;
 pub mod tool_condition;

@@ -5,7 +5,6 @@
 //! F_m(k) = max over the window of sqrt((F_x + nu_x)^2 + (F_y + nu_y)^2)
 //! ```
 
-use super::dynamic_force::NoiseSettings;
 use crate::base::rng::Stream;
 
 /// The largest force of a window, true and as measured, N.
@@ -29,19 +28,17 @@ pub struct PeakWindow {
 }
 
 impl PeakWindow {
-    /// Windows of `samples`, under `seed`.
+    /// Windows of `samples`, under `seed`, with a standard deviation of the sensor's noise in N.
     #[must_use]
-    pub fn new(settings: &NoiseSettings, seed: u32, samples: u64) -> Self {
+    pub fn new(deviation_n: f64, seed: u32, samples: u64) -> Self {
         let stream = Stream::new(u64::from(seed), "noise.dynamometer");
         let (running, held) = (Peak::default(), Peak::default());
-        let mut this = Self { stream, deviation_n: 0.0, samples, count: 0, running, held };
-        this.reconfigure(settings);
-        this
+        Self { stream, deviation_n, samples, count: 0, running, held }
     }
 
-    /// Takes over changed settings.
-    pub fn reconfigure(&mut self, settings: &NoiseSettings) {
-        self.deviation_n = settings.level * settings.sensor_n;
+    /// Takes over another standard deviation in N.
+    pub fn reconfigure(&mut self, deviation_n: f64) {
+        self.deviation_n = deviation_n;
     }
 
     /// Forgets what was measured, as a new cut begins; the windows stay those of the controller.
@@ -77,7 +74,7 @@ mod tests {
 
     #[test]
     fn a_window_holds_its_largest_force_until_the_next_is_whole() {
-        let mut window = PeakWindow::new(&NoiseSettings::default(), 1, 3);
+        let mut window = PeakWindow::new(0.0, 1, 3);
         let forces = [[3.0, 4.0], [0.0, 1.0], [1.0, 0.0], [0.0, 2.0], [0.0, 0.0], [0.0, 0.0]];
         let held: Vec<f64> =
             forces.iter().enumerate().map(|(k, f)| window.push(k as u64, *f).true_n).collect();
@@ -86,8 +83,7 @@ mod tests {
 
     #[test]
     fn noise_is_measured_but_not_true() {
-        let settings = NoiseSettings { level: 1.0, sensor_n: 6.0, ..NoiseSettings::default() };
-        let mut window = PeakWindow::new(&settings, 1, 576);
+        let mut window = PeakWindow::new(6.0, 1, 576);
         let last = (0..576).map(|k| window.push(k, [100.0, 0.0])).last().unwrap();
         assert_eq!(last.true_n, 100.0);
         // The largest of 576 normal deviates lies near 3 standard deviations.

@@ -6,7 +6,7 @@ use egui::{Align2, Rect, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, p
 use super::picture::PictureMap;
 use crate::app::theme::{self, Palette};
 use crate::base::units::percent_from_ratio;
-use crate::blocks::sensing::field::MaterialField;
+use crate::blocks::cutting::field::MaterialField;
 use crate::run::scenario::Scenario;
 
 /// Height of the picture, points.
@@ -128,8 +128,8 @@ impl MaterialPicture {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::blocks::sensing::dynamic_force::DynamicForce;
-    use crate::blocks::sensing::dynamic_force::NoiseSettings;
+    use crate::blocks::cutting::disturbance::DynamicForce;
+    use crate::blocks::cutting::disturbance::NoiseSettings;
 
     #[test]
     fn the_line_is_what_the_loop_meets() {

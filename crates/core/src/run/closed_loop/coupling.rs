@@ -1,8 +1,6 @@
 //! The part of the loop's step that only runs with a coupled machine have: force in, vibration, force
-//! with vibration and surface out. The blocks meet here, as in [`super::closed_loop`].
+//! with vibration and surface out. The blocks meet here, as in [`super`].
 
-use super::scenario::Scenario;
-use super::signals::Row;
 use crate::base::math;
 use crate::base::units::mm_from_um;
 use crate::blocks::cutting::tool::R216_16B20_040;
@@ -12,6 +10,8 @@ use crate::blocks::surface::finish::Finish;
 use crate::models::structure::FiveMass;
 use crate::models::structure::RoughnessFrom;
 use crate::models::structure::reduction::Reduction;
+use crate::run::scenario::Scenario;
+use crate::run::signals::Row;
 
 /// Micrometres in a metre, and millimetres.
 const UM_PER_M: f64 = 1e6;

@@ -66,6 +66,12 @@ impl NoiseSettings {
     pub fn inhomogeneity(&self) -> f64 {
         self.level * ratio_from_percent(self.inhomogeneity_percent)
     }
+
+    /// Standard deviation of the force sensor's noise, N.
+    #[must_use]
+    pub fn sensor_deviation_n(&self) -> f64 {
+        self.level * self.sensor_n
+    }
 }
 
 impl DynamicForce {

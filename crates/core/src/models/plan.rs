@@ -1,7 +1,8 @@
-//! Settings of the off-line optimisation (`study/plan`): what is sought, under which force, with
+//! Settings of the off-line optimisation (`study/plan`), beside the models it works with, since a
+//! scenario holds them and `run` knows no study: what is sought, under which force, with
 //! which swarm. The cut itself comes from `plant`, `workpiece`, `target` and `belief`.
 
-use crate::models::neural_force::NeuralKind;
+use super::neural_force::NeuralKind;
 
 crate::choice! {
     /// Where the largest force that the plan allows comes from.

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! With `machine.coupled` the five-mass machine stands behind the cutting process
-//! ([`super::coupling`]): F_dyn is the force with regeneration, Ra_dyn = Ra + what the teeth's marks add.
+//! ([`coupling`]): F_dyn is the force with regeneration, Ra_dyn = Ra + what the teeth's marks add.
 //!
 //! Order of events in tick k (from t = k dt to (k + 1) dt):
 //! 0. Every `steps_per_control` ticks the tool wears by what it cut since the last time; where the speed
@@ -24,8 +24,9 @@
 //!    its steps of at most 0.1 ms over dt under that force.
 //! 6. The row is complete; it belongs to the time (k + 1) dt. Row 0 is the state before tick 0.
 
-use super::coupling::Coupling;
-use super::coupling::Moved;
+mod coupling;
+
+use self::coupling::{Coupling, Moved};
 use super::durability::Durability;
 use super::scenario::Scenario;
 use super::signals::{Row, SIGNALS, flag};
@@ -37,13 +38,13 @@ use crate::blocks::cnc::feed_override::Override;
 use crate::blocks::cnc::spindle_drive::SpindleDrive;
 use crate::blocks::control::unks::Learning;
 use crate::blocks::control::{ControlInput, Controller, ControllerKind, FeedSpeed, Limits};
+use crate::blocks::cutting::disturbance::DynamicForce;
 use crate::blocks::cutting::process::Process;
 use crate::blocks::cutting::tool_path::Engagement;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::cutting::wear::ToolWear;
 use crate::blocks::machine::coupled::CutState;
 use crate::blocks::reference;
-use crate::blocks::sensing::dynamic_force::DynamicForce;
 use crate::blocks::sensing::dynamometer::Dynamometer;
 use crate::blocks::sensing::peak::PeakWindow;
 use crate::blocks::surface::roughness;
@@ -173,9 +174,9 @@ impl ClosedLoop {
             path,
             wear: ToolWear::new(&scenario.wear),
             dynamic_force: DynamicForce::new(&scenario.noise, scenario.run.seed, dt_s),
-            dynamometer: Dynamometer::new(&scenario.noise, scenario.run.seed),
+            dynamometer: Dynamometer::new(scenario.noise.sensor_deviation_n(), scenario.run.seed),
             peak: PeakWindow::new(
-                &scenario.noise,
+                scenario.noise.sensor_deviation_n(),
                 scenario.run.seed,
                 u64::from(scenario.run.steps_per_control),
             ),
@@ -241,8 +242,8 @@ impl ClosedLoop {
         }
         self.process.set_life_factor(self.wear.force_factor());
         self.dynamic_force.reconfigure(&scenario.noise, self.dt_s);
-        self.dynamometer.reconfigure(&scenario.noise);
-        self.peak.reconfigure(&scenario.noise);
+        self.dynamometer.reconfigure(scenario.noise.sensor_deviation_n());
+        self.peak.reconfigure(scenario.noise.sensor_deviation_n());
     }
 
     /// Steps done so far.
