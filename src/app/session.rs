@@ -12,7 +12,7 @@ use super::cut::{Cut, Ghost};
 use super::playback::Playback;
 use super::twin::{self, Comparison};
 use crate::blocks::cutting::process::ForceModel;
-use crate::run::edits::Edits;
+use crate::run::edits::{Edits, Unfit};
 use crate::run::one_run::End;
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
@@ -71,12 +71,12 @@ impl Session {
     /// A session at the start of its run, playing.
     #[must_use]
     pub fn new(scenario: Scenario, edits: Edits) -> Self {
+        let (edits, unfit) = edits.fitted(&scenario);
         let chosen = Cut::new(&scenario, &edits);
-        let twin_scenario = twin::scenario(&scenario);
-        let twin = Cut::new(&twin_scenario, &twin::edits(&twin_scenario, &edits));
+        let twin = Cut::new(&twin::scenario(&scenario), &twin::edits(&edits));
         let comparison = twin::compare(chosen.run(), 1, twin.run());
-        Self {
-            current: edits.scenario_at(&scenario, 0.0),
+        let mut session = Self {
+            current: scenario.clone(),
             plan: (scenario, edits),
             chosen,
             twin,
@@ -91,7 +91,10 @@ impl Session {
             compared: (0, 1, 0),
             since_comparison_s: 0.0,
             changes: 0,
-        }
+        };
+        session.report(&unfit);
+        session.refresh();
+        session
     }
 
     /// The scenario as it is at the start of the run.
@@ -253,9 +256,23 @@ impl Session {
         }
     }
 
+    /// Says which edits were left out, and why.
+    fn report(&mut self, unfit: &[Unfit]) {
+        if let Some(first) = unfit.first() {
+            let more = match unfit.len() - 1 {
+                0 => String::new(),
+                more => format!(" (and {more} more)"),
+            };
+            self.notify(format!("Left out{more}: {first}"));
+        }
+    }
+
     fn refresh(&mut self) {
         let (scenario, edits) = &self.plan;
-        self.current = edits.scenario_at(scenario, self.playback.playhead_s + HAIR_S);
+        match edits.scenario_at(scenario, self.playback.playhead_s + HAIR_S) {
+            Ok(current) => self.current = current,
+            Err(refused) => self.notify(refused.to_string()),
+        }
     }
 
     fn compare(&mut self) {

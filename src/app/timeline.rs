@@ -77,6 +77,7 @@ fn state(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
             End::TimeLimit => ("Cut finished: time limit".to_owned(), palette.warn),
             End::ForceStop(stop) => (format!("The machine {stop}"), palette.bad),
             End::Fault(fault) => (fault.to_string(), palette.bad),
+            End::Refused(refused) => (refused.to_string(), palette.bad),
         };
         // Whole, on the next line where this one has no room for it.
         let text = RichText::new(text).color(color).strong();

@@ -17,22 +17,19 @@ pub fn is_of_controller(path: &str) -> bool {
 /// The twin's scenario: constant feed at 100 % overrides, all else equal.
 #[must_use]
 pub fn scenario(chosen: &Scenario) -> Scenario {
-    let mut twin = chosen.clone();
-    twin.controller.kind = ControllerKind::ConstantFeed;
-    twin.constant_feed.feed_percent = 100.0;
-    twin.constant_feed.speed_percent = 100.0;
-    twin
+    let twin = chosen.with(|settings| {
+        settings.controller.kind = ControllerKind::ConstantFeed;
+        settings.constant_feed.feed_percent = 100.0;
+        settings.constant_feed.speed_percent = 100.0;
+    });
+    twin.expect("constant feed goes with any scenario")
 }
 
 /// The edits that the twin shares.
 #[must_use]
-pub fn edits(twin: &Scenario, chosen: &Edits) -> Edits {
-    let mut shared = Edits::none();
-    for edit in chosen.list().iter().filter(|edit| !is_of_controller(&edit.path)) {
-        // Checked for the chosen run, and no rule joins controller and cut.
-        let _ = shared.push(twin, edit.clone());
-    }
-    shared
+pub fn edits(chosen: &Edits) -> Edits {
+    // Checked for the chosen run, and no rule joins controller and cut.
+    chosen.only(|edit| !is_of_controller(&edit.path))
 }
 
 /// The chosen run up to the playhead against the twin over the same length of path.

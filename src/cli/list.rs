@@ -28,7 +28,7 @@ const CHOICES: &[(&str, &[Choice])] = &[
 pub fn execute(args: &ListArgs) -> Outcome {
     let mut described = Vec::new();
     for preset in PRESETS {
-        described.push((preset.name, presets::load(preset.name)?.info.description));
+        described.push((preset.name, presets::load(preset.name)?.info.description.clone()));
     }
     let mut out = std::io::stdout().lock();
     if args.json {

@@ -33,7 +33,7 @@ pub(super) fn scenario(model: &MachineModel) -> Result<Scenario, Box<dyn std::er
     let mut scenario = Scenario::default();
     apply(&mut scenario, &model.set)?;
     if let Some(parameters) = model.parameters {
-        scenario.machine.parameters = parameters;
+        scenario.change(|settings| settings.machine.parameters = parameters)?;
     }
     Ok(scenario)
 }

@@ -95,9 +95,9 @@ pub fn execute(args: &RunArgs) -> Outcome {
         unks::load_networks(&mut scenario, path)?;
     }
     // Edits of the file must still fit the changed scenario.
-    let mut checked = Edits::none();
-    for edit in edits.list() {
-        checked.push(&scenario, edit.clone())?;
+    let (checked, unfit) = edits.fitted(&scenario);
+    if let Some(unfit) = unfit.first() {
+        return Err(unfit.to_string().into());
     }
     if let Some(at_s) = args.revolution {
         return print_revolution(&scenario, &checked, at_s);
@@ -140,7 +140,7 @@ pub fn execute(args: &RunArgs) -> Outcome {
         }
     }
     // A fault is a failure of the run, not of the program: its own exit code.
-    let failed = matches!(run.end(), Some(End::Fault(_)));
+    let failed = matches!(run.end(), Some(End::Fault(_) | End::Refused(_)));
     Ok(if failed { ExitCode::from(1) } else { ExitCode::SUCCESS })
 }
 
@@ -173,6 +173,7 @@ pub fn end_text(run: &Run) -> String {
         Some(End::TimeLimit) | None => "time_limit".to_owned(),
         Some(End::ForceStop(stop)) => stop.to_string(),
         Some(End::Fault(fault)) => fault.to_string(),
+        Some(End::Refused(refused)) => refused.to_string(),
     }
 }
 

@@ -82,7 +82,8 @@ pub fn execute(args: &UnksArgs) -> Outcome {
     if args.json {
         let report = json!({
             "scenario": scenario.info.name, "start": start.id(), "seed": scenario.run.seed,
-            "note": NOTE, "passes": passes.done(), "verdict": passes.verdict(),
+            "note": NOTE, "passes": passes.done(),
+            "refused": passes.refused().map(ToString::to_string), "verdict": passes.verdict(),
         });
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
@@ -93,6 +94,9 @@ pub fn execute(args: &UnksArgs) -> Outcome {
         };
         writeln!(out, "{}: UNKS, {begun}; {NOTE}\n", scenario.info.name)?;
         print(&mut out, passes.done())?;
+        if let Some(refused) = passes.refused() {
+            writeln!(out, "\nno further pass: {refused}")?;
+        }
         if let Some(verdict) = passes.verdict() {
             judge(&mut out, &verdict, passes.done().len())?;
         }

@@ -296,7 +296,7 @@ fn the_study_of_robustness_gives_the_same_on_any_number_of_threads() {
     assert_eq!(report["findings"]["passed"], true);
     // The job of the library, one run after the other.
     let mut scenario = load("experiment-2").unwrap();
-    scenario.workpiece.cuts = vec![vec![[6.0, 3.0, 2.0]]];
+    scenario.change(|s| s.workpiece.cuts = vec![vec![[6.0, 3.0, 2.0]]]).unwrap();
     let kind = steadycut::blocks::control::ControllerKind::Preview;
     let mut study = steadycut::study::robust::Robustness::new(&scenario, kind, 3, 5);
     while !study.advance(u64::MAX).unwrap() {}

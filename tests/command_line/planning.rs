@@ -248,11 +248,11 @@ fn extremes_of_all_settings_give_a_finite_plan_or_an_error() {
         for value in values {
             for sets in [&MIXED[..], &[&DEEP[..], &TIME].concat()] {
                 let mut scenario = scenario(sets);
-                scenario.plan.iterations = 10;
+                scenario.change(|s| s.plan.iterations = 10).unwrap();
                 if scenario.set(&param.path, value.clone()).is_err() {
                     continue;
                 }
-                scenario.plan.iterations = scenario.plan.iterations.min(50);
+                scenario.change(|s| s.plan.iterations = s.plan.iterations.min(50)).unwrap();
                 match PlanJob::complete(&scenario) {
                     Ok(job) => {
                         let optimum = job.optimum();

@@ -14,13 +14,21 @@ use steadycut::run::signals::flag;
 /// Constant feed and speed without noise, so that only wear moves the force.
 fn steady(force_model: ForceModel) -> Scenario {
     let mut scenario = load("first-cut").unwrap();
-    scenario.controller.kind = ControllerKind::ConstantFeed;
-    scenario.noise.level = 0.0;
-    scenario.plant.force_model = force_model;
-    scenario.run.duration_s = 0.6;
+    scenario
+        .change(|s| {
+            s.controller.kind = ControllerKind::ConstantFeed;
+            s.noise.level = 0.0;
+            s.plant.force_model = force_model;
+            s.run.duration_s = 0.6;
+        })
+        .unwrap();
     if force_model.tooth_by_tooth() {
-        scenario.run.steps_per_control = 576;
-        scenario.run.record_every = 576;
+        scenario
+            .change(|s| {
+                s.run.steps_per_control = 576;
+                s.run.record_every = 576;
+            })
+            .unwrap();
     }
     scenario
 }
@@ -56,8 +64,12 @@ fn force_and_roughness_rise_as_the_life_passes_and_stay_what_they_are_in_the_air
     // Ten seconds of the cut are two thirds of a life.
     let mut scenario =
         life(&[("wear.time_scale", Value::Float(960.0))], steady(ForceModel::Formula));
-    scenario.run.duration_s = 10.0;
-    scenario.workpiece.depth_steps = vec![[0.0, 2.0], [30.0, 0.0]];
+    scenario
+        .change(|s| {
+            s.run.duration_s = 10.0;
+            s.workpiece.depth_steps = vec![[0.0, 2.0], [30.0, 0.0]];
+        })
+        .unwrap();
     let run = Run::complete(&scenario, &Edits::none());
     let cut: Vec<_> = run.recording().rows().iter().filter(|row| row.force_n > 0.0).collect();
     assert!(cut.windows(2).skip(100).all(|pair| pair[0].force_n <= pair[1].force_n + 1e-9));
@@ -146,8 +158,12 @@ fn the_preset_shows_a_whole_life_and_that_tracking_pays_for_ra_with_the_tool() {
     let growth = at(&constant, 50.5).force_n / at(&constant, 0.0).force_n;
     assert!((1.4..1.7).contains(&growth), "{growth}");
     let mut tracking = scenario.clone();
-    tracking.controller.kind = ControllerKind::Tracking;
-    tracking.run.duration_s = 20.0;
+    tracking
+        .change(|s| {
+            s.controller.kind = ControllerKind::Tracking;
+            s.run.duration_s = 20.0;
+        })
+        .unwrap();
     let tracking = Run::complete(&tracking, &Edits::none());
     let (held, drifted) = (at(&tracking, 8.0), at(&constant, 8.0));
     assert!((held.force_n / held.force_ref_n - 1.0).abs() < 0.02, "{held:?}");

@@ -128,7 +128,7 @@ fn other_controllers_show_the_loop_alone() {
 #[test]
 fn a_file_of_networks_brings_its_controller_and_a_bad_one_becomes_a_notice() {
     let mut scenario = load("experiment-2").unwrap();
-    scenario.run.duration_s = 2.0;
+    scenario.change(|s| s.run.duration_s = 2.0).unwrap();
     scenario.set_all(&beginning_anew(UnksStart::Cold)).unwrap();
     let stored = learned(&Run::complete(&scenario, &Edits::none()), 1).unwrap();
     let mut session = Session::new(load("first-cut").unwrap(), Edits::none());

@@ -23,7 +23,7 @@ type Screen<'a> = Harness<'a, Option<Console>>;
 fn at<'a>(preset: &str, size: Vec2, theme: Option<Theme>, time_s: usize) -> Screen<'a> {
     let mut scenario = presets::load(preset).unwrap();
     // Not much longer than is looked at: a frame simulates ahead.
-    scenario.run.duration_s = time_s as f64 + 1.0;
+    scenario.change(|s| s.run.duration_s = time_s as f64 + 1.0).unwrap();
     let builder = Harness::builder().with_size(size).with_step_dt(0.05);
     let builder = match theme {
         Some(theme) => builder.with_theme(theme).wgpu(),

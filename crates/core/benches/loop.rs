@@ -170,7 +170,7 @@ mod baseline {
 
 fn noisy(kind: ControllerKind) -> Scenario {
     let mut scenario = load("table3-5-noise").expect("a shipped preset");
-    scenario.controller.kind = kind;
+    scenario.change(|s| s.controller.kind = kind).unwrap();
     scenario
 }
 
@@ -231,7 +231,7 @@ fn neural_ratio() {
     for kind in [ForceModel::Neural, ForceModel::NeuralLiteral] {
         let run = |force_model: ForceModel| {
             let mut scenario = noisy(ControllerKind::Sdnrp);
-            scenario.plant.force_model = force_model;
+            scenario.change(|s| s.plant.force_model = force_model).unwrap();
             Run::new(&scenario, &Edits::none())
         };
         let mut runs = [run(ForceModel::Formula), run(kind)];
@@ -262,8 +262,12 @@ fn coupled_ratio() {
     const LIMITS: [f64; 2] = [8.0, 40.0];
     let run = |coupled: bool, from: RoughnessFrom| {
         let mut scenario = noisy(ControllerKind::Sdnrp);
-        scenario.machine.coupled = coupled;
-        scenario.machine.roughness_from = from;
+        scenario
+            .change(|s| {
+                s.machine.coupled = coupled;
+                s.machine.roughness_from = from;
+            })
+            .unwrap();
         Run::new(&scenario, &Edits::none())
     };
     let mut runs = [

@@ -188,9 +188,13 @@ mod baseline {
 /// section.
 fn experiment(kind: ControllerKind, record_every: u32) -> Scenario {
     let mut scenario = load("experiment-2").expect("a shipped preset");
-    scenario.controller.kind = kind;
-    scenario.run.record_every = record_every;
-    scenario.run.duration_s = 24.0;
+    scenario
+        .change(|s| {
+            s.controller.kind = kind;
+            s.run.record_every = record_every;
+            s.run.duration_s = 24.0;
+        })
+        .unwrap();
     scenario
 }
 
@@ -251,7 +255,7 @@ fn ratio(record_every: u32, repeats: u32) -> f64 {
 /// What a controller's update costs, in steps of the plant, over what it saw in a run.
 fn updates(kind: ControllerKind, adapted: Adapted, step_s: f64, repeats: u32) {
     let mut scenario = experiment(kind, 576);
-    scenario.mrac.adapted = adapted;
+    scenario.change(|s| s.mrac.adapted = adapted).unwrap();
     let run = Run::complete(&scenario, &Edits::none());
     let rows = run.recording().rows();
     let models = GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration);

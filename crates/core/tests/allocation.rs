@@ -33,10 +33,18 @@ fn a_step_with_recording_allocates_nothing() {
     let all = all.flat_map(|kind| ForceModel::ALL.iter().map(move |force| (*kind, *force)));
     for (kind, force_model) in all {
         let mut scenario = load("table3-5-noise").unwrap();
-        scenario.controller.kind = kind;
-        scenario.plant.force_model = force_model;
-        scenario.cnc.override_quantised = true;
-        scenario.cnc.override_rate_limited = true;
+        scenario
+            .change(|s| {
+                s.controller.kind = kind;
+                s.plant.force_model = force_model;
+                if force_model == ForceModel::Mechanistic {
+                    // The least rate at which teeth may be simulated.
+                    s.run.steps_per_control = 200;
+                }
+                s.cnc.override_quantised = true;
+                s.cnc.override_rate_limited = true;
+            })
+            .unwrap();
         let mut run = Run::new(&scenario, &Edits::none());
         run.advance(100);
         let before = ALLOCATIONS.load(Ordering::Relaxed);

@@ -109,9 +109,11 @@ impl Combined {
         section: PlannedSection,
     ) -> Result<Self, SettingError> {
         let mut scenario = scenario.clone();
-        scenario.plan.section = section;
-        scenario.controller.kind = ControllerKind::Unks;
-        let planning = one_cut(&scenario, section);
+        scenario.change(|s| {
+            s.plan.section = section;
+            s.controller.kind = ControllerKind::Unks;
+        })?;
+        let planning = one_cut(&scenario, section)?;
         let job = PlanJob::on(&planning, machine)?;
         let depths_mm = job.problem().depths_mm();
         let diameter_mm = R216_16B20_040.diameter_mm;
@@ -125,8 +127,8 @@ impl Combined {
         let at_most = job.problem().range().map(|[_, high]| high);
         job.advance(u32::MAX);
         let optimum = job.optimum();
-        let mut heaviest = one_cut(&scenario, PlannedSection::Heaviest);
-        heaviest.plan.section = PlannedSection::Heaviest;
+        let mut heaviest = one_cut(&scenario, PlannedSection::Heaviest)?;
+        heaviest.change(|s| s.plan.section = PlannedSection::Heaviest)?;
         let heaviest = Problem::new(&heaviest, machine)?;
         let planned = Planned {
             section: section.label(),
@@ -213,7 +215,7 @@ impl Adjusted {
 /// The scenario with its part replaced by one cut of the planned section's depths, as long as the
 /// part: by the network's force at the reference cut the heaviest or the lightest. A part that is one
 /// cut already is left to the plan.
-fn one_cut(scenario: &Scenario, section: PlannedSection) -> Scenario {
+fn one_cut(scenario: &Scenario, section: PlannedSection) -> Result<Scenario, SettingError> {
     let speed_rpm = R216_16B20_040.speed_rpm(REFERENCE[0]);
     let feed_mm_min = R216_16B20_040.feed_mm_min(REFERENCE[1], speed_rpm);
     let mut found: Option<(f64, Scenario)> = None;
@@ -223,14 +225,15 @@ fn one_cut(scenario: &Scenario, section: PlannedSection) -> Scenario {
         if place.axial_depth_mm <= 0.0 || place.radial_depth_mm <= 0.0 {
             continue;
         }
-        let mut candidate = scenario.clone();
-        candidate.workpiece = Workpiece {
-            length_mm: ToolPath::length_of(&scenario.workpiece),
-            axial_depth_mm: place.axial_depth_mm,
-            radial_depth_mm: place.radial_depth_mm,
-            depth_steps: Vec::new(),
-            cuts: Vec::new(),
-        };
+        let candidate = scenario.with(|settings| {
+            settings.workpiece = Workpiece {
+                length_mm: ToolPath::length_of(&scenario.workpiece),
+                axial_depth_mm: place.axial_depth_mm,
+                radial_depth_mm: place.radial_depth_mm,
+                depth_steps: Vec::new(),
+                cuts: Vec::new(),
+            };
+        })?;
         let surface = ForceSurface::new(&candidate, place.axial_depth_mm);
         let [x, y, _] = surface.components_n(feed_mm_min, speed_rpm);
         let force = (x * x + y * y).sqrt();
@@ -242,5 +245,5 @@ fn one_cut(scenario: &Scenario, section: PlannedSection) -> Scenario {
             found = Some((force, candidate));
         }
     }
-    found.map_or_else(|| scenario.clone(), |(_, scenario)| scenario)
+    Ok(found.map_or_else(|| scenario.clone(), |(_, scenario)| scenario))
 }

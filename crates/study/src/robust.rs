@@ -108,12 +108,17 @@ pub struct Robustness {
 
 impl Robustness {
     /// A study of `runs` runs of `scenario` with a controller, drawn from `seed`; not yet begun.
+    ///
+    /// # Panics
+    /// Never: no rule refuses a controller, or a row for every control period.
     #[must_use]
     pub fn new(scenario: &Scenario, kind: ControllerKind, runs: u32, seed: u32) -> Self {
-        let mut base = scenario.clone();
-        base.controller.kind = kind;
-        // A row for every control sample is what the figures need.
-        base.run.record_every = base.run.steps_per_control;
+        let base = scenario.with(|settings| {
+            settings.controller.kind = kind;
+            // A row for every control sample is what the figures need.
+            settings.run.record_every = settings.run.steps_per_control;
+        });
+        let base = base.expect("a controller, and a row a control period, go with any scenario");
         let streams = DRAWN.map(|drawn| Stream::new(u64::from(seed), drawn.path));
         let seeds = Stream::new(u64::from(seed), "run.seed");
         let draw = |run: u64| {
@@ -140,7 +145,7 @@ impl Robustness {
     pub fn scenario(&self, run: usize) -> Result<Scenario, SettingError> {
         let mut scenario = self.base.clone();
         let (seed, values) = self.draws[run % self.draws.len()];
-        scenario.run.seed = seed;
+        scenario.change(|settings| settings.run.seed = seed)?;
         for (drawn, value) in DRAWN.iter().zip(values) {
             let factor = match (drawn.relative, self.base.get(drawn.path)?) {
                 (true, Value::Float(now)) => now,

@@ -7,7 +7,7 @@
 use serde::Serialize;
 
 use crate::base::network::Provenance;
-use crate::base::settings::Value;
+use crate::base::settings::{SettingError, Value};
 use crate::blocks::control::ControllerKind;
 use crate::blocks::control::unks::Learning;
 use crate::blocks::cutting::tool_path::ToolPath;
@@ -78,18 +78,25 @@ pub struct Passes {
     seen: u32,
     /// The networks after the last whole pass.
     learned: Option<Stored>,
+    /// Why what was learned cannot be gone on with.
+    refused: Option<SettingError>,
     done: Vec<Pass>,
 }
 
 impl Passes {
     /// Passes of `scenario` with UNKS, not yet begun; at least one and at most [`MAX_PASSES`].
     /// They begin with the networks of the scenario, and its edits are left out.
+    ///
+    /// # Panics
+    /// Never: no rule refuses a controller, or a row for every control period.
     #[must_use]
     pub fn new(scenario: &Scenario, passes: u32) -> Self {
-        let mut scenario = scenario.clone();
-        scenario.controller.kind = ControllerKind::Unks;
-        // A row for every control sample is what the figures need.
-        scenario.run.record_every = scenario.run.steps_per_control;
+        let scenario = scenario.with(|settings| {
+            settings.controller.kind = ControllerKind::Unks;
+            // A row for every control sample is what the figures need.
+            settings.run.record_every = settings.run.steps_per_control;
+        });
+        let scenario = scenario.expect("UNKS, and a row a control period, go with any scenario");
         let unks = &scenario.unks;
         Self {
             from_scratch: unks.start == UnksStart::Cold && unks.networks.get().is_none(),
@@ -100,6 +107,7 @@ impl Passes {
             means: Means::default(),
             seen: 0,
             learned: None,
+            refused: None,
             done: Vec::new(),
         }
     }
@@ -123,7 +131,14 @@ impl Passes {
     /// Whether all passes are done.
     #[must_use]
     pub fn is_done(&self) -> bool {
-        self.done.len() >= self.wanted as usize
+        self.done.len() >= self.wanted as usize || self.refused.is_some()
+    }
+
+    /// Why no further pass begins before all are done: what was learned is not finite, as extreme
+    /// rates can make it.
+    #[must_use]
+    pub fn refused(&self) -> Option<&SettingError> {
+        self.refused.as_ref()
     }
 
     fn observe(&mut self) {
@@ -154,9 +169,14 @@ impl Passes {
         if !self.is_done()
             && let Some(stored) = &self.learned
         {
-            self.scenario.unks.networks = StoredNetworks::from(stored.clone());
-            self.run = Run::new(&self.scenario, &Edits::none());
-            (self.means, self.seen) = (Means::default(), 0);
+            let networks = StoredNetworks::from(stored.clone());
+            match self.scenario.change(|settings| settings.unks.networks = networks) {
+                Ok(()) => {
+                    self.run = Run::new(&self.scenario, &Edits::none());
+                    (self.means, self.seen) = (Means::default(), 0);
+                }
+                Err(refused) => self.refused = Some(refused),
+            }
         }
     }
 

@@ -7,7 +7,7 @@ use crate::app::twin;
 use crate::base::settings::{SettingError, Value};
 use crate::blocks::control::ControllerKind;
 use crate::models::unks::Stored;
-use crate::run::edits::{Edit, Edits};
+use crate::run::edits::{Edit, Edits, Unfit};
 use crate::run::scenario::param;
 use crate::run::{presets, scenario_file};
 use crate::study::unks_passes::beginning_with;
@@ -133,20 +133,23 @@ impl Session {
 
     fn set(&mut self, path: &str, value: Value) -> Result<(), SettingError> {
         let found = param(path)?;
-        let plan = if found.spec.live && self.playback.playhead_s > 0.0 && !self.playback.at_end {
-            self.edited(path, value)?
-        } else {
-            self.rewritten(&[(path.to_owned(), value)])?
-        };
+        if found.spec.live && self.playback.playhead_s > 0.0 && !self.playback.at_end {
+            let plan = self.edited(path, value)?;
+            self.take(plan, path);
+            return Ok(());
+        }
+        let (plan, unfit) = self.rewritten(&[(path.to_owned(), value)])?;
         self.take(plan, path);
+        self.report(&unfit);
         Ok(())
     }
 
     fn set_up(&mut self, changes: &[(String, Value)]) -> Result<(), SettingError> {
-        let plan = self.rewritten(changes)?;
+        let (plan, unfit) = self.rewritten(changes)?;
         let paths: Vec<&str> = changes.iter().map(|(path, _)| path.as_str()).collect();
         // Another gesture than one on the same setting at the playhead.
         self.take(plan, &format!("set up {}", paths.join(" ")));
+        self.report(&unfit);
         Ok(())
     }
 
@@ -186,17 +189,15 @@ impl Session {
         Ok((scenario, edits))
     }
 
-    /// The plan with the scenario itself changed; edits that no longer mean anything are dropped.
-    fn rewritten(&self, changes: &[(String, Value)]) -> Result<Plan, SettingError> {
+    /// The plan with the scenario itself changed, and the edits that no longer fit it: those after a
+    /// shorter run, or that break a rule with the new settings. A setting that is set anew loses its
+    /// edits.
+    fn rewritten(&self, changes: &[(String, Value)]) -> Result<(Plan, Vec<Unfit>), SettingError> {
         let (mut scenario, old) = self.plan.clone();
         scenario.set_all(changes)?;
-        let kept = |edit: &&Edit| changes.iter().all(|(path, _)| edit.path != *path);
-        let mut edits = Edits::none();
-        for edit in old.list().iter().filter(kept) {
-            // Refused is only what lies after a shorter run, or does not fit the new settings.
-            let _ = edits.push(&scenario, edit.clone());
-        }
-        Ok((scenario, edits))
+        let kept = old.only(|edit| changes.iter().all(|(path, _)| edit.path != *path));
+        let (edits, unfit) = kept.fitted(&scenario);
+        Ok(((scenario, edits), unfit))
     }
 
     /// Takes over a plan and gives back the one before; the old future becomes the ghost.
@@ -208,8 +209,7 @@ impl Session {
             self.ghost = Some(Ghost { from_s, traces: self.chosen.traces().clone() });
         }
         self.chosen.change(&plan.0, &plan.1);
-        let twin_scenario = twin::scenario(&plan.0);
-        self.twin.change(&twin_scenario, &twin::edits(&twin_scenario, &plan.1));
+        self.twin.change(&twin::scenario(&plan.0), &twin::edits(&plan.1));
         let before = std::mem::replace(&mut self.plan, plan);
         self.changes += 1;
         // The picture of this frame shall already show what the change does at the playhead.

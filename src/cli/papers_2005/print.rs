@@ -120,7 +120,7 @@ mod tests {
     #[test]
     fn every_figure_stands_beside_the_printed_one_with_all_that_must_be_told() {
         let mut base = entrants::experiment_2();
-        base.run.duration_s = 2.5;
+        base.change(|s| s.run.duration_s = 2.5).unwrap();
         let mut tournament = Tournament::new(entrants::on(&base, &entrants::TABLE_1), 1);
         while !tournament.advance(u64::MAX) {}
         let table = tournament.table();

@@ -72,7 +72,9 @@ mod tests {
     #[test]
     fn every_condition_and_method_is_printed_beside_the_prototypes_figures() {
         let mut short = entrants();
-        short.iter_mut().for_each(|entrant| entrant.scenario.run.duration_s = 2.2);
+        for entrant in &mut short {
+            entrant.scenario.change(|s| s.run.duration_s = 2.2).unwrap();
+        }
         let mut tournament = Tournament::new(short, 1);
         while !tournament.advance(u64::MAX) {}
         let mut text = Vec::new();

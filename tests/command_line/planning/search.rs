@@ -22,7 +22,7 @@ fn the_swarm_finds_the_grids_best(cut: Sets, objectives: &[Sets]) {
         assert!(grid.score.feasible(), "{sets:?}");
         let (mut found, mut worst, mut evaluations) = (0, 0.0_f64, 0);
         for seed in 1..=100 {
-            scenario.plan.seed = seed;
+            scenario.change(|s| s.plan.seed = seed).unwrap();
             let job = PlanJob::complete(&scenario).unwrap();
             let optimum = job.optimum();
             let gap = 1.0 - optimum.score.value / grid.score.value;

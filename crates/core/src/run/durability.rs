@@ -12,14 +12,12 @@
 use super::scenario::Scenario;
 use super::signals::{Row, flag};
 use crate::base::math;
-use crate::base::settings::SettingError;
 use crate::blocks::control::FeedSpeed;
 use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::sensing::tool_condition::{
     CutObservation, EstimatorSetup, ToolConditionEstimator,
 };
 use crate::models::genetic::GeneticModels;
-use crate::models::structure::FiveMass;
 use crate::models::structure::reduction::Reduction;
 use crate::models::wear::{WearCut, WearModel};
 
@@ -41,20 +39,18 @@ pub fn wear_cut(at: FeedSpeed, axial_depth_mm: f64) -> WearCut {
     }
 }
 
-/// The tool-condition estimator of a scenario before the cut.
-///
-/// # Errors
-/// As [`Reduction::new`].
-pub fn estimator(scenario: &Scenario) -> Result<ToolConditionEstimator, SettingError> {
+/// The tool-condition estimator of a scenario before the cut, on a machine.
+#[must_use]
+pub fn estimator(scenario: &Scenario, machine: &Reduction) -> ToolConditionEstimator {
     let tool = R216_16B20_040;
-    Ok(ToolConditionEstimator::new(EstimatorSetup {
-        machine: Reduction::new(&FiveMass::new(&scenario.machine))?,
+    ToolConditionEstimator::new(EstimatorSetup {
+        machine: *machine,
         teeth: tool.teeth as u32,
         diameter_mm: tool.diameter_mm,
         wear: scenario.wear.clone(),
         life: scenario.life.clone(),
         programmed: wear_cut(scenario.programmed(0), scenario.workpiece.axial_depth_mm),
-    }))
+    })
 }
 
 /// What a row of length `dt_s` shows of the cut; `belief` gives the force of a sharp tool.
@@ -91,11 +87,11 @@ impl Durability {
     /// The adjustment of a scenario; `None` where it is off, or where nothing wears or sounds.
     #[must_use]
     pub fn new(scenario: &Scenario) -> Option<Box<Self>> {
-        let (wear, machine) = (&scenario.wear, &scenario.machine);
-        if !(wear.adjust_speed && wear.model == WearModel::Life && machine.coupled) {
+        let wear = &scenario.wear;
+        if !(wear.adjust_speed && wear.model == WearModel::Life) {
             return None;
         }
-        let estimator = estimator(scenario).ok()?;
+        let estimator = estimator(scenario, scenario.coupled_machine()?);
         Some(Box::new(Self {
             desired_min: scenario.life.durability_min,
             taylor_exponent: wear.taylor_exponent,

@@ -1,6 +1,8 @@
 //! Edits: changes of live settings at a moment of the run. A run is a pure function of scenario
 //! and edits, so a live session replays exactly.
 
+use std::fmt;
+
 use super::scenario::{COMPANIONED, COMPANIONS, Scenario, param};
 use crate::base::settings::{SettingError, Value};
 
@@ -18,6 +20,21 @@ pub struct Edit {
 /// Edits in the order of time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Edits(Vec<Edit>);
+
+/// An edit that does not fit a base.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unfit {
+    /// The edit.
+    pub edit: Edit,
+    /// Why it is refused.
+    pub reason: SettingError,
+}
+
+impl fmt::Display for Unfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the change at {} s does not fit any more: {}", self.edit.at_s, self.reason)
+    }
+}
 
 /// Live settings that a rule joins: whether one is allowed depends on the other.
 const JOINED: [&str; 2] = ["noise.band_low_hz", "noise.band_high_hz"];
@@ -101,14 +118,34 @@ impl Edits {
         Ok(())
     }
 
-    /// The scenario as it stands at a time in s, edits up to it applied.
+    /// Those of these edits that are wanted, unchecked: left out must be all or none of what a rule
+    /// joins. A run ends at an edit that does not fit.
     #[must_use]
-    pub fn scenario_at(&self, base: &Scenario, time_s: f64) -> Scenario {
+    pub fn only(&self, wanted: impl Fn(&Edit) -> bool) -> Self {
+        Self(self.0.iter().filter(|edit| wanted(edit)).cloned().collect())
+    }
+
+    /// Those of these edits that fit another base, and those that do not, with the reason.
+    #[must_use]
+    pub fn fitted(&self, base: &Scenario) -> (Self, Vec<Unfit>) {
+        let (mut fitting, mut unfit) = (Self::none(), Vec::new());
+        for edit in &self.0 {
+            if let Err(reason) = fitting.push(base, edit.clone()) {
+                unfit.push(Unfit { edit: edit.clone(), reason });
+            }
+        }
+        (fitting, unfit)
+    }
+
+    /// The scenario as it stands at a time in s, edits up to it applied.
+    ///
+    /// # Errors
+    /// An edit that does not fit `base`: another one than it was pushed with.
+    pub fn scenario_at(&self, base: &Scenario, time_s: f64) -> Result<Scenario, SettingError> {
         let mut scenario = base.clone();
         for edit in self.0.iter().filter(|edit| edit.at_s <= time_s) {
-            // Checked when it was added; an edit that no longer fits a changed base is skipped.
-            let _ = scenario.set(&edit.path, edit.value.clone());
+            scenario.set(&edit.path, edit.value.clone())?;
         }
-        scenario
+        Ok(scenario)
     }
 }

@@ -6,6 +6,7 @@ use super::metrics::{self, Metrics};
 use super::recording::Recording;
 use super::scenario::Scenario;
 use crate::base::math::limit;
+use crate::base::settings::SettingError;
 use crate::blocks::cutting::tool_path::ToolPath;
 
 /// Why a run is over.
@@ -19,6 +20,8 @@ pub enum End {
     ForceStop(ForceStop),
     /// A signal stopped being finite.
     Fault(Fault),
+    /// An edit does not fit the scenario: it was pushed to the edits of another one.
+    Refused(SettingError),
 }
 
 /// Ticks between snapshots at first: the most that a rewind has to repeat.
@@ -40,22 +43,27 @@ struct State {
 impl State {
     /// One step with the edits that are due before it.
     #[inline]
-    fn step(&mut self, edits: &Edits, edit_ticks: &[u64]) -> Result<(), Fault> {
+    fn step(&mut self, edits: &Edits, edit_ticks: &[u64]) -> Result<(), End> {
         let tick = self.closed_loop.tick();
         if edit_ticks.get(self.next_edit).is_some_and(|at| *at <= tick) {
-            self.apply_edits(tick, edits, edit_ticks);
+            self.apply_edits(tick, edits, edit_ticks).map_err(End::Refused)?;
         }
-        self.closed_loop.step()
+        self.closed_loop.step().map_err(End::Fault)
     }
 
-    fn apply_edits(&mut self, tick: u64, edits: &Edits, edit_ticks: &[u64]) {
+    fn apply_edits(
+        &mut self,
+        tick: u64,
+        edits: &Edits,
+        edit_ticks: &[u64],
+    ) -> Result<(), SettingError> {
         while edit_ticks.get(self.next_edit).is_some_and(|at| *at <= tick) {
             let edit = &edits.list()[self.next_edit];
-            // Checked when it was added to the edits; what no longer fits is skipped.
-            let _ = self.scenario.set(&edit.path, edit.value.clone());
+            self.scenario.set(&edit.path, edit.value.clone())?;
             self.next_edit += 1;
         }
         self.closed_loop.reconfigure(&self.scenario);
+        Ok(())
     }
 }
 
@@ -79,8 +87,8 @@ impl Repeat {
     /// One step more of `run`, of which this is a repeat.
     ///
     /// # Errors
-    /// The fault that ended the run.
-    pub fn step(&mut self, run: &Run) -> Result<(), Fault> {
+    /// What ended the run.
+    pub fn step(&mut self, run: &Run) -> Result<(), End> {
         self.state.step(&run.edits, &run.edit_ticks)
     }
 }
@@ -159,9 +167,9 @@ impl Run {
     fn step(&mut self) {
         let result = self.state.step(&self.edits, &self.edit_ticks);
         let tick = self.state.closed_loop.tick();
-        if let Err(fault) = result {
-            // The faulty row is not recorded: nothing that was recorded is lost or spoilt.
-            self.end = Some(End::Fault(fault));
+        if let Err(end) = result {
+            // A faulty row is not recorded: nothing that was recorded is lost or spoilt.
+            self.end = Some(end);
             return;
         }
         let row = *self.state.closed_loop.row();

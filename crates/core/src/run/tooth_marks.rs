@@ -161,7 +161,7 @@ mod tests {
     #[test]
     fn every_cut_of_experiment_2_is_marked_over_its_length() {
         let mut scenario = load("experiment-2").unwrap();
-        scenario.run.duration_s = 60.0;
+        scenario.change(|s| s.run.duration_s = 60.0).unwrap();
         let run = Run::complete(&scenario, &Edits::none());
         let mut marks = MarkedPart::new(&scenario);
         marks.extend(run.recording().rows());

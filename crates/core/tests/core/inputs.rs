@@ -34,7 +34,7 @@ const EXTREMES: [f64; 16] = [
 /// every recorded value finite.
 fn contained(scenario: &Scenario, edits: &Edits) {
     let mut scenario = scenario.clone();
-    scenario.run.duration_s = scenario.run.duration_s.min(3.0);
+    scenario.change(|s| s.run.duration_s = s.run.duration_s.min(3.0)).unwrap();
     let mut run = Run::new(&scenario, edits);
     run.advance(4000);
     let limit = 2.5 + 1e-9;
@@ -394,7 +394,7 @@ fn a_refused_edit_changes_nothing_and_a_material_brings_its_hardness() {
     ] {
         edits.push(&scenario, edit(path, value)).unwrap();
     }
-    assert_eq!(edits.scenario_at(&scenario, 3.0).plant.hardness_hb, 200.0);
+    assert_eq!(edits.scenario_at(&scenario, 3.0).unwrap().plant.hardness_hb, 200.0);
 }
 
 #[test]
@@ -406,7 +406,7 @@ fn thousands_of_edits_stay_affordable() {
         edits.push(&scenario, Edit { at_s, path: "target.ra_um".to_owned(), value }).unwrap();
     }
     assert_eq!(edits.list().len(), 20_000);
-    let last = edits.scenario_at(&scenario, 100.0).target.ra_um;
+    let last = edits.scenario_at(&scenario, 100.0).unwrap().target.ra_um;
     assert!((last - 1.199_99).abs() < 1e-12);
     let link = scenario_link::write(&scenario, &edits);
     assert_eq!(scenario_link::parse(&link).unwrap().1, edits);

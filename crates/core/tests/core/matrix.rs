@@ -21,22 +21,26 @@ fn plants() -> Vec<(&'static str, Scenario)> {
     for preset in ["table3-5", "strategy-table1-5"] {
         for force_model in ForceModel::MAPS {
             let mut scenario = load(preset).unwrap();
-            scenario.plant.force_model = force_model;
+            scenario.change(|s| s.plant.force_model = force_model).unwrap();
             plants.push((force_model.id(), scenario));
         }
     }
     for preset in ["experiment-2", "experiment-2-neural"] {
         let mut scenario = load(preset).unwrap();
         // One section, and the end of it is not reached.
-        scenario.workpiece.cuts = vec![vec![[60.0, 3.0, 2.0]]];
-        scenario.run.duration_s = 9.0;
-        scenario.run.record_every = scenario.run.steps_per_control;
+        scenario
+            .change(|s| {
+                s.workpiece.cuts = vec![vec![[60.0, 3.0, 2.0]]];
+                s.run.duration_s = 9.0;
+                s.run.record_every = s.run.steps_per_control;
+            })
+            .unwrap();
         plants.push((preset, scenario));
     }
     for (_, scenario) in &mut plants {
-        scenario.noise.level = 0.0;
+        scenario.change(|s| s.noise.level = 0.0).unwrap();
         // Five parameters are badly excited at rest and burst.
-        scenario.mrac.adapted = Adapted::Gain;
+        scenario.change(|s| s.mrac.adapted = Adapted::Gain).unwrap();
     }
     plants
 }
@@ -54,7 +58,7 @@ fn every_controller_runs_on_every_plant() {
     for (plant, scenario) in plants() {
         for kind in ControllerKind::ALL {
             let mut scenario = scenario.clone();
-            scenario.controller.kind = *kind;
+            scenario.change(|s| s.controller.kind = *kind).unwrap();
             let run = Run::complete(&scenario, &Edits::none());
             let case = format!("{kind:?} on {plant}, {}", scenario.info.name);
             assert_eq!(run.end(), Some(&End::TimeLimit), "{case}");
@@ -141,18 +145,18 @@ fn predicted(scenario: &Scenario, kind: ControllerKind, force_ref_n: f64) -> f64
 #[test]
 fn static_laws_come_to_rest_where_they_meet_the_plant() {
     for (plant, mut scenario) in plants() {
-        scenario.cnc.override_quantised = false;
+        scenario.change(|s| s.cnc.override_quantised = false).unwrap();
         // With run-out not every control period holds the larger tooth.
-        scenario.plant.runout_um = 0.0;
+        scenario.change(|s| s.plant.runout_um = 0.0).unwrap();
         // At 1.1 it oscillates where the force is far above its reference and the dead time 80 ms.
-        scenario.proportional.kp = 0.4;
+        scenario.change(|s| s.proportional.kp = 0.4).unwrap();
         for kind in [
             ControllerKind::ConstantFeed,
             ControllerKind::Division,
             ControllerKind::Proportional,
             ControllerKind::Sdnrp,
         ] {
-            scenario.controller.kind = kind;
+            scenario.change(|s| s.controller.kind = kind).unwrap();
             let run = Run::complete(&scenario, &Edits::none());
             let y = at_rest(&run);
             let reference_n = run.recording().rows().last().unwrap().force_ref_n;

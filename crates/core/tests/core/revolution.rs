@@ -11,8 +11,12 @@ use steadycut_core::run::scenario::Scenario;
 fn short_cut() -> Scenario {
     let mut scenario = load("experiment-2").unwrap();
     scenario.set("controller.kind", Value::Text("constant_feed".to_owned())).unwrap();
-    scenario.workpiece.cuts = vec![vec![[6.0, 2.0, 2.0]], vec![[30.0, 3.0, 2.0]]];
-    scenario.run.duration_s = 6.5;
+    scenario
+        .change(|s| {
+            s.workpiece.cuts = vec![vec![[6.0, 2.0, 2.0]], vec![[30.0, 3.0, 2.0]]];
+            s.run.duration_s = 6.5;
+        })
+        .unwrap();
     scenario
 }
 
@@ -55,10 +59,14 @@ fn the_largest_sample_of_a_control_period_is_the_force_of_its_row() {
 #[test]
 fn a_revolution_has_two_teeth_18_85_ms_apart() {
     let mut scenario = short_cut();
-    scenario.noise.level = 0.0;
-    scenario.plant.runout_um = 0.0;
-    scenario.run.duration_s = 4.0;
-    scenario.workpiece.cuts = vec![vec![[60.0, 3.0, 2.0]]];
+    scenario
+        .change(|s| {
+            s.noise.level = 0.0;
+            s.plant.runout_um = 0.0;
+            s.run.duration_s = 4.0;
+            s.workpiece.cuts = vec![vec![[60.0, 3.0, 2.0]]];
+        })
+        .unwrap();
     let run = Run::complete(&scenario, &Edits::none());
     let found = revolution(&run, 4.0, 2).unwrap();
     let span_s = found.samples.last().unwrap().time_s - found.samples[0].time_s;
@@ -85,7 +93,7 @@ fn what_is_not_tooth_by_tooth_has_no_revolution_and_no_time_is_too_odd() {
     let run = Run::complete(&load("table3-5").unwrap(), &Edits::none());
     assert_eq!(revolution(&run, 5.0, 1), None);
     let mut scenario = short_cut();
-    scenario.run.duration_s = 0.1;
+    scenario.change(|s| s.run.duration_s = 0.1).unwrap();
     let run = Run::complete(&scenario, &Edits::none());
     for at_s in [f64::NAN, f64::NEG_INFINITY, -1.0, 0.0, 1e-3] {
         let found = revolution(&run, at_s, 0).unwrap();

@@ -23,17 +23,21 @@ const BUMP_PERCENT: f64 = 0.5;
 
 fn calm(preset: &str, adapted: Adapted) -> Scenario {
     let mut scenario = load(preset).unwrap();
-    scenario.noise.level = 0.0;
-    scenario.mrac.adapted = adapted;
-    scenario.proportional.ki = 0.05;
-    scenario.proportional.kp = 0.5;
+    scenario
+        .change(|s| {
+            s.noise.level = 0.0;
+            s.mrac.adapted = adapted;
+            s.proportional.ki = 0.05;
+            s.proportional.kp = 0.5;
+        })
+        .unwrap();
     scenario
 }
 
 /// How far the feed override goes in the control period after a switch, percent.
 fn bump(scenario: &Scenario, to: ControllerKind, at_s: f64, edits: &[(f64, &str, f64)]) -> f64 {
     let mut scenario = scenario.clone();
-    scenario.run.duration_s = at_s + 1.0;
+    scenario.change(|s| s.run.duration_s = at_s + 1.0).unwrap();
     let mut all = Edits::none();
     for (at_s, path, value) in edits {
         let (path, value) = ((*path).to_owned(), Value::Float(*value));
@@ -56,7 +60,7 @@ fn switches_smoothly(scenario: &Scenario, at_s: f64, edits: &[(f64, &str, f64)])
                 continue;
             }
             let mut scenario = scenario.clone();
-            scenario.controller.kind = *from;
+            scenario.change(|s| s.controller.kind = *from).unwrap();
             let found = bump(&scenario, to, at_s, edits);
             assert!(found <= BUMP_PERCENT, "{from:?} to {to:?} at {at_s} s: {found} percent");
         }
@@ -68,7 +72,7 @@ fn controllers_take_over_a_cut_at_rest_without_a_bump() {
     for adapted in [Adapted::Landau, Adapted::Gain] {
         for force_model in [ForceModel::Formula, ForceModel::Neural] {
             let mut scenario = calm("table3-5", adapted);
-            scenario.plant.force_model = force_model;
+            scenario.change(|s| s.plant.force_model = force_model).unwrap();
             switches_smoothly(&scenario, 4.0, &[]);
         }
     }
@@ -83,9 +87,9 @@ fn controllers_take_over_in_a_transient_without_a_bump() {
 #[test]
 fn controllers_take_over_tooth_by_tooth_without_a_bump() {
     let mut scenario = calm("experiment-1", Adapted::Gain);
-    scenario.run.record_every = scenario.run.steps_per_control;
+    scenario.change(|s| s.run.record_every = s.run.steps_per_control).unwrap();
     for from in [ControllerKind::Division, ControllerKind::Unks] {
-        scenario.controller.kind = from;
+        scenario.change(|s| s.controller.kind = from).unwrap();
         for to in STATEFUL.into_iter().filter(|to| *to != from) {
             let found = bump(&scenario, to, 4.0, &[]);
             // Here the override is rounded to whole percents.
@@ -98,13 +102,17 @@ fn controllers_take_over_tooth_by_tooth_without_a_bump() {
 /// which the reference is in reach, all at once.
 fn freed(kind: ControllerKind) -> Scenario {
     let mut scenario = calm("experiment-2-neural", Adapted::Gain);
-    scenario.controller.kind = kind;
-    scenario.workpiece.cuts.clear();
-    scenario.workpiece.axial_depth_mm = 1.2;
-    scenario.workpiece.radial_depth_mm = 3.9;
-    scenario.workpiece.depth_steps = vec![[30.0, 4.0]];
-    scenario.workpiece.length_mm = 80.0;
-    scenario.run.record_every = scenario.run.steps_per_control;
+    scenario.change(|s| s.controller.kind = kind).unwrap();
+    scenario
+        .change(|s| {
+            s.workpiece.cuts.clear();
+            s.workpiece.axial_depth_mm = 1.2;
+            s.workpiece.radial_depth_mm = 3.9;
+            s.workpiece.depth_steps = vec![[30.0, 4.0]];
+            s.workpiece.length_mm = 80.0;
+            s.run.record_every = s.run.steps_per_control;
+        })
+        .unwrap();
     scenario
 }
 

@@ -55,9 +55,9 @@ impl BeyondCondition {
     }
 
     fn scenario(&self) -> Scenario {
-        let mut scenario = if self.per_cut { experiment_2_per_cut() } else { experiment_2() };
-        set_dead_time(&mut scenario, self.dead_time_s);
-        scenario
+        let scenario = if self.per_cut { experiment_2_per_cut() } else { experiment_2() };
+        let delayed = scenario.with(|settings| set_dead_time(settings, self.dead_time_s));
+        delayed.expect("tested: every condition is in range")
     }
 }
 
@@ -143,7 +143,9 @@ mod tests {
         assert_eq!(short.len(), 3 * CONDITIONS.len());
         assert_eq!(short[6].scenario.program.cut_feeds_mm_min.len(), 5);
         assert_eq!(short[3].scenario.belief.dead_time_s, 0.08);
-        short.iter_mut().for_each(|entrant| entrant.scenario.run.duration_s = 1.0);
+        for entrant in &mut short {
+            entrant.scenario.change(|s| s.run.duration_s = 1.0).unwrap();
+        }
         let mut tournament = Tournament::new(short, 1);
         while !tournament.advance(u64::MAX) {}
         let rows = rows(tournament.table());

@@ -48,12 +48,17 @@ pub fn both_on(preset: &str) -> Vec<Entrant> {
 
 /// The fewest iterations of the internal loop with which UNKS cuts the part of `base` as it does with
 /// ten, to the bit: with fewer, the loop is cut short somewhere.
+///
+/// # Panics
+/// Never: the numbers of iterations lie within the range of their setting.
 #[must_use]
 pub fn iterations_needed(base: &Scenario) -> u32 {
     let with = |iterations: u32| {
-        let mut scenario = TABLE_1[UNKS].on(base).scenario;
-        scenario.unks.internal_iterations = iterations;
-        scenario.run.record_every = scenario.run.steps_per_control;
+        let scenario = TABLE_1[UNKS].on(base).scenario.with(|settings| {
+            settings.unks.internal_iterations = iterations;
+            settings.run.record_every = settings.run.steps_per_control;
+        });
+        let scenario = scenario.expect("up to ten iterations, and a row a control period, fit");
         Run::complete(&scenario, &Edits::none()).recording().digest()
     };
     let many = with(MANY_ITERATIONS);

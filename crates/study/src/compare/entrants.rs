@@ -3,7 +3,7 @@
 use crate::blocks::control::ControllerKind;
 use crate::blocks::control::mrac::Adapted;
 use crate::run::presets;
-use crate::run::scenario::Scenario;
+use crate::run::scenario::{Scenario, Settings};
 
 /// One entrant: a name and the scenario that it runs, whatever it changes. Seed and recording are
 /// the tournament's.
@@ -20,16 +20,18 @@ pub struct Entrant {
 pub struct Method {
     /// Its name in tables.
     pub name: &'static str,
-    /// Makes a scenario its own.
-    pub apply: fn(&mut Scenario),
+    /// Makes settings its own.
+    pub apply: fn(&mut Settings),
 }
 
 impl Method {
     /// The entrant that runs `base` this way.
+    ///
+    /// # Panics
+    /// Never: no rule joins a controller's settings with others.
     #[must_use]
     pub fn on(&self, base: &Scenario) -> Entrant {
-        let mut scenario = base.clone();
-        (self.apply)(&mut scenario);
+        let scenario = base.with(self.apply).expect("a controller goes with any scenario");
         Entrant { name: self.name.to_owned(), scenario }
     }
 }
@@ -64,8 +66,8 @@ pub const BEYOND: &[Method] = &[
 ];
 
 /// Sets a dead time in s that the controllers know.
-pub fn set_dead_time(scenario: &mut Scenario, dead_time_s: f64) {
-    (scenario.cnc.dead_time_s, scenario.belief.dead_time_s) = (dead_time_s, dead_time_s);
+pub fn set_dead_time(settings: &mut Settings, dead_time_s: f64) {
+    (settings.cnc.dead_time_s, settings.belief.dead_time_s) = (dead_time_s, dead_time_s);
 }
 
 /// Every method on a scenario.

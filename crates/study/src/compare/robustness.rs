@@ -8,7 +8,7 @@ use super::entrants::{BEYOND, Entrant, Method, TABLE_1, experiment_2, set_dead_t
 use super::outcome::Measure;
 use super::tournament::Compared;
 use crate::blocks::cutting::material::Material;
-use crate::run::scenario::Scenario;
+use crate::run::scenario::Settings;
 
 /// The prototype's figures.
 pub const REFERENCE: &str = include_str!("../../../../assets/data/robustness_2005.csv");
@@ -20,7 +20,7 @@ pub struct RobustnessCondition {
     pub id: &'static str,
     /// Its name for people.
     pub label: &'static str,
-    apply: fn(&mut Scenario),
+    apply: fn(&mut Settings),
 }
 
 /// The conditions; the second is that of Table 1.
@@ -60,8 +60,7 @@ pub fn methods() -> impl Iterator<Item = &'static Method> {
 pub fn entrants() -> Vec<Entrant> {
     let base = experiment_2();
     let under = |condition: &RobustnessCondition| {
-        let mut changed = base.clone();
-        (condition.apply)(&mut changed);
+        let changed = base.with(condition.apply).expect("tested: every condition is in range");
         methods().map(|method| method.on(&changed)).collect::<Vec<Entrant>>()
     };
     CONDITIONS.iter().flat_map(under).collect()

@@ -220,7 +220,7 @@ mod tests {
         use crate::compare::tournament::Tournament;
         use crate::run::presets;
         let mut base = presets::load("table3-5-noise").unwrap();
-        base.run.duration_s = 0.2;
+        base.change(|s| s.run.duration_s = 0.2).unwrap();
         let judged = |methods: &[entrants::Method]| {
             let mut tournament = Tournament::new(entrants::on(&base, methods), 1);
             tournament.advance(u64::MAX);

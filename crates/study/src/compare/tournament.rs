@@ -80,11 +80,12 @@ impl Tournament {
     /// The scenario of run `index`.
     fn scenario(&self, index: usize) -> Scenario {
         let entrant = &self.entrants[index % self.entrants.len()];
-        let mut scenario = entrant.scenario.clone();
-        scenario.run.seed = 1 + (index / self.entrants.len()) as u32;
-        // A row for every control sample is what the measures need.
-        scenario.run.record_every = scenario.run.steps_per_control;
-        scenario
+        let scenario = entrant.scenario.with(|settings| {
+            settings.run.seed = 1 + (index / self.entrants.len()) as u32;
+            // A row for every control sample is what the measures need.
+            settings.run.record_every = settings.run.steps_per_control;
+        });
+        scenario.expect("any seed, and a row a control period, go with any scenario")
     }
 
     /// Advances by at most `budget_ticks` steps of the plant, in one run or several; `true` when
@@ -152,8 +153,12 @@ mod tests {
         let kinds = [ControllerKind::ConstantFeed, ControllerKind::AdjustablePi];
         let entrant = |kind: ControllerKind| {
             let mut scenario = presets::load("table3-5-noise").unwrap();
-            scenario.controller.kind = kind;
-            scenario.run.duration_s = 2.0;
+            scenario
+                .change(|s| {
+                    s.controller.kind = kind;
+                    s.run.duration_s = 2.0;
+                })
+                .unwrap();
             Entrant { name: kind.label().to_owned(), scenario }
         };
         kinds.map(entrant).to_vec()

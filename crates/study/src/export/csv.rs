@@ -49,7 +49,7 @@ mod tests {
     #[test]
     fn every_value_reads_back_to_the_same_bits() {
         let mut scenario = presets::load("table3-5-noise").unwrap();
-        scenario.run.duration_s = 0.5;
+        scenario.change(|s| s.run.duration_s = 0.5).unwrap();
         let run = Run::complete(&scenario, &Edits::none());
         let mut text = Vec::new();
         write(&mut text, run.recording()).unwrap();

@@ -76,14 +76,14 @@ pub(super) fn variants(preset: &Scenario) -> Map<String, Json> {
 
 /// The preset for a short run: tooth by tooth with the longest step allowed.
 fn short(preset: &Scenario) -> Scenario {
-    let mut scenario = preset.clone();
-    let steps = &mut scenario.run.steps_per_control;
-    if *steps > TOOTH_STEPS {
-        *steps = TOOTH_STEPS;
-        scenario.run.record_every = TOOTH_STEPS / 10;
-    }
-    scenario.run.duration_s = enters_s(preset) + SHORT_S;
-    scenario
+    let shortened = preset.with(|settings| {
+        if settings.run.steps_per_control > TOOTH_STEPS {
+            settings.run.steps_per_control = TOOTH_STEPS;
+            settings.run.record_every = TOOTH_STEPS / 10;
+        }
+        settings.run.duration_s = enters_s(preset) + SHORT_S;
+    });
+    shortened.expect("every base preset may be cut short")
 }
 
 /// When the tool meets the work, s: a part of cuts is approached at the programmed feed.
@@ -112,8 +112,8 @@ fn text(id: &str) -> Value {
 
 /// A controller from the start, the tool worn in the cut, left and taken up again.
 fn controller(base: &Scenario, kind: ControllerKind) -> String {
-    let mut scenario = base.clone();
-    scenario.controller.kind = kind;
+    let scenario = base.with(|settings| settings.controller.kind = kind);
+    let scenario = scenario.expect("a controller goes with any scenario");
     let other = if kind == ControllerKind::ConstantFeed {
         ControllerKind::Tracking
     } else {
@@ -159,12 +159,14 @@ fn choices(base: &Scenario, kind: ControllerKind) -> Vec<(&'static Param, Value)
 /// A tool that wears out while it is heard, at the programmed speed or at an adjusted one; a
 /// controller that works out the speed itself would hide the adjustment.
 fn worn(base: &Scenario, adjust_speed: bool) -> String {
-    let mut scenario = base.clone();
-    scenario.run.duration_s = enters_s(base) + WORN_S;
-    scenario.controller.kind = ControllerKind::ConstantFeed;
-    scenario.wear.model = WearModel::Life;
-    scenario.wear.time_scale = 600.0;
-    scenario.wear.adjust_speed = adjust_speed;
+    let scenario = base.with(|settings| {
+        settings.run.duration_s = enters_s(base) + WORN_S;
+        settings.controller.kind = ControllerKind::ConstantFeed;
+        settings.wear.model = WearModel::Life;
+        settings.wear.time_scale = 600.0;
+        settings.wear.adjust_speed = adjust_speed;
+    });
+    let scenario = scenario.expect("the coupled base presets may be worn");
     let mut digest = Digest::default();
     run(&scenario, &[], &mut digest);
     digest.hex()
@@ -177,12 +179,14 @@ fn drives_and_calibrations(base: &Scenario) -> String {
         for (set, calibration) in
             ModelSet::ALL.iter().flat_map(|set| Calibration::ALL.iter().map(move |c| (*set, *c)))
         {
-            let mut scenario = base.clone();
-            scenario.feed_drive.kind = *kind;
-            scenario.plant.model_set = set;
-            scenario.plant.calibration = calibration;
-            scenario.belief.model_set = set;
-            scenario.belief.calibration = calibration;
+            let scenario = base.with(|settings| {
+                settings.feed_drive.kind = *kind;
+                settings.plant.model_set = set;
+                settings.plant.calibration = calibration;
+                settings.belief.model_set = set;
+                settings.belief.calibration = calibration;
+            });
+            let scenario = scenario.expect("any drive and models go with a map of force");
             run(
                 &scenario,
                 &[

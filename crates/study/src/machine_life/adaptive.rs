@@ -164,9 +164,9 @@ mod tests {
 
     fn lived(durability_factor: f64, adjusts: bool) -> AdaptiveLife {
         let mut scenario = Scenario::default();
-        scenario.wear.durability_factor = durability_factor;
-        scenario.life.durability_min =
-            model(&scenario).wear.taylor_min(&model(&scenario).cut).round();
+        scenario.change(|s| s.wear.durability_factor = durability_factor).unwrap();
+        let taylor_min = model(&scenario).wear.taylor_min(&model(&scenario).cut).round();
+        scenario.change(|s| s.life.durability_min = taylor_min).unwrap();
         let mut life = AdaptiveLife::new(&scenario, adjusts);
         while !life.advance(50) {}
         life
@@ -190,7 +190,7 @@ mod tests {
     #[test]
     fn slices_change_nothing() {
         let mut scenario = Scenario::default();
-        scenario.wear.durability_factor = 0.4;
+        scenario.change(|s| s.wear.durability_factor = 0.4).unwrap();
         let [mut whole, mut sliced] = [true, true].map(|_| AdaptiveLife::new(&scenario, true));
         whole.advance(60);
         (0..12).for_each(|_| {

@@ -119,7 +119,7 @@ mod tests {
         assert!((vibration / printed - 1.0).abs() < 0.1, "{vibration} {printed}");
         assert!(found.rms_k5_um < 0.03 && found.rms_vibration_um > 5.0 * found.rms_k5_um);
         // A softer machine needs a smaller share for the same vibration.
-        scenario.machine.spindle_quality = 17.0;
+        scenario.change(|s| s.machine.spindle_quality = 17.0).unwrap();
         assert!(calibrate(&scenario).random_ratio < found.random_ratio);
     }
 }

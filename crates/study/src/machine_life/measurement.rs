@@ -76,7 +76,7 @@ mod tests {
     #[test]
     fn without_noise_the_measurement_is_the_calculation() {
         let mut scenario = Scenario::default();
-        (scenario.life.white_percent, scenario.life.spectrum_ratio) = (0.0, 0.0);
+        scenario.change(|s| (s.life.white_percent, s.life.spectrum_ratio) = (0.0, 0.0)).unwrap();
         let mut job = LifeJob::new(model(&scenario), 0.2);
         job.advance(usize::MAX);
         let spectrum: Vec<TrendLine> = job.model().spectrum(0.0).collect();

@@ -3,9 +3,13 @@ use super::*;
 /// The papers' cut.
 fn scenario() -> Scenario {
     let mut scenario = Scenario::default();
-    scenario.program.spindle_rpm = R216_16B20_040.speed_rpm(80.0);
-    scenario.program.feed_mm_min = 430.4;
-    scenario.workpiece.axial_depth_mm = 2.0;
+    scenario
+        .change(|s| {
+            s.program.spindle_rpm = R216_16B20_040.speed_rpm(80.0);
+            s.program.feed_mm_min = 430.4;
+            s.workpiece.axial_depth_mm = 2.0;
+        })
+        .unwrap();
     scenario
 }
 

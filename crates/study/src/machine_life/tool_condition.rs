@@ -4,6 +4,8 @@ use serde::Serialize;
 
 use crate::base::settings::SettingError;
 use crate::models::genetic::GeneticModels;
+use crate::models::structure::FiveMass;
+use crate::models::structure::reduction::Reduction;
 use crate::models::tool_life::LifePrediction;
 use crate::run::durability::{estimator, observation_of};
 use crate::run::recording::Recording;
@@ -27,12 +29,16 @@ pub struct ConditionEstimate {
 /// sound they are those of the prior.
 ///
 /// # Errors
-/// As [`estimator`].
+/// As [`Reduction::new`]: a run without sound may have any machine.
 pub fn predictions(
     scenario: &Scenario,
     recording: &Recording,
 ) -> Result<Vec<ConditionEstimate>, SettingError> {
-    let mut estimator = estimator(scenario)?;
+    let machine = match scenario.coupled_machine() {
+        Some(machine) => *machine,
+        None => Reduction::new(&FiveMass::new(&scenario.machine))?,
+    };
+    let mut estimator = estimator(scenario, &machine);
     let belief = GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration);
     // As in the running cut: once in a control period.
     let stride = recording.control_stride();

@@ -65,22 +65,24 @@ impl ScheduleJob {
             return refused("program.spindle_rpm", format!("{speed_rpm} 1/min"), allowed);
         }
         let mut scenario = scenario.clone();
-        scenario.plan.free_speed = false;
-        scenario.plan.cutting_speed_m_min = speed_m_min;
+        scenario.change(|s| {
+            s.plan.free_speed = false;
+            s.plan.cutting_speed_m_min = speed_m_min;
+        })?;
         Ok(Self { scenario, machine: machine.clone(), sized_by, planned: Vec::new() })
     }
 
     /// The scenario of one section alone.
-    fn alone(&self, section: &Section) -> Scenario {
+    fn alone(&self, section: &Section) -> Result<Scenario, SettingError> {
         let place = Engagement::in_section([section[1], section[2]]);
-        let mut scenario = self.scenario.clone();
-        let workpiece = &mut scenario.workpiece;
-        workpiece.axial_depth_mm = place.axial_depth_mm;
-        workpiece.radial_depth_mm = place.radial_depth_mm;
-        workpiece.length_mm = section[0].max(1.0);
-        workpiece.cuts.clear();
-        workpiece.depth_steps.clear();
-        scenario
+        self.scenario.with(|settings| {
+            let workpiece = &mut settings.workpiece;
+            workpiece.axial_depth_mm = place.axial_depth_mm;
+            workpiece.radial_depth_mm = place.radial_depth_mm;
+            workpiece.length_mm = section[0].max(1.0);
+            workpiece.cuts.clear();
+            workpiece.depth_steps.clear();
+        })
     }
 
     /// The section that a cut is planned for: number and scenario.
@@ -91,7 +93,7 @@ impl ScheduleJob {
         let mut found: Option<(f64, usize, Scenario)> = None;
         let mut refusal = None;
         for (i, section) in cut.iter().enumerate() {
-            let scenario = self.alone(section);
+            let scenario = self.alone(section)?;
             let problem = match Problem::new(&scenario, &self.machine) {
                 Ok(problem) => problem,
                 Err(error) => {

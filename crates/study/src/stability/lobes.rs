@@ -85,7 +85,7 @@ mod tests {
 
     fn cut(quality: f64) -> StabilityCut {
         let mut scenario = Scenario::default();
-        scenario.machine.spindle_quality = quality;
+        scenario.change(|s| s.machine.spindle_quality = quality).unwrap();
         StabilityCut::new(&scenario).unwrap()
     }
 

@@ -108,7 +108,7 @@ mod tests {
     fn disturbances_grow_as_the_semi_discretisation_says() {
         for (quality, depth) in [(5.0, 0.5), (5.0, 2.0), (5.0, 7.9), (17.0, 2.0), (17.0, 7.9)] {
             let mut scenario = Scenario::default();
-            scenario.machine.spindle_quality = quality;
+            scenario.change(|s| s.machine.spindle_quality = quality).unwrap();
             let cut = StabilityCut::new(&scenario).unwrap();
             let expected = multiplier(&cut, 1591.549, depth);
             let found = growth(&cut, Teeth::Interrupted, 1591.549, depth, 1e-4);

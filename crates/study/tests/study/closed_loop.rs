@@ -10,7 +10,7 @@ use steadycut_core::models::genetic::{Calibration, GeneticModels, ModelSet};
 use steadycut_core::run::edits::{Edit, Edits};
 use steadycut_core::run::one_run::{End, Run};
 use steadycut_core::run::presets::{PRESETS, load};
-use steadycut_core::run::scenario::Scenario;
+use steadycut_core::run::scenario::{Scenario, Settings};
 use steadycut_core::run::signals::{Row, flag};
 use steadycut_study::papers::{self, PaperTable};
 use steadycut_study::plan::PlanJob;
@@ -22,7 +22,7 @@ fn table(paper: PaperId, calibration: Calibration) -> PaperTable {
 
 fn tracking(sim: u32) -> Scenario {
     let mut scenario = load(&format!("table3-{sim}")).unwrap();
-    scenario.controller.kind = ControllerKind::Tracking;
+    scenario.change(|s| s.controller.kind = ControllerKind::Tracking).unwrap();
     scenario
 }
 
@@ -53,7 +53,7 @@ fn table_3_is_met_in_all_cells_by_runs_in_time() {
 fn the_check_of_table_3_fails_when_k4_is_moved_by_2_n() {
     for offset_n in [-2.0, 2.0] {
         let moved = PaperId::Sdnrp2007.rows().iter().any(|printed| {
-            let moved = |scenario: &mut Scenario| scenario.plant.force_offset_n = offset_n;
+            let moved = |settings: &mut Settings| settings.plant.force_offset_n = offset_n;
             let (paper, calibration) = (PaperId::Sdnrp2007, Calibration::Identified);
             let row = papers::row(paper, printed, calibration, ForceModel::Formula, moved);
             row.force_final_n.residual_percent.abs() > 0.5
@@ -79,7 +79,7 @@ fn table_1_of_2013_is_met_in_all_cells_by_runs_in_time() {
 #[test]
 fn the_check_of_table_1_fails_when_m4_is_moved_by_10_n() {
     for offset_n in [-10.0, 10.0] {
-        let moved = |scenario: &mut Scenario| scenario.plant.force_offset_n = offset_n;
+        let moved = |settings: &mut Settings| settings.plant.force_offset_n = offset_n;
         let missed = PaperId::Strategy2013.rows().iter().any(|printed| {
             let (paper, calibration) = (PaperId::Strategy2013, Calibration::Identified);
             let row = papers::row(paper, printed, calibration, ForceModel::Formula, moved);
@@ -111,9 +111,13 @@ fn tracking_holds_the_mean_ra_within_1_percent_with_overrides_as_a_cnc_has_them(
         for printed in paper.rows() {
             for rate_limited in [false, true] {
                 let mut scenario = load(&paper.preset(printed.sim)).unwrap();
-                scenario.controller.kind = ControllerKind::Tracking;
-                scenario.cnc.override_quantised = true;
-                scenario.cnc.override_rate_limited = rate_limited;
+                scenario
+                    .change(|s| {
+                        s.controller.kind = ControllerKind::Tracking;
+                        s.cnc.override_quantised = true;
+                        s.cnc.override_rate_limited = rate_limited;
+                    })
+                    .unwrap();
                 // Final values are means over the last second.
                 let run = Run::complete(&scenario, &Edits::none());
                 let metrics = run.metrics();
@@ -172,9 +176,13 @@ fn the_strategy_preset_goes_its_eight_steps() {
 #[test]
 fn tracking_is_back_within_1_s_after_a_depth_step_of_15_percent() {
     let mut scenario = tracking(5);
-    scenario.spindle_drive.time_constant_s = 0.2;
-    scenario.spindle_drive.rate_rpm_s = 1000.0;
-    scenario.cnc.dead_time_s = 0.08;
+    scenario
+        .change(|s| {
+            s.spindle_drive.time_constant_s = 0.2;
+            s.spindle_drive.rate_rpm_s = 1000.0;
+            s.cnc.dead_time_s = 0.08;
+        })
+        .unwrap();
     let mut edits = Edits::none();
     edits.push(&scenario, edit(8.0, "workpiece.axial_depth_mm", 2.0 * 1.15)).unwrap();
     let run = Run::complete(&scenario, &edits);
@@ -212,10 +220,14 @@ fn tracking_stays_within_half_a_percent_for_every_drive_and_dead_time() {
         for (k, dead_time_ms) in [0, 1, 10, 35, 40, 80, 100, 150, 200].into_iter().enumerate() {
             for believed in [0.5, 1.0, 1.5] {
                 let mut scenario = tracking([5, 1, 10][k % 3]);
-                scenario.feed_drive.kind = *drive;
-                scenario.belief.feed_drive = *drive;
-                scenario.cnc.dead_time_s = f64::from(dead_time_ms) / 1000.0;
-                scenario.belief.dead_time_s = scenario.cnc.dead_time_s * believed;
+                scenario
+                    .change(|s| {
+                        s.feed_drive.kind = *drive;
+                        s.belief.feed_drive = *drive;
+                        s.cnc.dead_time_s = f64::from(dead_time_ms) / 1000.0;
+                        s.belief.dead_time_s = s.cnc.dead_time_s * believed;
+                    })
+                    .unwrap();
                 let run = Run::complete(&scenario, &Edits::none());
                 let late = run.recording().rows().iter().filter(|row| row.time_s >= 5.0);
                 let worst = late.map(|row| error(row).abs()).fold(0.0, f64::max);
@@ -230,7 +242,7 @@ fn tracking_stays_within_half_a_percent_for_every_drive_and_dead_time() {
 fn tracking_does_not_need_to_know_the_drive() {
     for drive in FeedDriveKind::ALL {
         let mut scenario = tracking(5);
-        scenario.feed_drive.kind = *drive;
+        scenario.change(|s| s.feed_drive.kind = *drive).unwrap();
         let run = Run::complete(&scenario, &Edits::none());
         let late = run.recording().rows().iter().filter(|row| row.time_s >= 5.0);
         let worst = late.map(|row| error(row).abs()).fold(0.0, f64::max);
@@ -242,7 +254,7 @@ fn tracking_does_not_need_to_know_the_drive() {
 fn the_dead_time_is_exact_to_the_tick() {
     for ticks in [0_u32, 1, 37, 80] {
         let mut scenario = load("table3-5").unwrap();
-        scenario.cnc.dead_time_s = f64::from(ticks) * 1e-3;
+        scenario.change(|s| s.cnc.dead_time_s = f64::from(ticks) * 1e-3).unwrap();
         let run = Run::complete(&scenario, &Edits::none());
         let rows = run.recording().rows();
         // The command changes at tick 0; the feed moves in the step after the dead time.
@@ -254,8 +266,12 @@ fn the_dead_time_is_exact_to_the_tick() {
 #[test]
 fn the_feed_follows_the_analytic_response_of_equation_3() {
     let mut scenario = load("table3-5").unwrap();
-    scenario.controller.kind = ControllerKind::ConstantFeed;
-    scenario.constant_feed.feed_percent = 50.0;
+    scenario
+        .change(|s| {
+            s.controller.kind = ControllerKind::ConstantFeed;
+            s.constant_feed.feed_percent = 50.0;
+        })
+        .unwrap();
     let run = Run::complete(&scenario, &Edits::none());
     let start = scenario.program.feed_mm_min;
     for row in run.recording().rows() {
@@ -269,7 +285,7 @@ fn the_feed_follows_the_analytic_response_of_equation_3() {
 fn slices_change_nothing() {
     for preset in PRESETS {
         let mut scenario = load(preset.name).unwrap();
-        scenario.run.duration_s = scenario.run.duration_s.min(12.0);
+        scenario.change(|s| s.run.duration_s = s.run.duration_s.min(12.0)).unwrap();
         let whole = Run::complete(&scenario, &Edits::none()).recording().digest();
         let mut sliced = Run::new(&scenario, &Edits::none());
         let mut slice = 1;
@@ -283,7 +299,7 @@ fn slices_change_nothing() {
 #[test]
 fn a_live_session_equals_its_replay() {
     let mut scenario = load("first-cut").unwrap();
-    scenario.run.duration_s = 40.0;
+    scenario.change(|s| s.run.duration_s = 40.0).unwrap();
     let edits = [
         edit(3.0, "target.ra_um", 1.1),
         edit(3.5, "plant.wear_factor", 1.2),
@@ -313,8 +329,12 @@ fn tracking_takes_over_without_a_bump() {
     // SDNRP leaves an error at a worn tool, so there is something to bump over.
     for kind in ["sdnrp", "constant_feed"] {
         let mut scenario = load("table3-5").unwrap();
-        scenario.run.duration_s = 20.0;
-        scenario.plant.wear_factor = 1.3;
+        scenario
+            .change(|s| {
+                s.run.duration_s = 20.0;
+                s.plant.wear_factor = 1.3;
+            })
+            .unwrap();
         scenario.set("controller.kind", Value::Text(kind.to_owned())).unwrap();
         let mut edits = Edits::none();
         let (path, value) = ("controller.kind".to_owned(), Value::Text("tracking".to_owned()));
@@ -336,7 +356,7 @@ fn no_material_stops_the_spindle_and_what_is_out_of_reach_is_saturation() {
     for material in Material::ALL {
         for kind in [ControllerKind::Sdnrp, ControllerKind::Tracking] {
             let mut scenario = load("table3-5").unwrap();
-            scenario.controller.kind = kind;
+            scenario.change(|s| s.controller.kind = kind).unwrap();
             scenario.set("plant.material", Value::Text(material.id().to_owned())).unwrap();
             let run = Run::complete(&scenario, &Edits::none());
             let last = run.recording().rows().last().unwrap();
@@ -370,7 +390,7 @@ fn snapshots_stay_bounded_and_branches_exact_in_long_runs() {
 #[test]
 fn an_air_cut_is_air_and_the_estimate_is_held() {
     let mut scenario = tracking(5);
-    scenario.workpiece.depth_steps = vec![[30.0, 0.0], [45.0, 2.0]];
+    scenario.change(|s| s.workpiece.depth_steps = vec![[30.0, 0.0], [45.0, 2.0]]).unwrap();
     let run = Run::complete(&scenario, &Edits::none());
     let rows = run.recording().rows();
     let in_air: Vec<&Row> = rows.iter().filter(|row| row.has(flag::AIR)).collect();
@@ -385,8 +405,15 @@ fn an_air_cut_is_air_and_the_estimate_is_held() {
 fn air_is_no_cut_outside_the_range_of_a_force_model() {
     for force_model in ForceModel::ALL {
         let mut scenario = tracking(5);
-        scenario.plant.force_model = *force_model;
-        scenario.workpiece.depth_steps = vec![[10.0, 0.0], [25.0, 2.0]];
+        scenario
+            .change(|s| {
+                s.plant.force_model = *force_model;
+                s.workpiece.depth_steps = vec![[10.0, 0.0], [25.0, 2.0]];
+                if *force_model == ForceModel::Mechanistic {
+                    (s.run.steps_per_control, s.run.record_every) = (200, 10);
+                }
+            })
+            .unwrap();
         let run = Run::complete(&scenario, &Edits::none());
         let in_air = run.recording().rows().iter().filter(|row| row.has(flag::AIR));
         assert!(in_air.clone().count() > 500);
@@ -398,8 +425,12 @@ fn air_is_no_cut_outside_the_range_of_a_force_model() {
 fn metrics_meet_hand_computed_values() {
     // Constant feed without noise: everything is constant, so every metric is known.
     let mut scenario = load("table3-5").unwrap();
-    scenario.controller.kind = ControllerKind::ConstantFeed;
-    scenario.workpiece.length_mm = 50.0;
+    scenario
+        .change(|s| {
+            s.controller.kind = ControllerKind::ConstantFeed;
+            s.workpiece.length_mm = 50.0;
+        })
+        .unwrap();
     let run = Run::complete(&scenario, &Edits::none());
     let m = run.metrics();
     let feed = scenario.program.feed_mm_min;

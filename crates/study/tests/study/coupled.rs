@@ -16,12 +16,16 @@ use steadycut_study::stability::{StabilityCut, interrupted};
 /// Constant feed and speed on the coupled machine, without noise.
 fn steady(speed_rpm: f64, depth_mm: f64, quality: f64) -> Scenario {
     let mut scenario = load("table3-5").unwrap();
-    scenario.controller.kind = ControllerKind::ConstantFeed;
-    scenario.program.spindle_rpm = speed_rpm;
-    scenario.workpiece.axial_depth_mm = depth_mm;
-    scenario.machine.spindle_quality = quality;
-    scenario.machine.coupled = true;
-    scenario.run.duration_s = 2.5;
+    scenario
+        .change(|s| {
+            s.controller.kind = ControllerKind::ConstantFeed;
+            s.program.spindle_rpm = speed_rpm;
+            s.workpiece.axial_depth_mm = depth_mm;
+            s.machine.spindle_quality = quality;
+            s.machine.coupled = true;
+            s.run.duration_s = 2.5;
+        })
+        .unwrap();
     scenario
 }
 
@@ -45,7 +49,7 @@ fn chatter_begins_within_5_percent_of_the_charts_depth() {
         let cut = StabilityCut::new(&scenario).unwrap();
         let limit_mm = interrupted::limit_mm(&cut, speed_rpm, 8.0).unwrap();
         for (share, chatters) in [(0.95, false), (1.05, true)] {
-            scenario.workpiece.axial_depth_mm = share * limit_mm;
+            scenario.change(|s| s.workpiece.axial_depth_mm = share * limit_mm).unwrap();
             let run = complete(&scenario);
             // What the first strike left dies away, or stays at the size at which teeth lose contact.
             let left = spread(&run, 2.0, 2.5) / spread(&run, 0.5, 1.0);
@@ -101,11 +105,15 @@ fn a_steady_cut_gives_every_tooth_the_same_place_and_no_roughness() {
 #[test]
 fn slices_branches_and_steps_change_nothing() {
     let mut scenario = load("chatter").unwrap();
-    scenario.noise.level = 1.0;
-    scenario.workpiece.depth_steps = vec![[5.0, 2.0]];
-    scenario.run.duration_s = 1.2;
+    scenario
+        .change(|s| {
+            s.noise.level = 1.0;
+            s.workpiece.depth_steps = vec![[5.0, 2.0]];
+            s.run.duration_s = 1.2;
+        })
+        .unwrap();
     // Snapshots are taken every ten thousand ticks.
-    scenario.run.steps_per_control = 200;
+    scenario.change(|s| s.run.steps_per_control = 200).unwrap();
     let whole = complete(&scenario);
     let mut sliced = Run::new(&scenario, &Edits::none());
     while !sliced.advance(137) {}
@@ -126,10 +134,14 @@ fn slices_branches_and_steps_change_nothing() {
 #[test]
 fn a_longer_plant_step_is_divided_into_the_same_machine_steps() {
     let mut scenario = steady(1571.0, 2.0, 5.0);
-    scenario.run.duration_s = 1.5;
+    scenario.change(|s| s.run.duration_s = 1.5).unwrap();
     let coarse = complete(&scenario);
-    scenario.run.steps_per_control = 200;
-    scenario.run.record_every = 10;
+    scenario
+        .change(|s| {
+            s.run.steps_per_control = 200;
+            s.run.record_every = 10;
+        })
+        .unwrap();
     let fine = complete(&scenario);
     let last = |run: &Run| *run.recording().rows().last().unwrap();
     let (coarse, fine) = (last(&coarse), last(&fine));
@@ -148,12 +160,12 @@ fn tooth_by_tooth_the_machines_elasticity_stands_in_for_the_models() {
         ])
         .unwrap();
     assert_eq!(scenario.plant.force_model, ForceModel::Mechanistic);
-    scenario.run.duration_s = 0.8;
+    scenario.change(|s| s.run.duration_s = 0.8).unwrap();
     let last = |scenario: &Scenario| *complete(scenario).recording().rows().last().unwrap();
     let coupled = last(&scenario);
-    scenario.machine.chip_direction = 0.0;
+    scenario.change(|s| s.machine.chip_direction = 0.0).unwrap();
     let rigid = last(&scenario);
-    scenario.machine.coupled = false;
+    scenario.change(|s| s.machine.coupled = false).unwrap();
     let own = last(&scenario);
     // In a settled cut neither elasticity changes the peak by much.
     assert!((coupled.force_n / own.force_n - 1.0).abs() < 0.05, "{coupled:?} {own:?}");
@@ -187,10 +199,14 @@ fn the_hardest_machines_stay_contained() {
             if scenario.set("program.spindle_rpm", Value::Float(speed_rpm)).is_err() {
                 continue;
             }
-            scenario.machine.specific_force_n_mm2 = specific;
-            scenario.machine.chip_direction = direction;
-            scenario.wear.indentation_n_mm3 = 200_000.0;
-            scenario.run.duration_s = 1.0;
+            scenario
+                .change(|s| {
+                    s.machine.specific_force_n_mm2 = specific;
+                    s.machine.chip_direction = direction;
+                    s.wear.indentation_n_mm3 = 200_000.0;
+                    s.run.duration_s = 1.0;
+                })
+                .unwrap();
             let run = complete(&scenario);
             assert!(!matches!(run.end(), Some(End::Fault(_))), "{:?}", run.end());
             let most = extent(run.recording().rows().iter().map(|row| row.vibration_um.abs()))[1];
@@ -203,9 +219,13 @@ fn the_hardest_machines_stay_contained() {
 fn wear_sound_and_roughness_tell_one_story() {
     let mut scenario = load("machine-life").unwrap();
     // Worse than Taylor's equation promises, which the estimator does not know.
-    scenario.wear.durability_factor = 0.8;
-    scenario.wear.time_scale = 400.0;
-    scenario.run.duration_s = 38.0;
+    scenario
+        .change(|s| {
+            s.wear.durability_factor = 0.8;
+            s.wear.time_scale = 400.0;
+            s.run.duration_s = 38.0;
+        })
+        .unwrap();
     let run = complete(&scenario);
     assert!(run.closed_loop().used_life() > 0.98, "{}", run.closed_loop().used_life());
     // A second of the run is six minutes of the tool; the first second is the start.
@@ -251,11 +271,15 @@ fn the_speed_is_adjusted_so_that_the_tool_reaches_the_desired_tool_life() {
         let mut scenario = load("machine-life").unwrap();
         scenario.set("machine.roughness_from", Value::Text("random".to_owned())).unwrap();
         scenario.set("wear.adjust_speed", Value::Bool(adjust)).unwrap();
-        scenario.wear.durability_factor = factor;
-        scenario.wear.time_scale = 500.0;
-        scenario.run.duration_s = 70.0;
-        scenario.life.durability_min = 250.0;
-        scenario.workpiece.length_mm = 600.0;
+        scenario
+            .change(|s| {
+                s.wear.durability_factor = factor;
+                s.wear.time_scale = 500.0;
+                s.run.duration_s = 70.0;
+                s.life.durability_min = 250.0;
+                s.workpiece.length_mm = 600.0;
+            })
+            .unwrap();
         let run = complete(&scenario);
         let rows = run.recording().rows();
         let end = rows.iter().find(|row| row.used_life >= 1.0).expect("it wears out");

@@ -20,7 +20,7 @@ fn experiment_2(start: UnksStart) -> Scenario {
 /// The beginning of Experiment 2: enough to learn from.
 fn short(start: UnksStart) -> Scenario {
     let mut scenario = experiment_2(start);
-    scenario.run.duration_s = 8.0;
+    scenario.change(|s| s.run.duration_s = 8.0).unwrap();
     scenario
 }
 
@@ -57,7 +57,7 @@ fn from_a_cold_start_five_passes_hand_over_from_the_feedback_to_the_inverse_mode
 #[test]
 fn with_the_rate_at_zero_nothing_is_learned_and_the_scheme_is_the_division_controller() {
     let mut scenario = short(UnksStart::Cold);
-    scenario.unks.cold_rate = 0.0;
+    scenario.change(|s| s.unks.cold_rate = 0.0).unwrap();
     let passes = complete(&scenario, 2);
     let [first, second] = passes.done() else { panic!("two passes") };
     assert_eq!(Pass { number: 2, ..first.clone() }, *second);
@@ -99,8 +99,8 @@ fn a_pass_is_a_scenario_that_can_be_saved_and_run_again() {
         assert_eq!(again.learned().unwrap().networks, two.learned().unwrap().networks);
 
         // Where the scheme stops learning, it stays what it was.
-        second.unks.cold_rate = 0.0;
-        (second.unks.forward_rate, second.unks.inverse_rate) = (0.0, 0.0);
+        second.change(|s| s.unks.cold_rate = 0.0).unwrap();
+        second.change(|s| (s.unks.forward_rate, s.unks.inverse_rate) = (0.0, 0.0)).unwrap();
         let run = Run::complete(&second, &Edits::none());
         assert_eq!(learned(&run, 1).unwrap().networks, stored.networks);
     }
@@ -147,14 +147,14 @@ fn networks_are_refused_by_field_and_where_they_do_not_belong() {
 fn bad_inputs_are_contained() {
     let mut scenario = short(UnksStart::Cold);
     // A limit of zero passes, or of too many, is moved to the nearest that can be done.
-    scenario.run.duration_s = 0.1;
+    scenario.change(|s| s.run.duration_s = 0.1).unwrap();
     assert_eq!(complete(&scenario, 0).done().len(), 1);
     assert_eq!(complete(&scenario, u32::MAX).done().len(), MAX_PASSES as usize);
     // In the air there is nothing to judge.
     assert_eq!(complete(&scenario, 2).verdict(), None);
     // The largest rate does not spoil the run.
     let mut scenario = short(UnksStart::Cold);
-    scenario.unks.cold_rate = 0.1;
+    scenario.change(|s| s.unks.cold_rate = 0.1).unwrap();
     let passes = complete(&scenario, 2);
     assert!(passes.done().iter().all(|pass| error(pass).is_finite() && pass.feedback.is_finite()));
 }

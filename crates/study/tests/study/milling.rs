@@ -18,9 +18,9 @@ use steadycut_study::compare::tournament::{Compared, Tournament};
 
 fn experiment_2(controller: &str) -> Scenario {
     let mut scenario = load("experiment-2").unwrap();
-    scenario.noise.level = 0.0;
+    scenario.change(|s| s.noise.level = 0.0).unwrap();
     // Rows are only needed once in a control period.
-    scenario.run.record_every = scenario.run.steps_per_control;
+    scenario.change(|s| s.run.record_every = s.run.steps_per_control).unwrap();
     scenario.set("controller.kind", Value::Text(controller.to_owned())).unwrap();
     scenario
 }
@@ -69,7 +69,7 @@ fn mrac_agrees_in_what_its_bursts_leave_alone() {
     assert!((five.max_force_n / 1179.0 - 1.0).abs() < 0.1, "{five:?}");
     assert!((five.time_of_cut_s / 96.34 - 1.0).abs() < 0.1, "{five:?}");
     let mut scenario = experiment_2("mrac");
-    scenario.mrac.adapted = Adapted::Gain;
+    scenario.change(|s| s.mrac.adapted = Adapted::Gain).unwrap();
     let one = run(&scenario);
     assert!((one.normalized_standard_error.unwrap() - 0.170).abs() < 0.01, "{one:?}");
     assert!((one.time_of_cut_s - 88.5).abs() < 1.0, "{one:?}");
@@ -89,10 +89,10 @@ fn on_the_neural_plant_the_methods_stand_as_in_the_reference() {
     ];
     let mut scenario = load("experiment-2-neural").unwrap();
     for (kind, nsn, time_s, force_kn) in reference {
-        scenario.controller.kind = kind;
+        scenario.change(|s| s.controller.kind = kind).unwrap();
         let mut means = [0.0; 3];
         for seed in 1..=3 {
-            scenario.run.seed = seed;
+            scenario.change(|s| s.run.seed = seed).unwrap();
             let found = run(&scenario);
             let error = found.normalized_standard_error.unwrap();
             let values = [error, found.time_of_cut_s, found.max_force_n / 1000.0];
@@ -111,7 +111,9 @@ fn the_ball_meets_sections_gradually_on_the_neural_plant_too() {
     let at = |force_model: &str| {
         let mut scenario = experiment_2("constant_feed");
         scenario.set("plant.force_model", Value::Text(force_model.to_owned())).unwrap();
-        scenario.workpiece.cuts = vec![vec![[30.0, 3.0, 2.0], [20.0, 4.75, 0.0]]];
+        scenario
+            .change(|s| s.workpiece.cuts = vec![vec![[30.0, 3.0, 2.0], [20.0, 4.75, 0.0]]])
+            .unwrap();
         Run::complete(&scenario, &Edits::none())
     };
     let (by_teeth, neural) = (at("mechanistic"), at("neural"));
@@ -133,8 +135,12 @@ fn the_ball_meets_sections_gradually_on_the_neural_plant_too() {
 fn sdnrp_and_tracking_hold_the_force_tooth_by_tooth() {
     let under = |controller: &str| {
         let mut scenario = load("experiment-1").unwrap();
-        scenario.noise.level = 0.0;
-        scenario.run.record_every = scenario.run.steps_per_control;
+        scenario
+            .change(|s| {
+                s.noise.level = 0.0;
+                s.run.record_every = s.run.steps_per_control;
+            })
+            .unwrap();
         scenario.set("controller.kind", Value::Text(controller.to_owned())).unwrap();
         let metrics = run(&scenario);
         (metrics.normalized_standard_error.unwrap(), metrics.max_force_n, metrics.time_of_cut_s)
@@ -153,11 +159,19 @@ fn sdnrp_and_tracking_hold_the_force_tooth_by_tooth() {
 #[test]
 fn the_smith_predictor_calms_the_p_controller_at_a_long_dead_time() {
     let mut scenario = experiment_2("p");
-    scenario.cnc.dead_time_s = 0.08;
-    scenario.belief.dead_time_s = 0.08;
+    scenario
+        .change(|s| {
+            s.cnc.dead_time_s = 0.08;
+            s.belief.dead_time_s = 0.08;
+        })
+        .unwrap();
     let plain = run(&scenario).max_force_n;
-    scenario.proportional.smith = true;
-    scenario.proportional.kp = 1.6;
+    scenario
+        .change(|s| {
+            s.proportional.smith = true;
+            s.proportional.kp = 1.6;
+        })
+        .unwrap();
     let predicted = run(&scenario).max_force_n;
     assert!(plain > 1400.0, "it oscillates: {plain} N");
     assert!(predicted < 1050.0, "{predicted} N");
@@ -166,8 +180,12 @@ fn the_smith_predictor_calms_the_p_controller_at_a_long_dead_time() {
 #[test]
 fn slices_and_branches_change_nothing_tooth_by_tooth() {
     let mut scenario = experiment_2("adjustable_pi");
-    scenario.run.duration_s = 30.0;
-    scenario.noise.level = 1.0;
+    scenario
+        .change(|s| {
+            s.run.duration_s = 30.0;
+            s.noise.level = 1.0;
+        })
+        .unwrap();
     let whole = Run::complete(&scenario, &Edits::none());
     let mut sliced = Run::new(&scenario, &Edits::none());
     while !sliced.advance(70_001) {}
@@ -191,7 +209,7 @@ fn unks_agrees_with_the_networks_as_shipped() {
 fn unks_learns_while_it_cuts() {
     let learning = Run::complete(&experiment_2("unks"), &Edits::none());
     let mut scenario = experiment_2("unks");
-    (scenario.unks.forward_rate, scenario.unks.inverse_rate) = (0.0, 0.0);
+    scenario.change(|s| (s.unks.forward_rate, s.unks.inverse_rate) = (0.0, 0.0)).unwrap();
     let fixed = Run::complete(&scenario, &Edits::none());
     assert_ne!(learning.recording().digest(), fixed.recording().digest());
 }
@@ -233,7 +251,7 @@ fn table_1_of_2005_is_met_where_it_can_be_and_the_claims_are_told_as_found() {
     assert!((4..=8).contains(&periods[5].unwrap()), "UNKS {periods:?}");
 
     let mut heaviest = base;
-    heaviest.workpiece.cuts = vec![vec![[12.0, 3.0, 2.0], [9.0, 4.75, 0.0]]];
+    heaviest.change(|s| s.workpiece.cuts = vec![vec![[12.0, 3.0, 2.0], [9.0, 4.75, 0.0]]]).unwrap();
     let iterations_needed = claims::iterations_needed(&heaviest);
     assert!(iterations_needed <= 4, "{iterations_needed}");
     let claims = claims::claims(&Evidence {
@@ -269,7 +287,7 @@ fn experiment_1_agrees_in_both_readings() {
 #[test]
 fn extreme_force_stops_the_machine_for_good_and_says_why() {
     let mut scenario = experiment_2("constant_feed");
-    scenario.workpiece.cuts = vec![vec![[50.0, 3.0, 2.0], [40.0, 7.5, 0.0]]];
+    scenario.change(|s| s.workpiece.cuts = vec![vec![[50.0, 3.0, 2.0], [40.0, 7.5, 0.0]]]).unwrap();
     let run = Run::complete(&scenario, &Edits::none());
     let Some(End::ForceStop(stop)) = run.end() else { panic!("{:?}", run.end()) };
     assert!(stop.force_n > 2000.0 && stop.force_n < 2100.0, "{stop:?}");
@@ -278,6 +296,6 @@ fn extreme_force_stops_the_machine_for_good_and_says_why() {
     assert!(last.feed_mm_min < 0.5, "{last:?}");
     assert!(last.position_mm - stop.position_mm < 0.3, "{stop:?} {last:?}");
     assert!(stop.to_string().contains("allowed 2000 N"), "{stop}");
-    scenario.cnc.force_stop = false;
+    scenario.change(|s| s.cnc.force_stop = false).unwrap();
     assert_eq!(Run::complete(&scenario, &Edits::none()).end(), Some(&End::PathDone));
 }

@@ -43,7 +43,7 @@ fn every_cut_runs_at_its_own_programmed_feed_and_the_last_at_the_common_one() {
 fn overrides_and_limits_are_relative_to_the_present_cut() {
     for controller in ["division", "tracking", "adjustable_pi"] {
         let mut scenario = three_cuts(controller);
-        scenario.cnc.override_max_percent = 120.0;
+        scenario.change(|s| s.cnc.override_max_percent = 120.0).unwrap();
         let run = Run::complete(&scenario, &Edits::none());
         let mut at_limit = [false; 3];
         for row in run.recording().rows() {

@@ -11,7 +11,7 @@ use steadycut_study::robust::{DRAWN, Robustness};
 
 fn scenario(preset: &str, changes: &[(&str, &str)]) -> Scenario {
     let mut scenario = load(preset).unwrap();
-    scenario.run.record_every = scenario.run.steps_per_control;
+    scenario.change(|s| s.run.record_every = s.run.steps_per_control).unwrap();
     for (path, text) in changes {
         scenario.set(path, parse_value(path, text).unwrap()).unwrap();
     }
@@ -35,7 +35,7 @@ fn at_a_long_dead_time_preview_beats_unks_in_error_force_and_time() {
     let with = |kind: &str| {
         let changes = [&LATE[..], &[("controller.kind", kind)]].concat();
         let mut scenario = scenario("experiment-2-per-cut", &changes);
-        scenario.workpiece.cuts.truncate(2);
+        scenario.change(|s| s.workpiece.cuts.truncate(2)).unwrap();
         run(&scenario)
     };
     let (preview, unks) = (with("preview"), with("unks"));
@@ -55,7 +55,7 @@ fn the_feed_falls_before_the_heavy_section_and_not_after_it() {
     assert!(run.metrics().max_force_n < 1.35 * 665.0, "{:?}", run.metrics());
     // Without preview of it, where the part is believed to be even, the same step is met too late.
     let mut blind = heavy.clone();
-    blind.belief.position_error_mm = 5.0;
+    blind.change(|s| s.belief.position_error_mm = 5.0).unwrap();
     assert!(run.metrics().max_force_n + 50.0 < self::run(&blind).max_force_n);
 }
 
@@ -64,7 +64,7 @@ fn the_gain_is_what_the_belief_does_not_know() {
     let cut = [("workpiece.cuts", "[[[40.0, 3.0, 2.0]]]"), ("controller.kind", "preview")];
     let gain = |more: &[(&str, &str)]| {
         let mut scenario = scenario("experiment-2", &[&cut[..], more].concat());
-        scenario.noise.level = 0.0;
+        scenario.change(|s| s.noise.level = 0.0).unwrap();
         let run = Run::complete(&scenario, &Edits::none());
         let row = run.recording().rows().iter().find(|row| row.position_mm > 35.0).unwrap();
         row.gain_estimate
@@ -95,7 +95,7 @@ fn belief_and_truth_are_apart() {
     let base = scenario("experiment-2", &[HEAVY, ("controller.kind", "preview")]);
     let digest = |scenario: &Scenario| Run::complete(scenario, &Edits::none()).recording().digest();
     let mut other = base.clone();
-    other.belief.depth_error_percent = 5.0;
+    other.change(|s| s.belief.depth_error_percent = 5.0).unwrap();
     assert_ne!(digest(&base), digest(&other), "preview reads the belief");
     for kind in ["unks", "division"] {
         let [mut base, mut other] = [base.clone(), other.clone()];

@@ -101,7 +101,7 @@ impl ContestSetup {
             ContestDeadTime::Long => Some(0.08),
         };
         if let Some(dead_time_s) = dead_time_s {
-            set_dead_time(&mut base, dead_time_s);
+            base.change(|settings| set_dead_time(settings, dead_time_s))?;
         }
         let material = match self.stock {
             Stock::AsIs => None,

@@ -94,8 +94,11 @@ fn load(ui: &mut Ui, tournament: &Tournament, index: usize, commands: &mut Vec<C
     let name = format!("Load {}", entrant.name);
     button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.clone()));
     if button.on_hover_text("Opens this run in the console").clicked() {
-        let mut scenario = entrant.scenario.clone();
-        scenario.info.name = format!("{} ({})", scenario.info.name, entrant.name);
+        let named = format!("{} ({})", entrant.scenario.info.name, entrant.name);
+        let scenario = match entrant.scenario.with(|settings| settings.info.name = named) {
+            Ok(scenario) => scenario,
+            Err(refused) => return commands.push(Command::notify(refused.to_string())),
+        };
         let text = scenario_file::write(&scenario, &Edits::none());
         commands
             .push(Command::Session(SessionCommand::LoadText { name: entrant.name.clone(), text }));

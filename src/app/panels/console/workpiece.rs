@@ -209,7 +209,7 @@ fn parts(ui: &mut Ui, workpiece: &Workpiece, commands: &mut Vec<Command>) {
             if ui.button(name).on_hover_text(help).clicked()
                 && let Ok(scenario) = presets::load(preset)
             {
-                set(scenario.workpiece.cuts);
+                set(scenario.workpiece.cuts.clone());
             }
         }
         if workpiece.cuts.is_empty() {

@@ -153,14 +153,14 @@ mod tests {
     #[test]
     fn belief_and_plant_are_named_after_their_own_sets() {
         let mut scenario = Scenario::default();
-        scenario.belief.model_set = ModelSet::Strategy2013;
+        scenario.change(|s| s.belief.model_set = ModelSet::Strategy2013).unwrap();
         let mixed = titles(&scenario);
         assert_eq!(mixed[..3], ["Reference M1", "Controller M2, M3", "Override limits"]);
         assert_eq!(mixed[6], "Cutting process K4");
         let words = flags(&scenario);
         assert!(words.contains(&"M3 outside its range".to_owned()), "{words:?}");
         assert!(words.contains(&"K4 outside its range".to_owned()), "{words:?}");
-        scenario.plant.model_set = ModelSet::Strategy2013;
+        scenario.change(|s| s.plant.model_set = ModelSet::Strategy2013).unwrap();
         assert!(!titles(&scenario).concat().contains('K'));
         assert!(flags(&scenario).contains(&"M6 outside its range".to_owned()));
         assert!(flags(&scenario).contains(&"in the air".to_owned()));
@@ -169,7 +169,7 @@ mod tests {
     #[test]
     fn a_network_takes_the_place_of_model_4_only() {
         let mut scenario = Scenario::default();
-        scenario.plant.force_model = ForceModel::NeuralLiteral;
+        scenario.change(|s| s.plant.force_model = ForceModel::NeuralLiteral).unwrap();
         assert_eq!(titles(&scenario)[6], "Cutting process NN");
         let now = Block::Cutting.now(&scenario);
         assert_eq!(now, format!("Now, the plant: {}", ForceModel::NeuralLiteral.label()));

@@ -60,6 +60,9 @@ impl PassesView {
             ui.add(bar.desired_height(16.0));
         }
         table(ui, job.done());
+        if let Some(refused) = job.refused() {
+            ui.label(RichText::new(format!("No further pass: {refused}")).color(palette.bad));
+        }
         if let Some(verdict) = job.verdict() {
             judge(ui, &verdict);
         }

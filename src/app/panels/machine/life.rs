@@ -154,7 +154,7 @@ mod tests {
     #[test]
     fn a_change_begins_anew_only_what_depends_on_it() {
         let mut scenario = Scenario::default();
-        scenario.wear.taylor_life_min = 1.0;
+        scenario.change(|s| s.wear.taylor_life_min = 1.0).unwrap();
         let mut life = Life::new(&scenario, false);
         let mut frames = 0;
         while life.follow(&scenario, false) {
@@ -163,11 +163,11 @@ mod tests {
         }
         assert!(life.findings.is_some() && life.tool.end_min().is_some());
         assert!(life.follow(&scenario, true) && life.findings.is_some());
-        scenario.life.random_ratio = 0.1;
+        scenario.change(|s| s.life.random_ratio = 0.1).unwrap();
         assert!(life.follow(&scenario, true) && life.findings.is_none());
         // What the machine does not depend on changes nothing.
         let done = life.trends.progress().0;
-        scenario.target.ra_um = 0.5;
+        scenario.change(|s| s.target.ra_um = 0.5).unwrap();
         life.follow(&scenario, true);
         assert!(life.trends.progress().0 > done);
     }

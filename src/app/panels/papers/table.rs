@@ -67,7 +67,8 @@ fn load(ui: &mut Ui, shown: Shown, row: &PaperRow, commands: &mut Vec<Command>) 
             changed.push(force_model.label());
         }
         if !changed.is_empty() {
-            scenario.info.name = format!("{name} ({})", changed.join(", "));
+            let named = format!("{name} ({})", changed.join(", "));
+            scenario.change(|s| s.info.name = named).expect("these names are short");
         }
         let text = scenario_file::write(&scenario, &Edits::none());
         commands.push(Command::Session(SessionCommand::LoadText { name, text }));

@@ -23,6 +23,11 @@ pub struct Reduction {
     pub feedthrough_m_n: f64,
 }
 
+#[cfg(test)]
+thread_local! {
+    static SOLVED: std::cell::Cell<u32> = const { std::cell::Cell::new(0) };
+}
+
 impl Reduction {
     /// Reduces the machine.
     ///
@@ -30,6 +35,8 @@ impl Reduction {
     /// A machine with overdamped modes, as the printed parameters make it: the recursion runs in
     /// conjugate pairs.
     pub fn new(machine: &FiveMass) -> Result<Self, SettingError> {
+        #[cfg(test)]
+        SOLVED.with(|solved| solved.set(solved.get() + 1));
         let refused = || SettingError::Refused {
             path: "machine.parameters".to_owned(),
             value: "a machine with overdamped modes in a running cut".to_owned(),
@@ -54,6 +61,12 @@ impl Reduction {
             residues: [0, 1, 2, 3].map(|r| modes[r].residue),
             feedthrough_m_n: 1.0 / machine.elements.stiffness_n_m[2],
         })
+    }
+
+    /// How many machines this thread's tests have reduced.
+    #[cfg(test)]
+    pub(crate) fn solved() -> u32 {
+        SOLVED.with(std::cell::Cell::get)
     }
 
     /// G(s), m/N, at s in rad/s.

@@ -7,9 +7,7 @@ use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::wear::ToolWear;
 use crate::blocks::machine::coupled::{Coupled, CoupledSetup, CutState};
 use crate::blocks::surface::finish::Finish;
-use crate::models::structure::FiveMass;
 use crate::models::structure::RoughnessFrom;
-use crate::models::structure::reduction::Reduction;
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 
@@ -42,8 +40,7 @@ impl Coupling {
     #[must_use]
     pub fn new(scenario: &Scenario) -> Option<Box<Self>> {
         let settings = &scenario.machine;
-        // What cannot be reduced is refused with the scenario.
-        let machine = settings.coupled.then(|| Reduction::new(&FiveMass::new(settings)).ok())??;
+        let machine = *scenario.coupled_machine()?;
         let tool = R216_16B20_040;
         let setup = CoupledSetup {
             machine,

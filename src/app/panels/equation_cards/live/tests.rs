@@ -54,9 +54,13 @@ fn cards_show_what_the_run_recorded_in_every_set_and_calibration() {
         let name = if set == ModelSet::Sdnrp2007 { "table3-5" } else { "strategy-table1-5" };
         let mut scenario = presets::load(name).expect("shipped");
         scenario.set("plant.model_set", Value::Text(set.id().to_owned())).expect("a set");
-        scenario.belief.calibration = calibration;
-        scenario.plant.calibration = calibration;
-        scenario.plant.wear_factor = 1.1;
+        scenario
+            .change(|s| {
+                s.belief.calibration = calibration;
+                s.plant.calibration = calibration;
+                s.plant.wear_factor = 1.1;
+            })
+            .unwrap();
         let run = Run::complete(&scenario, &Edits::none());
         let rows = run.recording().rows();
         // At the start, out of most ranges, and at rest.
@@ -103,9 +107,13 @@ fn cards_show_what_the_run_recorded_in_every_set_and_calibration() {
 fn models_explain_themselves_over_every_force() {
     for (set, calibration) in models() {
         let mut scenario = Scenario::default();
-        (scenario.plant.model_set, scenario.belief.model_set) = (set, set);
-        (scenario.plant.calibration, scenario.belief.calibration) = (calibration, calibration);
-        scenario.sdnrp.kp = 0.0;
+        scenario
+            .change(|s| {
+                (s.plant.model_set, s.belief.model_set) = (set, set);
+                (s.plant.calibration, s.belief.calibration) = (calibration, calibration);
+                s.sdnrp.kp = 0.0;
+            })
+            .unwrap();
         for force in [90.0, 141.8, 160.0, 177.5, 196.0, 203.0, 230.0, 240.0, 262.0, 280.0] {
             let row = Row {
                 ra_target_um: force * force * force / 1e7,
@@ -132,9 +140,13 @@ fn a_neural_plant_shows_its_inputs_components_and_what_it_was_not_trained_on() {
     ] {
         let mut scenario = presets::load("strategy-table1-5").expect("shipped");
         scenario.set("plant.material", text(material)).expect("a material");
-        scenario.plant.force_model = force_model;
-        scenario.plant.wear_factor = 1.1;
-        scenario.plant.force_offset_n = offset_n;
+        scenario
+            .change(|s| {
+                s.plant.force_model = force_model;
+                s.plant.wear_factor = 1.1;
+                s.plant.force_offset_n = offset_n;
+            })
+            .unwrap();
         let run = Run::complete(&scenario, &Edits::none());
         let row = run.recording().rows().last().expect("a row");
         let lines = live(Block::Cutting, &at(row, &scenario));
@@ -152,7 +164,7 @@ fn a_neural_plant_shows_its_inputs_components_and_what_it_was_not_trained_on() {
         assert!(left.is_none_or(|left| components.range.contains(left)), "{lines:?}");
     }
     let mut scenario = presets::load("strategy-table1-5").expect("shipped");
-    scenario.plant.force_model = ForceModel::Neural;
+    scenario.change(|s| s.plant.force_model = ForceModel::Neural).unwrap();
     let air = Row { feed_mm_min: 300.0, spindle_rpm: 2000.0, ..Row::default() };
     let lines = live(Block::Cutting, &at(&air, &scenario));
     assert!(lines[3].values.ends_with("= 0 N"), "{lines:?}");
@@ -161,9 +173,13 @@ fn a_neural_plant_shows_its_inputs_components_and_what_it_was_not_trained_on() {
 #[test]
 fn overrides_show_whole_percents_and_the_rate() {
     let mut scenario = presets::load("strategy-table1-1").expect("shipped");
-    scenario.cnc.override_quantised = true;
-    scenario.cnc.override_rate_limited = true;
-    scenario.cnc.override_rate_percent_s = 20.0;
+    scenario
+        .change(|s| {
+            s.cnc.override_quantised = true;
+            s.cnc.override_rate_limited = true;
+            s.cnc.override_rate_percent_s = 20.0;
+        })
+        .unwrap();
     let run = Run::complete(&scenario, &Edits::none());
     let rows = run.recording().rows();
     let early = live(Block::Override, &at(&rows[60], &scenario));
@@ -186,7 +202,7 @@ fn overrides_show_whole_percents_and_the_rate() {
 fn every_controller_explains_itself() {
     for kind in ControllerKind::ALL {
         let mut scenario = presets::load("depth-step").expect("shipped");
-        scenario.controller.kind = *kind;
+        scenario.change(|s| s.controller.kind = *kind).unwrap();
         let row = Row { gain_estimate: 1.0, force_ref_n: 180.0, ..Row::default() };
         for card in CARDS {
             let lines = live(card.block, &at(&row, &scenario));

@@ -1,0 +1,93 @@
+//! The table of settings: one entry for each, with its path.
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+use super::groups::build_table;
+use crate::base::settings::{Kind, SettingError, Spec, Value};
+use crate::models::unks::Stored;
+
+/// One entry of the table of settings.
+#[derive(Clone, Debug)]
+pub struct Param {
+    /// Full path, for example `controller.sdnrp.kp`.
+    pub path: String,
+    /// Path of its group, for example `controller.sdnrp`; empty for the top level.
+    pub group: &'static str,
+    /// Label, unit, range, default, documentation.
+    pub spec: Spec,
+}
+
+pub(super) static TABLE: LazyLock<Vec<Param>> = LazyLock::new(build_table);
+static INDEX: LazyLock<BTreeMap<&'static str, usize>> =
+    LazyLock::new(|| TABLE.iter().enumerate().map(|(i, param)| (param.path.as_str(), i)).collect());
+
+/// All settings, in order.
+#[must_use]
+pub fn table() -> &'static [Param] {
+    &TABLE
+}
+
+pub(super) fn index_of(path: &str) -> Result<usize, SettingError> {
+    INDEX.get(path).copied().ok_or_else(|| {
+        // A long or binary path is cut: the message must stay readable, and the search short.
+        let path: String = path.chars().take(80).collect();
+        let near = TABLE
+            .iter()
+            .map(|param| (strsim::jaro_winkler(&path, &param.path), &param.path))
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+            .filter(|(likeness, _)| *likeness > 0.8);
+        SettingError::Unknown { path, suggestion: near.map(|(_, path)| path.clone()) }
+    })
+}
+
+/// The table entry of a path.
+///
+/// # Errors
+/// [`SettingError::Unknown`] with the nearest known path.
+pub fn param(path: &str) -> Result<&'static Param, SettingError> {
+    index_of(path).map(|i| &TABLE[i])
+}
+
+pub(super) fn refused(param: &Param, value: &Value) -> SettingError {
+    let text = match value {
+        Value::Text(text) if param.spec.allowed == Kind::Networks => {
+            Stored::parse(text).err().unwrap_or_default()
+        }
+        Value::Text(text) => format!("{:?}", text.chars().take(60).collect::<String>()),
+        // Written out, 1e300 would be cut to another number.
+        Value::Float(x) if x.abs() >= 1e15 => format!("{x:e}"),
+        other => {
+            let unit = param.spec.unit;
+            let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+            format!("{}{unit}", other.to_string().chars().take(60).collect::<String>())
+        }
+    };
+    let allowed = param.spec.allowed.allowed(param.spec.unit);
+    SettingError::Refused { path: param.path.clone(), value: text, allowed }
+}
+
+/// Reads the text of a value as the setting at `path` expects it (command line, link).
+///
+/// # Errors
+/// An unknown path, or text that is no value of the setting's type.
+pub fn parse_value(path: &str, text: &str) -> Result<Value, SettingError> {
+    let param = param(path)?;
+    if let Kind::Text { .. } | Kind::Networks = param.spec.allowed {
+        return Ok(Value::Text(text.to_owned()));
+    }
+    let text = text.trim();
+    let bad = || refused(param, &Value::Text(text.to_owned()));
+    Ok(match &param.spec.allowed {
+        Kind::Float { .. } => Value::Float(text.parse().map_err(|_| bad())?),
+        Kind::Int { .. } => Value::Int(text.parse().map_err(|_| bad())?),
+        Kind::Bool => Value::Bool(text.parse().map_err(|_| bad())?),
+        Kind::Choice { .. } | Kind::Text { .. } | Kind::Networks => Value::Text(text.to_owned()),
+        Kind::Steps { .. } => {
+            let steps: Vec<[f64; 2]> = serde_json::from_str(text).map_err(|_| bad())?;
+            Value::Steps(steps)
+        }
+        Kind::Cuts { .. } => Value::Cuts(serde_json::from_str(text).map_err(|_| bad())?),
+        Kind::Numbers { .. } => Value::Numbers(serde_json::from_str(text).map_err(|_| bad())?),
+    })
+}
