@@ -52,8 +52,8 @@ pub(super) fn deliver(model: &MachineModel, text: &str) -> Result<(), Box<dyn st
 pub(super) fn name(scenario: &Scenario) -> String {
     let machine = &scenario.machine;
     format!(
-        "five-mass machine, reading {}, parameters {}, spindle quality {}",
-        machine.reading.id(),
+        "five-mass machine, variant {}, parameters {}, spindle quality {}",
+        machine.variant.id(),
         machine.parameters.id(),
         machine.spindle_quality
     )
@@ -83,7 +83,7 @@ fn modes(model: &MachineModel) -> Outcome {
             })
             .collect();
         let object = json!({
-            "reading": scenario.machine.reading.id(),
+            "variant": scenario.machine.variant.id(),
             "parameters": scenario.machine.parameters.id(),
             "spindle_quality": scenario.machine.spindle_quality,
             "nodes": NODES, "undamped": undamped, "damped": damped,

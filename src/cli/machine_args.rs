@@ -64,7 +64,7 @@ pub struct MachineModel {
     /// Parameters: D by the table's rules, T its digits with two exponents corrected, or printed.
     #[arg(long, value_parser = parameters)]
     pub parameters: Option<Parameters>,
-    /// Change a setting, for example `--set machine.reading=B`; `steadycut list` names all.
+    /// Change a setting, for example `--set machine.variant=B`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
     /// Write the result into a file.

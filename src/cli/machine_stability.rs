@@ -42,7 +42,7 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
     let mut text = String::new();
     if args.model.json {
         let mut object = json!({
-            "reading": scenario.machine.reading.id(),
+            "variant": scenario.machine.variant.id(),
             "parameters": scenario.machine.parameters.id(),
             "spindle_quality": scenario.machine.spindle_quality,
             "teeth": cut.engagement.teeth,

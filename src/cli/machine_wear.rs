@@ -181,7 +181,7 @@ pub fn life(args: &LifeArgs) -> Outcome {
     let scenario = scenario(&args.model)?;
     let groups = groups(&scenario, args.tools);
     let [fixed, adjusted] = [false, true].map(|adjusts| lived(&scenario, adjusts));
-    let wanted_min = scenario.life.durability_min;
+    let wanted_min = scenario.life.tool_life_min;
     let mut text = String::new();
     if args.model.json {
         let object = json!({
@@ -196,7 +196,7 @@ pub fn life(args: &LifeArgs) -> Outcome {
         writeln!(
             text,
             "desired tool life {wanted_min} min, this tool lives {} of Taylor's life",
-            scenario.wear.durability_factor
+            scenario.wear.tool_life_factor
         )?;
         for (what, life) in [("constant speed", &fixed), ("speed adjusted", &adjusted)] {
             let last: Option<&Minute> = life.minutes().last();

@@ -321,7 +321,7 @@ fn machine_prints_modes_and_the_whole_sweep() {
         modes["undamped"][1]["frequency_hz"].as_f64().unwrap()
     };
     assert!((first(&[]) - 154.485_631).abs() < 1e-5);
-    assert!((first(&["--set", "machine.reading=B"]) - 122.600_809).abs() < 1e-5);
+    assert!((first(&["--set", "machine.variant=B"]) - 122.600_809).abs() < 1e-5);
     assert!(first(&["--parameters", "T"]) != first(&[]));
     let sharp = json(&["machine", "frf", "--json", "--set", "machine.spindle_quality=17"]);
     assert!((sharp[11]["grel_im"].as_f64().unwrap() / -2.080_003e-6 - 1.0).abs() < 1e-6);

@@ -122,7 +122,7 @@ fn machine_wear_prints_the_trends_beside_the_papers_claims() {
         "--set",
         "wear.taylor_life_min=1",
         "--set",
-        "machine.reading=B",
+        "machine.variant=B",
     ]);
     assert_eq!(report["rows"].as_array().unwrap().len(), 10);
     let findings = &report["findings"];
@@ -138,7 +138,7 @@ fn machine_wear_prints_the_trends_beside_the_papers_claims() {
 
 #[test]
 fn machine_life_judges_the_predictions_and_reaches_the_desired_tool_life() {
-    let tool = ["--set", "wear.durability_factor=0.6", "--set", "life.durability_min=200"];
+    let tool = ["--set", "wear.tool_life_factor=0.6", "--set", "life.tool_life_min=200"];
     let report = machine(&[&["life", "--json", "--tools", "2"], &tool[..]].concat());
     assert_eq!(report["groups"].as_array().unwrap().len(), 4);
     let tool_life = &report["tool_life"];

@@ -98,7 +98,7 @@ fn the_cursor_is_moved_by_keys_and_by_the_mouse() {
 
 #[test]
 fn readings_and_parameters_change_the_machine() {
-    let reading = [("machine.reading", Value::Text("B".to_owned()))];
+    let reading = [("machine.variant", Value::Text("B".to_owned()))];
     assert!(texts(&open(SIZES[0].1, &reading)).contains("122.60"));
     // As printed the reduction has no four vibrating modes: the chart says why there is none.
     let printed = [("machine.parameters", Value::Text("printed".to_owned()))];
@@ -134,7 +134,7 @@ fn trends_are_solved_in_slices_and_stand_beside_the_papers_claim() {
 
 #[test]
 fn a_speed_that_is_adjusted_brings_the_tool_to_its_desired_life() {
-    let changes = [("wear.durability_factor", Value::Float(0.7))];
+    let changes = [("wear.tool_life_factor", Value::Float(0.7))];
     let mut screen = open(SIZES[0].1, &changes);
     press(&mut screen, "Wear and sound");
     wait_for(&mut screen, "worn out after 17");
@@ -175,7 +175,8 @@ fn the_life_looked_at_is_that_of_a_tool_that_wears_in_the_cut() {
 #[test]
 fn the_chart_judges_the_present_cut() {
     for (_, size) in SIZES {
-        let mut screen = open(size, &[("machine.specific_force_n_mm2", Value::Float(6000.0))]);
+        let mut screen =
+            open(size, &[("machine.specific_cutting_force_n_mm2", Value::Float(6000.0))]);
         press(&mut screen, "Stability");
         wait_for(&mut screen, "Stable at");
         assert_eq!(session(&screen).current().machine.spindle_quality, 5.0);
@@ -187,10 +188,10 @@ fn the_chart_judges_the_present_cut() {
         assert_eq!(quality(&screen), 5.0);
     }
     let deep = [
-        ("machine.specific_force_n_mm2", Value::Float(20_000.0)),
+        ("machine.specific_cutting_force_n_mm2", Value::Float(20_000.0)),
         ("machine.spindle_quality", Value::Float(60.0)),
     ];
-    let none = [("machine.chip_direction", Value::Float(0.0))];
+    let none = [("machine.directional_factor", Value::Float(0.0))];
     let mut screen = open(SIZES[0].1, &none);
     press(&mut screen, "Stability");
     assert!(wait_for(&mut screen, "Stable at").contains("Nothing can chatter"));

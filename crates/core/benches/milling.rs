@@ -31,7 +31,7 @@ mod baseline {
     use super::{Row, Scenario};
     use steadycut_core::base::rng::Stream;
     use steadycut_core::blocks::sensing::peak::PeakWindow;
-    use steadycut_core::models::ball_end::{CK45, Cutter, ELASTICITY_MM_PER_N, Kienzle, Sliced};
+    use steadycut_core::models::ball_end::{CK45, COMPLIANCE_MM_PER_N, Cutter, Kienzle, Sliced};
     use steadycut_core::models::feed_drive::{DriveState, ExactDrive, FeedDriveKind};
     use steadycut_core::models::genetic::{Calibration, GeneticModels, ModelSet};
     use steadycut_core::models::part::CutPath;
@@ -150,7 +150,7 @@ mod baseline {
             }
             let factor = 1.0 + field_gain * (here + (place - cell as f64) * (next - here));
             let (now, earlier) = (history[newest], history[(newest + RING - tooth) % RING]);
-            let deflection = [0, 1].map(|i| ELASTICITY_MM_PER_N * (now[i] - earlier[i]));
+            let deflection = [0, 1].map(|i| COMPLIANCE_MM_PER_N * (now[i] - earlier[i]));
             let part = &cuts[cut];
             let angle = turn * std::f64::consts::TAU;
             let depth_at = |x: f64, y: f64| part.depth_at(x_mm + x, y);

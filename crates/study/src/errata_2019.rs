@@ -117,7 +117,7 @@ pub const MACHINE_2019: &[Erratum] = &[
         "names of the nodes against eq. 2",
         "by the names the slides carry the table and the force acts on the table; by rows 4 and 5 the \
          table carries the slides and the force acts on these",
-        "reading A by the equations, reading B by the names (machine.reading); G_rel differs by 2.9 %",
+        "variant A by the equations, variant B by the names (machine.variant); G_rel differs by 2.9 %",
     ),
 ];
 

@@ -36,14 +36,14 @@ crate::settings! {
         slow_min: f64 = 5.0, [1.0, 60.0], "min", live, "Memory of the slow noise";
         /// Noise of a measured spectrum over the deviation of its lines.
         spectrum_ratio: f64 = 1.066, [0.0, 10.0], "", live, "Noise of the spectrum";
-        /// Desired durability of the tool.
-        durability_min: f64 = 240.0, [10.0, 2000.0], "min", live, "Desired durability";
+        /// Tool life that the speed is adjusted to.
+        tool_life_min: f64 = 240.0, [10.0, 2000.0], "min", live, "Tool life wanted";
         /// Deviation of a minute's mean that the prediction expects.
         sigma_percent: f64 = 1.2, [0.1, 20.0], "%", live, "Expected noise";
         /// Minutes that the prediction counts as one, since neighbours err alike.
         correlated_min: f64 = 5.0, [1.0, 60.0], "min", live, "Expected memory";
-        /// Spread of the logarithm of the durability before anything is heard.
-        prior_spread: f64 = 0.3, [0.05, 0.6], "", live, "Spread of durabilities";
+        /// Spread of the logarithm of the tool life before anything is heard.
+        prior_spread: f64 = 0.3, [0.05, 0.6], "", live, "Spread of tool lives";
     }
 }
 

@@ -48,8 +48,8 @@ crate::settings! {
         reference_depth_mm: f64 = 2.0, [0.1, 10.0], "mm", live, "Reference depth";
         /// The life falls with this power of the axial depth.
         depth_exponent: f64 = 0.3, [0.0, 2.0], "", live, "Exponent of depth";
-        /// Life of this very tool over what Taylor's equation promises.
-        durability_factor: f64 = 1.0, [0.2, 5.0], "", live, "This tool's life";
+        /// Tool-life factor: life of this very tool over what Taylor's equation promises.
+        tool_life_factor: f64 = 1.0, [0.2, 5.0], "", live, "Tool-life factor";
         /// Break-in: its part of the wear, before scaling.
         break_in_share: f64 = 0.25, [0.0, 2.0], "", live, "Break-in wear";
         /// Break-in: share of the life in which it fades.
@@ -68,9 +68,9 @@ crate::settings! {
         tooth_softening: f64 = 0.15, [0.0, 0.9], "", live, "Tooth softening";
         /// Indentation force of the wear land per volume, for process damping; 0 switches it off.
         indentation_n_mm3: f64 = 0.0, [0.0, 200_000.0], "N/mm3", live, "Process damping";
-        /// Adjusts the programmed speed, feed per tooth held, so that the tool reaches `life.durability_min`;
+        /// Adjusts the programmed speed, feed per tooth held, so that the tool reaches `life.tool_life_min`;
         /// the tool's life is foretold from the sound of the coupled machine.
-        adjust_speed: bool = false, [], "", live, "Speed for the durability";
+        adjust_speed: bool = false, [], "", live, "Speed for the tool life";
     }
 }
 
@@ -155,7 +155,7 @@ impl WearSettings {
     /// Life T in min of this very tool at `cut`.
     #[must_use]
     pub fn life_min(&self, cut: &WearCut) -> f64 {
-        self.durability_factor * self.taylor_min(cut)
+        self.tool_life_factor * self.taylor_min(cut)
     }
 }
 
@@ -205,7 +205,7 @@ mod tests {
         assert!((wear.taylor_min(&half) - 15.0).abs() < 1e-12);
         let air = WearCut { axial_depth_mm: 0.0, ..cut };
         assert_eq!(wear.taylor_min(&air), f64::INFINITY);
-        let better = WearSettings { durability_factor: 1.5, ..wear };
+        let better = WearSettings { tool_life_factor: 1.5, ..wear };
         assert!((better.life_min(&cut) - 360.0).abs() < 1e-10);
     }
 

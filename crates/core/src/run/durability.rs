@@ -1,5 +1,5 @@
 //! The adaptive use of the life prediction in the running cut: the programmed speed is adjusted so that the
-//! tool reaches the desired durability (2019).
+//! tool reaches the tool life wanted (2019).
 //!
 //! ```text
 //! n_new = n [ R/R_des ]^n_Taylor,   R = (T_hat - a) T(now)/T(programmed),   R_des = T_des - t
@@ -93,7 +93,7 @@ impl Durability {
         }
         let estimator = estimator(scenario, scenario.coupled_machine()?);
         Some(Box::new(Self {
-            desired_min: scenario.life.durability_min,
+            desired_min: scenario.life.tool_life_min,
             taylor_exponent: wear.taylor_exponent,
             time_scale: wear.time_scale,
             time_min: estimator.age_min(),
@@ -106,7 +106,7 @@ impl Durability {
     /// Takes over changed settings; what was observed stays.
     pub fn reconfigure(&mut self, scenario: &Scenario) {
         self.estimator.reconfigure(&scenario.wear);
-        self.desired_min = scenario.life.durability_min;
+        self.desired_min = scenario.life.tool_life_min;
         self.taylor_exponent = scenario.wear.taylor_exponent;
         self.time_scale = scenario.wear.time_scale;
     }

@@ -60,8 +60,10 @@ impl Edits {
     /// The setting is unknown or belongs to the set-up, the time lies outside the run, the value is
     /// outside its range or breaks a rule with the edits of another setting, or there are too many.
     /// The edits are then unchanged.
-    pub fn push(&mut self, base: &Scenario, edit: Edit) -> Result<(), SettingError> {
+    pub fn push(&mut self, base: &Scenario, mut edit: Edit) -> Result<(), SettingError> {
         let found = param(&edit.path)?;
+        // An edit of an earlier version may have a path of then.
+        edit.path.clone_from(&found.path);
         let refused = |value: String, allowed: &str| {
             let allowed = allowed.to_owned();
             Err(SettingError::Refused { path: edit.path.clone(), value, allowed })

@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 
 use super::edits::{Edit, Edits};
-use super::scenario::{FORMAT_VERSION, Scenario, table};
+use super::scenario::{FORMAT_VERSION, Scenario, is_group, param, table};
 use crate::base::settings::{SettingError, Value};
 
 fn format_error(problem: impl Into<String>) -> SettingError {
@@ -36,10 +36,23 @@ pub fn parse(text: &str) -> Result<(Scenario, Edits), SettingError> {
     let edits = document.remove("edits");
     let mut changes = Vec::new();
     flatten("", document, &mut changes)?;
+    named_once(&changes)?;
     let mut scenario = Scenario::default();
     scenario.set_all(&changes)?;
     let edits = edits.map_or(Ok(Edits::none()), |list| parse_edits(&scenario, list))?;
     Ok((scenario, edits))
+}
+
+/// A setting must not stand there under the name it has and one that it had.
+fn named_once(changes: &[(String, Value)]) -> Result<(), SettingError> {
+    for (path, _) in changes {
+        let now = &param(path)?.path;
+        if now != path && changes.iter().any(|(other, _)| other == now) {
+            let problem = format!("`{path}` and `{now}` are one setting; keep `{now}`");
+            return Err(format_error(problem));
+        }
+    }
+    Ok(())
 }
 
 fn flatten(
@@ -51,8 +64,7 @@ fn flatten(
         let path = if prefix.is_empty() { key } else { format!("{prefix}.{key}") };
         match value {
             toml::Value::Table(inner) => {
-                let prefix = format!("{path}.");
-                if !table().iter().any(|param| param.path.starts_with(&prefix)) {
+                if !is_group(&path) {
                     let path = path.chars().take(80).collect();
                     return Err(SettingError::Unknown { path, suggestion: None });
                 }
@@ -70,7 +82,7 @@ fn flatten(
 fn value_from_toml(path: &str, value: &toml::Value) -> Result<Value, SettingError> {
     let wrong = || {
         // An unknown field must be called unknown, whatever its value.
-        super::scenario::param(path).map_or_else(
+        param(path).map_or_else(
             |unknown| unknown,
             |param| SettingError::Refused {
                 path: path.to_owned(),

@@ -255,7 +255,7 @@ fn machines(preset: &MachineSettings) -> String {
     for variant in Variant::ALL {
         for parameters in Parameters::ALL {
             let settings =
-                MachineSettings { reading: *variant, parameters: *parameters, ..preset.clone() };
+                MachineSettings { variant: *variant, parameters: *parameters, ..preset.clone() };
             let machine = FiveMass::new(&settings);
             for f_hz in [0.0, 110.0, 580.0, 3000.0] {
                 let solved = frf::gauss(&machine, f_hz).map_or(f64::NAN, |r| r.grel.re);

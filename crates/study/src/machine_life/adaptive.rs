@@ -93,7 +93,7 @@ impl AdaptiveLife {
     /// Cuts at most `minutes` more; `true` when the tool is worn out.
     pub fn advance(&mut self, minutes: usize) -> bool {
         for _ in 0..minutes {
-            let given_up = LONGEST * self.model.life.durability_min;
+            let given_up = LONGEST * self.model.life.tool_life_min;
             if self.end_min.is_some() || self.minutes.len() as f64 >= given_up {
                 return true;
             }
@@ -133,7 +133,7 @@ impl AdaptiveLife {
     }
 
     fn adjust(&mut self, prediction: &LifePrediction) {
-        let wanted_min = self.model.life.durability_min - self.minutes.len() as f64;
+        let wanted_min = self.model.life.tool_life_min - self.minutes.len() as f64;
         if !(self.minutes.len() as u64).is_multiple_of(PERIOD_MIN) || wanted_min < LAST_MIN {
             return;
         }
@@ -162,11 +162,11 @@ impl AdaptiveLife {
 mod tests {
     use super::*;
 
-    fn lived(durability_factor: f64, adjusts: bool) -> AdaptiveLife {
+    fn lived(tool_life_factor: f64, adjusts: bool) -> AdaptiveLife {
         let mut scenario = Scenario::default();
-        scenario.change(|s| s.wear.durability_factor = durability_factor).unwrap();
+        scenario.change(|s| s.wear.tool_life_factor = tool_life_factor).unwrap();
         let taylor_min = model(&scenario).wear.taylor_min(&model(&scenario).cut).round();
-        scenario.change(|s| s.life.durability_min = taylor_min).unwrap();
+        scenario.change(|s| s.life.tool_life_min = taylor_min).unwrap();
         let mut life = AdaptiveLife::new(&scenario, adjusts);
         while !life.advance(50) {}
         life
@@ -176,7 +176,7 @@ mod tests {
     fn tools_better_and_worse_than_taylor_reach_the_desired_tool_life() {
         for factor in [0.7, 1.0, 1.4] {
             let [fixed, adjusted] = [false, true].map(|adjusts| lived(factor, adjusts));
-            let wanted = adjusted.model.life.durability_min;
+            let wanted = adjusted.model.life.tool_life_min;
             let error = |life: &AdaptiveLife| (life.end_min().unwrap() / wanted - 1.0).abs();
             assert!((error(&fixed) - (factor - 1.0).abs()).abs() < 0.01);
             assert!(error(&adjusted) < 0.05, "{factor}: {}", error(&adjusted));
@@ -190,7 +190,7 @@ mod tests {
     #[test]
     fn slices_change_nothing() {
         let mut scenario = Scenario::default();
-        scenario.change(|s| s.wear.durability_factor = 0.4).unwrap();
+        scenario.change(|s| s.wear.tool_life_factor = 0.4).unwrap();
         let [mut whole, mut sliced] = [true, true].map(|_| AdaptiveLife::new(&scenario, true));
         whole.advance(60);
         (0..12).for_each(|_| {

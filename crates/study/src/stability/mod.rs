@@ -54,7 +54,9 @@ impl StabilityCut {
                 tool.diameter_mm,
             ),
             // N/mm^2 x mm = N/mm per mm of depth; 1000 N/m are one N/mm.
-            stiffness_per_mm: 1000.0 * settings.specific_force_n_mm2 * settings.chip_direction,
+            stiffness_per_mm: 1000.0
+                * settings.specific_cutting_force_n_mm2
+                * settings.directional_factor,
         })
     }
 

@@ -150,7 +150,7 @@ fn a_longer_plant_step_is_divided_into_the_same_machine_steps() {
 }
 
 #[test]
-fn tooth_by_tooth_the_machines_elasticity_stands_in_for_the_models() {
+fn tooth_by_tooth_the_machines_compliance_stands_in_for_the_models() {
     let mut scenario = steady(1571.0, 2.0, 5.0);
     scenario
         .set_all(&[
@@ -163,11 +163,11 @@ fn tooth_by_tooth_the_machines_elasticity_stands_in_for_the_models() {
     scenario.change(|s| s.run.duration_s = 0.8).unwrap();
     let last = |scenario: &Scenario| *complete(scenario).recording().rows().last().unwrap();
     let coupled = last(&scenario);
-    scenario.change(|s| s.machine.chip_direction = 0.0).unwrap();
+    scenario.change(|s| s.machine.directional_factor = 0.0).unwrap();
     let rigid = last(&scenario);
     scenario.change(|s| s.machine.coupled = false).unwrap();
     let own = last(&scenario);
-    // In a settled cut neither elasticity changes the peak by much.
+    // In a settled cut neither compliance changes the peak by much.
     assert!((coupled.force_n / own.force_n - 1.0).abs() < 0.05, "{coupled:?} {own:?}");
     assert!((rigid.force_n / own.force_n - 1.0).abs() < 0.05, "{rigid:?} {own:?}");
     assert!(coupled.force_n != rigid.force_n && rigid.force_n != own.force_n);
@@ -201,8 +201,8 @@ fn the_hardest_machines_stay_contained() {
             }
             scenario
                 .change(|s| {
-                    s.machine.specific_force_n_mm2 = specific;
-                    s.machine.chip_direction = direction;
+                    s.machine.specific_cutting_force_n_mm2 = specific;
+                    s.machine.directional_factor = direction;
                     s.wear.indentation_n_mm3 = 200_000.0;
                     s.run.duration_s = 1.0;
                 })
@@ -221,7 +221,7 @@ fn wear_sound_and_roughness_tell_one_story() {
     // Worse than Taylor's equation promises, which the estimator does not know.
     scenario
         .change(|s| {
-            s.wear.durability_factor = 0.8;
+            s.wear.tool_life_factor = 0.8;
             s.wear.time_scale = 400.0;
             s.run.duration_s = 38.0;
         })
@@ -273,10 +273,10 @@ fn the_speed_is_adjusted_so_that_the_tool_reaches_the_desired_tool_life() {
         scenario.set("wear.adjust_speed", Value::Bool(adjust)).unwrap();
         scenario
             .change(|s| {
-                s.wear.durability_factor = factor;
+                s.wear.tool_life_factor = factor;
                 s.wear.time_scale = 500.0;
                 s.run.duration_s = 70.0;
-                s.life.durability_min = 250.0;
+                s.life.tool_life_min = 250.0;
                 s.workpiece.length_mm = 600.0;
             })
             .unwrap();

@@ -11,8 +11,8 @@ pub fn vibration(row: &Row, scenario: &Scenario) -> Live {
     Live::everywhere(
         format!(
             "P = F g / max g - {} · {} b (u - u_T), g the teeth's chip, u_T one tooth earlier",
-            number(machine.specific_force_n_mm2),
-            number(machine.chip_direction)
+            number(machine.specific_cutting_force_n_mm2),
+            number(machine.directional_factor)
         ),
         format!(
             "u = {} um as the last tooth made the surface; velocity {} mm/s over the last second",

@@ -60,7 +60,7 @@ const CHIP: Printed = eq(
 );
 const DEFLECTION: Printed = eq(
     "X_m = G [F_x(t) - F_x(t - T)],  Y_m = G [F_y(t) - F_y(t - T)]",
-    "Combined system 2005, eq. 1: elasticity with the delay of one tooth period",
+    "Combined system 2005, eq. 1: compliance with the delay of one tooth period",
 );
 const KIENZLE: Printed = eq(
     "dF_i = k_i h^{1 - m} db",

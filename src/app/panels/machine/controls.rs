@@ -9,12 +9,12 @@ use crate::run::scenario::{Scenario, table};
 
 /// Settings that are always in sight.
 const FIRST: [&str; 6] = [
-    "machine.reading",
+    "machine.variant",
     "machine.parameters",
     "machine.spindle_quality",
     "life.contact_force_n",
-    "life.durability_min",
-    "wear.durability_factor",
+    "life.tool_life_min",
+    "wear.tool_life_factor",
 ];
 /// Groups below a fold, with their titles.
 const FOLDS: [(&str, &str); 3] =

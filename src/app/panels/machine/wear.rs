@@ -250,7 +250,7 @@ fn trends(ui: &mut Ui, life: &Life, x: f64, height: f32) {
 /// The predicted life over the time in cut, with its 90 % range.
 fn prediction(life: &Life) -> Figure {
     let minutes = life.tool.minutes();
-    let wanted_min = life.model().life.durability_min;
+    let wanted_min = life.model().life.tool_life_min;
     let predicted = minutes.iter().filter_map(|minute| {
         let (remaining, range) = (minute.remaining_min?, minute.remaining_range_min?);
         let total = |remaining_min: f64| minute.time_min + remaining_min;
@@ -279,7 +279,7 @@ fn prediction(life: &Life) -> Figure {
 
 /// The life predicted from the sound of the running cut, up to the playhead.
 fn prediction_in_cut(life: &Life, estimates: &[ConditionEstimate]) -> Figure {
-    let wanted_min = life.model().life.durability_min;
+    let wanted_min = life.model().life.tool_life_min;
     let promised_min = life.model().wear.taylor_min(&life.model().cut);
     let [_, last_min] = extent(estimates.iter().map(|estimate| estimate.prediction.age_min));
     let length_min = last_min.max(promised_min).max(1.0);

@@ -42,7 +42,7 @@ const TEETH: &[Printed] = &[
     ),
     Printed::new(
         "X_m = G [F_x(t) - F_x(t - T)],  Y_m = G [F_y(t) - F_y(t - T)]",
-        "Combined system 2005, eq. 1: elasticity with the delay of one tooth period",
+        "Combined system 2005, eq. 1: compliance with the delay of one tooth period",
     ),
     Printed::new(
         "dF_i = k_i h^{1 - m} db",

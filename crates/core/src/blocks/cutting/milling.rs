@@ -13,7 +13,7 @@
 
 use crate::base::math;
 use crate::base::units::rev_s_from_rpm;
-use crate::models::ball_end::{Cutter, ELASTICITY_MM_PER_N, Kienzle, Sliced, Steel};
+use crate::models::ball_end::{COMPLIANCE_MM_PER_N, Cutter, Kienzle, Sliced, Steel};
 use crate::models::part::CutPath;
 
 /// Slowest spindle whose tooth period the history holds, 1/min; slower ones count as it.
@@ -55,7 +55,7 @@ pub struct Milling {
     turn: f64,
     /// The spindle's turn at the last sample.
     sampled_turn: f64,
-    elasticity_mm_n: f64,
+    compliance_mm_n: f64,
 }
 
 impl Milling {
@@ -75,7 +75,7 @@ impl Milling {
             newest: 0,
             turn: 0.0,
             sampled_turn: 0.0,
-            elasticity_mm_n: ELASTICITY_MM_PER_N,
+            compliance_mm_n: COMPLIANCE_MM_PER_N,
         }
     }
 
@@ -108,9 +108,9 @@ impl Milling {
         self.sampled_turn
     }
 
-    /// Takes the model's own elasticity away: a machine that is coupled to the cut has its own.
+    /// Takes the model's own compliance away: a machine that is coupled to the cut has its own.
     pub fn stiffen(&mut self) {
-        self.elasticity_mm_n = 0.0;
+        self.compliance_mm_n = 0.0;
     }
 
     fn before(&self, samples: usize) -> [f64; 2] {
@@ -134,7 +134,7 @@ impl Milling {
         let feed_per_tooth_mm =
             feed_mm_min / (self.setup.cutter.teeth as f64 * speed_rpm.max(SLOWEST_RPM));
         let (last, earlier) = (self.before(0), self.before(self.tooth_samples));
-        let deflection = [0, 1].map(|axis| self.elasticity_mm_n * (last[axis] - earlier[axis]));
+        let deflection = [0, 1].map(|axis| self.compliance_mm_n * (last[axis] - earlier[axis]));
         let angle = self.turn * math::TAU;
         let depth_at = |x: f64, y: f64| cut.depth_at(x_mm + x, y);
         let forces = self.sliced.forces(&self.law, angle, feed_per_tooth_mm, deflection, depth_at);

@@ -166,7 +166,7 @@ impl Process {
         Some(milling.update(feed_mm_min, speed_rpm, x_mm, cut, factor))
     }
 
-    /// Takes the elasticity of the force tooth by tooth away: a machine that is coupled to the cut has
+    /// Takes the compliance of the force tooth by tooth away: a machine that is coupled to the cut has
     /// its own, and counted twice the tool would be too soft.
     pub fn stiffen(&mut self) {
         if let Some(milling) = &mut self.milling {

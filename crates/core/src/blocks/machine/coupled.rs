@@ -10,7 +10,7 @@
 //!
 //! F is the peak force of the plant's model, so the machine adds vibration and no second mean force.
 //! The steps are of at most 0.1 ms, a whole number to a plant step. Where the force is simulated tooth by
-//! tooth its resultant drives the machine at every instant; that model's own elasticity is then taken
+//! tooth its resultant drives the machine at every instant; that model's own compliance is then taken
 //! away. Wear enters by F, by the tooth's stiffness and by c_pd; kappa is that of a sharp tool, since a
 //! wear land adds force but no force per chip (chosen).
 

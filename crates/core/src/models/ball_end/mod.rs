@@ -33,9 +33,9 @@ pub use kienzle::{CK45, Kienzle, MNCRSI5, Steel};
 pub use peak_table::PeakTable;
 pub use static_cut::{StaticCut, StaticPeak, static_peak};
 
-/// Elasticity G of tool and holder in mm/N: 50 N/um. As printed, in m/N, 650 N would bend the tool
+/// Compliance G of tool and holder in mm/N: its stiffness is 50 N/um. As printed, in m/N, 650 N would bend the tool
 /// by 13 mm.
-pub const ELASTICITY_MM_PER_N: f64 = 2e-5;
+pub const COMPLIANCE_MM_PER_N: f64 = 2e-5;
 /// Most teeth of a cutter.
 pub const MAX_TEETH: usize = 8;
 

@@ -147,11 +147,11 @@ mod tests {
     use crate::models::structure::{MachineSettings, Variant};
 
     fn named(name: &str) -> FiveMass {
-        let reading = if name.ends_with("_B") { Variant::Names } else { Variant::Equations };
+        let variant = if name.ends_with("_B") { Variant::Names } else { Variant::Equations };
         let parameters = if name.starts_with('T') { Parameters::Table } else { Parameters::Rules };
         let spindle_quality = if name.contains("Q2=17") { 17.0 } else { 5.0 };
         let settings =
-            MachineSettings { reading, parameters, spindle_quality, ..MachineSettings::default() };
+            MachineSettings { variant, parameters, spindle_quality, ..MachineSettings::default() };
         FiveMass::new(&settings)
     }
 
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn readings_and_sets_differ_as_little_as_stated() {
+    fn variants_and_sets_differ_as_little_as_stated() {
         let gap = |x: &str, y: &str| {
             let (x, y) = (named(x), named(y));
             let (mut off, mut all) = (0.0, 0.0);

@@ -53,15 +53,15 @@ crate::settings! {
     /// The five-mass model of the machine (2019).
     pub struct MachineSettings {
         /// Which of slides and table is the outer one; their relative frequency responses differ by 3 %.
-        reading: Variant = Variant::Equations, [], "", setup, "Reading";
+        variant: Variant = Variant::Equations, [], "", setup, "Variant";
         /// Parameters: from the rules of Table 1, its digits with two exponents corrected, or as printed.
         parameters: Parameters = Parameters::Rules, [], "", setup, "Parameters";
         /// Quality factor Q of the spindle: its printed damper shows 5, the table prints 17.
         spindle_quality: f64 = parameters::SPINDLE_QUALITY, [1.0, 100.0], "", setup, "Spindle quality";
-        /// Force per depth of cut and chip thickness K_s of the regenerative force: 6.1e6 N/m at the 2 mm of the papers.
-        specific_force_n_mm2: f64 = 3050.0, [100.0, 20000.0], "N/mm2", setup, "Specific force";
-        /// Share of a displacement between tooth and work that changes the chip thickness; chosen.
-        chip_direction: f64 = 0.5, [0.0, 1.0], "", setup, "Chip direction";
+        /// Specific cutting force K_s of the regenerative force, per depth of cut and chip thickness: 6.1e6 N/m at the 2 mm of the papers.
+        specific_cutting_force_n_mm2: f64 = 3050.0, [100.0, 20000.0], "N/mm2", setup, "Specific cutting force";
+        /// Directional factor: share of a displacement between tooth and work that changes the chip thickness; chosen.
+        directional_factor: f64 = 0.5, [0.0, 1.0], "", setup, "Directional factor";
         /// Whether the machine vibrates in the running cut, chatter included; wants the parameters D or T.
         coupled: bool = false, [], "", setup, "Machine in the cut";
         /// Where Ra with machine dynamics comes from in a coupled run.
@@ -75,7 +75,7 @@ pub struct FiveMass {
     /// Masses, springs, dampers.
     pub elements: Elements,
     /// Where slides and table stand.
-    pub reading: Variant,
+    pub variant: Variant,
 }
 
 impl FiveMass {
@@ -83,14 +83,14 @@ impl FiveMass {
     #[must_use]
     pub fn new(settings: &MachineSettings) -> Self {
         let elements = Elements::new(settings.parameters, settings.spindle_quality);
-        Self { elements, reading: settings.reading }
+        Self { elements, variant: settings.variant }
     }
 
     /// Indices of the inner node of the work branch, on the base, and of the outer one, which
     /// takes the force.
     #[must_use]
     pub fn branch(&self) -> (usize, usize) {
-        match self.reading {
+        match self.variant {
             Variant::Equations => (4, 3),
             Variant::Names => (3, 4),
         }
@@ -155,7 +155,7 @@ impl FiveMass {
         self
     }
 
-    /// Static compliances in closed form, m/N; equal in both readings.
+    /// Static compliances in closed form, m/N; equal in both variants.
     #[must_use]
     pub fn static_compliance(&self) -> StaticCompliance {
         let [one, two, three, four, five] = self.elements.stiffness_n_m.map(|k| 1.0 / k);
@@ -185,8 +185,8 @@ pub struct StaticCompliance {
 mod tests {
     use super::*;
 
-    fn machine(reading: Variant) -> FiveMass {
-        FiveMass::new(&MachineSettings { reading, ..MachineSettings::default() })
+    fn machine(variant: Variant) -> FiveMass {
+        FiveMass::new(&MachineSettings { variant, ..MachineSettings::default() })
     }
 
     #[test]
@@ -212,8 +212,8 @@ mod tests {
 
     #[test]
     fn the_stiffness_has_the_springs_product_as_determinant() {
-        for reading in Variant::ALL {
-            let machine = machine(*reading);
+        for variant in Variant::ALL {
+            let machine = machine(*variant);
             let product: f64 = machine.elements.stiffness_n_m.iter().product();
             let determinant = machine.stiffness().determinant();
             assert!((determinant / product - 1.0).abs() < 1e-9, "{determinant:e} {product:e}");
@@ -222,8 +222,8 @@ mod tests {
 
     #[test]
     fn static_compliances_meet_the_reference_and_the_matrix() {
-        for reading in Variant::ALL {
-            let machine = machine(*reading);
+        for variant in Variant::ALL {
+            let machine = machine(*variant);
             let closed = machine.static_compliance();
             let reference = [
                 (closed.h33_m_n, 1.281_842_002_155_3e-7),

@@ -229,11 +229,11 @@ mod tests {
 
     #[test]
     fn every_machine_that_settings_allow_reduces_or_says_why_not() {
-        for reading in Variant::ALL {
+        for variant in Variant::ALL {
             for parameters in Parameters::ALL {
                 for spindle_quality in [1.0, 5.0, 17.0, 100.0] {
                     let machine = FiveMass::new(&MachineSettings {
-                        reading: *reading,
+                        variant: *variant,
                         parameters: *parameters,
                         spindle_quality,
                         ..MachineSettings::default()

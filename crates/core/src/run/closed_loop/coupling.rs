@@ -47,7 +47,9 @@ impl Coupling {
             teeth: tool.teeth as u32,
             diameter_mm: tool.diameter_mm,
             // N/mm^2 x mm = N/mm per mm of depth; 1000 N/m are one N/mm.
-            stiffness_per_mm: 1000.0 * settings.specific_force_n_mm2 * settings.chip_direction,
+            stiffness_per_mm: 1000.0
+                * settings.specific_cutting_force_n_mm2
+                * settings.directional_factor,
             dt_s: scenario.dt_s(),
         };
         // Run-out is a property of the cutter that is simulated tooth by tooth.

@@ -7,6 +7,7 @@
 
 mod companions;
 mod groups;
+mod renamed;
 mod rules;
 mod table;
 #[cfg(test)]
@@ -17,7 +18,9 @@ use std::sync::Arc;
 
 pub(super) use companions::{COMPANIONED, COMPANIONS};
 pub use groups::{Info, RunSettings, Settings};
+pub use renamed::RENAMED;
 pub use rules::MAX_ROWS;
+pub(super) use table::is_group;
 pub use table::{Param, param, parse_value, table};
 
 use crate::base::settings::{SettingError, Value};
@@ -80,7 +83,7 @@ impl Scenario {
     /// As [`Self::set_all`].
     pub fn set(&mut self, path: &str, value: Value) -> Result<(), SettingError> {
         let param = param(path)?;
-        if COMPANIONED.contains(&path) {
+        if COMPANIONED.contains(&param.path.as_str()) {
             return self.set_all(&[(path.to_owned(), value)]);
         }
         let before = self.settings.get_param(param);

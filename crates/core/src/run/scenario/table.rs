@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use super::groups::build_table;
+use super::renamed::{current, was_a_group};
 use crate::base::settings::{Kind, SettingError, Spec, Value};
 use crate::models::unks::Stored;
 
@@ -28,8 +29,15 @@ pub fn table() -> &'static [Param] {
     &TABLE
 }
 
+/// Whether there are settings, or were, whose paths begin with this group.
+pub(in crate::run) fn is_group(group: &str) -> bool {
+    let prefix = format!("{group}.");
+    TABLE.iter().any(|param| param.path.starts_with(&prefix)) || was_a_group(&prefix)
+}
+
+/// Index of a path, or of the path that a setting had once.
 pub(super) fn index_of(path: &str) -> Result<usize, SettingError> {
-    INDEX.get(path).copied().ok_or_else(|| {
+    INDEX.get(current(path)).copied().ok_or_else(|| {
         // A long or binary path is cut: the message must stay readable, and the search short.
         let path: String = path.chars().take(80).collect();
         let near = TABLE
@@ -41,7 +49,7 @@ pub(super) fn index_of(path: &str) -> Result<usize, SettingError> {
     })
 }
 
-/// The table entry of a path.
+/// The table entry of a path; that of an earlier version will do.
 ///
 /// # Errors
 /// [`SettingError::Unknown`] with the nearest known path.

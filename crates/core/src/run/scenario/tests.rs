@@ -59,7 +59,7 @@ fn the_eigenproblem_is_solved_only_for_another_machine() {
     let short = base.with(|settings| settings.run.duration_s = 3.0).unwrap();
     assert!(matches!(Run::complete(&short, &edits).end(), Some(End::TimeLimit)));
     let mut other = base.clone();
-    other.set("machine.specific_force_n_mm2", Value::Float(4000.0)).unwrap();
+    other.set("machine.specific_cutting_force_n_mm2", Value::Float(4000.0)).unwrap();
     other.set("machine.coupled", Value::Bool(true)).unwrap();
     assert_eq!(Reduction::solved(), solved);
     other.set("machine.spindle_quality", Value::Float(17.0)).unwrap();

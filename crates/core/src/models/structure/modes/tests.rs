@@ -2,8 +2,8 @@ use super::*;
 use crate::models::structure::parameters::Parameters;
 use crate::models::structure::{MachineSettings, Variant};
 
-fn machine(reading: Variant, parameters: Parameters) -> FiveMass {
-    FiveMass::new(&MachineSettings { reading, parameters, ..MachineSettings::default() })
+fn machine(variant: Variant, parameters: Parameters) -> FiveMass {
+    FiveMass::new(&MachineSettings { variant, parameters, ..MachineSettings::default() })
 }
 
 fn near(x: f64, y: f64, relative: f64) {
@@ -12,7 +12,7 @@ fn near(x: f64, y: f64, relative: f64) {
 
 #[test]
 fn undamped_modes_meet_the_reference() {
-    let of = |reading| undamped(&machine(reading, Parameters::Rules)).unwrap();
+    let of = |variant| undamped(&machine(variant, Parameters::Rules)).unwrap();
     let a = [
         109.929_156_401_990,
         154.485_631_374_554,
@@ -40,8 +40,8 @@ fn undamped_modes_meet_the_reference() {
 #[test]
 fn undamped_modes_of_every_set_make_the_flexibility() {
     for parameters in Parameters::ALL {
-        for reading in Variant::ALL {
-            let machine = machine(*reading, *parameters);
+        for variant in Variant::ALL {
+            let machine = machine(*variant, *parameters);
             let modes = undamped(&machine).unwrap();
             // K^-1 = sum of x x^T / w^2.
             let flexibility = machine.stiffness().try_inverse().unwrap();
@@ -56,7 +56,7 @@ fn undamped_modes_of_every_set_make_the_flexibility() {
                         })
                         .sum();
                     let gap = (sum - flexibility[(i, j)]).abs() / scale;
-                    assert!(gap < 1e-10, "{parameters:?} {reading:?} {i} {j}: {gap:e}");
+                    assert!(gap < 1e-10, "{parameters:?} {variant:?} {i} {j}: {gap:e}");
                 }
             }
         }
@@ -100,12 +100,12 @@ fn poles_meet_the_reference() {
 #[test]
 fn poles_and_residues_make_the_response() {
     for parameters in Parameters::ALL {
-        for reading in Variant::ALL {
-            let machine = machine(*reading, *parameters);
+        for variant in Variant::ALL {
+            let machine = machine(*variant, *parameters);
             let modes = damped(&machine).unwrap();
             let count: usize =
                 modes.iter().map(|mode| if mode.pole.im > 0.0 { 2 } else { 1 }).sum();
-            assert_eq!(count, 10, "{parameters:?} {reading:?}");
+            assert_eq!(count, 10, "{parameters:?} {variant:?}");
             assert!(modes.iter().all(|mode| mode.pole.re < 0.0));
             for f_hz in [0.0, 110.0, 580.0, 3000.0] {
                 let s = Complex::new(0.0, TAU * f_hz);
@@ -119,7 +119,7 @@ fn poles_and_residues_make_the_response() {
                     .sum();
                 let direct = crate::models::structure::frf::tree(&machine, f_hz).grel;
                 let gap = size(sum - direct) / size(direct);
-                assert!(gap < 1e-8, "{parameters:?} {reading:?} {f_hz} Hz: {gap:e}");
+                assert!(gap < 1e-8, "{parameters:?} {variant:?} {f_hz} Hz: {gap:e}");
             }
         }
     }
