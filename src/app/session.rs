@@ -11,7 +11,6 @@ mod change;
 use super::cut::{Cut, Ghost};
 use super::playback::Playback;
 use super::twin::{self, Comparison};
-use crate::blocks::cutting::process::ForceModel;
 use crate::run::edits::{Edits, Unfit};
 use crate::run::one_run::End;
 use crate::run::scenario::Scenario;
@@ -211,7 +210,7 @@ impl Session {
 
     /// Goes on by `dt_s` seconds of real time: simulates ahead and moves the playhead.
     pub fn advance(&mut self, dt_s: f64) {
-        let by_teeth = self.current.plant.force_model == ForceModel::Mechanistic;
+        let by_teeth = self.current.plant.force_model.tooth_by_tooth();
         let ticks = if by_teeth { TOOTH_TICKS_PER_FRAME } else { TICKS_PER_FRAME };
         for cut in [&mut self.chosen, &mut self.twin] {
             if !cut.is_over() {

@@ -18,7 +18,6 @@ use crate::app::command::Command;
 use crate::app::session::Session;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::legend;
-use crate::blocks::cutting::process::ForceModel;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::reference::Reference;
 use crate::run::tooth_marks::MarkedPart;
@@ -164,7 +163,7 @@ impl WorkpiecePanel {
             "The cutter is drawn turning {SLOWER} times slower. What stands in front of the wall \
              was taken by an earlier cut."
         );
-        if scenario.plant.force_model == ForceModel::Mechanistic {
+        if scenario.plant.force_model.tooth_by_tooth() {
             text.push_str(
                 " Simulated tooth by tooth, K5's Ra does not hold: the surface shows feed marks \
                  and run-out alone.",

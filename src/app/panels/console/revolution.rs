@@ -92,7 +92,7 @@ impl RevolutionWindow {
 
     fn content(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         self.refresh(ui, view);
-        let by_teeth = view.session.current().plant.force_model == ForceModel::Mechanistic;
+        let by_teeth = view.session.current().plant.force_model.tooth_by_tooth();
         match &self.shown {
             Some(shown) if by_teeth => {
                 let csv = csv_of(shown);

@@ -14,7 +14,6 @@ use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::setting::{Size, setting};
 use crate::app::widgets::window::{self, WindowPlace};
 use crate::base::settings::{MAX_CUTS, MAX_SECTIONS, MIN_SECTION_MM, Section, Value};
-use crate::blocks::cutting::process::ForceModel;
 use crate::blocks::cutting::tool_path::{ToolPath, wall_mm};
 use crate::blocks::cutting::workpiece::{DepthProfile, Workpiece};
 use crate::models::part::APPROACH_MM;
@@ -163,7 +162,7 @@ impl WorkpieceWindow {
             setting(ui, path, scenario, Size::Small, commands);
         }
         let tool_mm = view.session.row().position_mm;
-        let by_teeth = scenario.plant.force_model == ForceModel::Mechanistic;
+        let by_teeth = scenario.plant.force_model.tooth_by_tooth();
         let sections = if by_teeth { path_sections } else { path_by_formula };
         let part = PicturePart { sections: sections(&scenario.workpiece), open: true, tool_mm };
         self.pictures(ui, view, &part, 0.0);

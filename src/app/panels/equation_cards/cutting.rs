@@ -7,23 +7,38 @@ use crate::base::units::mm_from_um;
 use crate::blocks::cutting::process::{ForceModel, Process};
 use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::tool_path::Engagement;
+use crate::models::Valued;
 use crate::models::genetic::force_formula::{FEED_MIN_MM_MIN, INCH, SPEED_MIN_RPM};
+use crate::models::neural_force::NeuralKind;
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 
-/// Model 4 of the plant, and what it does not know.
+/// The plant's force model.
 pub fn cutting(row: &Row, scenario: &Scenario) -> Vec<Live> {
-    let plant = &scenario.plant;
-    if plant.force_model == ForceModel::Mechanistic {
-        return tooth_by_tooth(row, scenario);
+    match scenario.plant.force_model {
+        ForceModel::Formula => formula(row, scenario),
+        ForceModel::Neural => neural(NeuralKind::Improved, row, scenario),
+        ForceModel::NeuralLiteral => neural(NeuralKind::Literal, row, scenario),
+        ForceModel::Mechanistic => tooth_by_tooth(row, scenario),
     }
+}
+
+/// The plant's process as it stands at a row, and the force that it gives.
+pub fn process_at(row: &Row, scenario: &Scenario) -> (Process, Valued) {
+    let (axial_depth_mm, radial_depth_mm) = (row.axial_depth_mm, row.radial_depth_mm);
+    let mut process =
+        Process::new(&scenario.plant, radial_depth_mm, axial_depth_mm, scenario.dt_s());
+    let engagement = Engagement { axial_depth_mm, radial_depth_mm };
+    let force = process.update(row.feed_mm_min, row.spindle_rpm, &engagement);
+    (process, force)
+}
+
+/// Model 4 of the plant, and what it does not know.
+fn formula(row: &Row, scenario: &Scenario) -> Vec<Live> {
+    let plant = &scenario.plant;
     let (feed, speed, depth) = (row.feed_mm_min, row.spindle_rpm, row.axial_depth_mm);
     let radial_depth_mm = row.radial_depth_mm;
-    let mut process = Process::new(plant, radial_depth_mm, depth, scenario.dt_s());
-    let force = process.update(feed, speed, &Engagement { axial_depth_mm: depth, radial_depth_mm });
-    if let Some(kind) = plant.force_model.network() {
-        return neural(kind, row, scenario, force);
-    }
+    let (process, force) = process_at(row, scenario);
     let models = process.models();
     let k4 = models.force(feed, speed);
     let name = format!("{}4", models.set.letter());

@@ -32,7 +32,12 @@ impl Block {
                 let (set, calibration) = (plant.model_set, plant.calibration);
                 Some(Using { whose: "the plant", set, calibration })
             }
-            _ => None,
+            Self::Override
+            | Self::DeadTime
+            | Self::FeedDrive
+            | Self::SpindleDrive
+            | Self::Dynamic
+            | Self::Dynamometer => None,
         }
     }
 
@@ -41,7 +46,7 @@ impl Block {
     pub fn now(self, scenario: &Scenario) -> String {
         let force = scenario.plant.force_model;
         match self.using(scenario) {
-            Some(Using { whose, .. }) if self == Self::Cutting && force != ForceModel::Formula => {
+            Some(Using { whose, .. }) if self == Self::Cutting && !force.is_formula() => {
                 format!("Now, {whose}: {}", force.label())
             }
             Some(Using { whose, set, calibration }) => {
@@ -74,12 +79,10 @@ impl Names {
         Self { belief: set, plant: set, force }
     }
 
-    /// The name of the model with this number; a neural force model is called NN, as in the paper
-    /// of 2013.
+    /// The name of the model with this number.
     fn model(self, number: u32) -> String {
         match number {
-            4 if self.force.network().is_some() => "NN".to_owned(),
-            4 if self.force == ForceModel::Mechanistic => "by teeth".to_owned(),
+            4 => self.force.short_name(self.plant),
             1..=3 => format!("{}{number}", self.belief.letter()),
             _ => format!("{}{number}", self.plant.letter()),
         }

@@ -1,12 +1,12 @@
 //! The card of the cutting process where a neural network gives its force: inputs, ranges of
 //! training, components, peak force.
 
+use super::cutting::process_at;
 use super::formula::number;
 use super::live::Live;
 use crate::app::theme;
 use crate::blocks::cutting::material::Material;
 use crate::blocks::cutting::neural::NeuralCut;
-use crate::models::Valued;
 use crate::models::neural_force::{
     AXIAL_DEPTH_MM, AXIAL_PER_DIAMETER, CutPoint, FEED_PER_TOOTH_MM, HARDNESS_HB, NeuralForce,
     NeuralKind, RADIAL_PER_DIAMETER, SPEED_M_MIN, speed_m_min,
@@ -15,7 +15,8 @@ use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 
 /// From the network's inputs to the force that the process gives.
-pub fn neural(kind: NeuralKind, row: &Row, scenario: &Scenario, force: Valued) -> Vec<Live> {
+pub fn neural(kind: NeuralKind, row: &Row, scenario: &Scenario) -> Vec<Live> {
+    let (_, force) = process_at(row, scenario);
     let plant = &scenario.plant;
     let radial_mm = scenario.workpiece.radial_depth_mm;
     let cut = NeuralCut::new(plant.material, plant.hardness_hb, row.axial_depth_mm, radial_mm);

@@ -6,7 +6,6 @@ use super::Shown;
 use crate::app::command::{Command, SessionCommand, ShellCommand};
 use crate::app::panels::equation_cards::Names;
 use crate::app::theme::{self, Palette};
-use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::Calibration;
 use crate::run::edits::Edits;
 use crate::run::scenario_file;
@@ -63,7 +62,7 @@ fn load(ui: &mut Ui, shown: Shown, row: &PaperRow, commands: &mut Vec<Command>) 
         if calibration != Calibration::Identified {
             changed.push(calibration.label());
         }
-        if force_model != ForceModel::Formula {
+        if !force_model.is_formula() {
             changed.push(force_model.label());
         }
         if !changed.is_empty() {

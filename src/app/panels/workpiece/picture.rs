@@ -13,7 +13,6 @@ use crate::app::scene::mesh::Mesh;
 use crate::app::session::Session;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::zoom::by_touch;
-use crate::blocks::cutting::process::ForceModel;
 use crate::study::profilometer::ProfileLine;
 
 /// The cutter is drawn turning so many times slower: its turns could not be seen.
@@ -62,7 +61,7 @@ impl WorkpiecePanel {
         if draws {
             self.profilometer.draw(&response, &camera, &marked.measured(&path));
         }
-        let by_teeth = session.current().plant.force_model == ForceModel::Mechanistic;
+        let by_teeth = session.current().plant.force_model.tooth_by_tooth();
         let ra_um = if by_teeth { FEED_MARKS_UM } else { session.row().ra_target_um };
         let times = self.looking.times(ra_um.max(FEED_MARKS_UM));
         let made = Made {

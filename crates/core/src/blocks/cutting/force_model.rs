@@ -111,6 +111,17 @@ impl ForceModel {
         }
     }
 
+    /// What it is called beside K1..K6 or M1..M6, where the formula is that of `set`.
+    #[must_use]
+    pub fn short_name(self, set: ModelSet) -> String {
+        match self {
+            Self::Formula => format!("{}4", set.letter()),
+            // As in the paper of 2013.
+            Self::Neural | Self::NeuralLiteral => "NN".to_owned(),
+            Self::Mechanistic => "by teeth".to_owned(),
+        }
+    }
+
     /// Its equations as printed, where the formula is that of `set`.
     #[must_use]
     pub fn printed(self, set: ModelSet) -> &'static [Printed] {

@@ -9,7 +9,6 @@ use crate::app::widgets::number::NumberField;
 use crate::base::settings::{
     DepthStep, Kind, MAX_SECTIONS, MAX_STEPS, MIN_SECTION_MM, Section, Value,
 };
-use crate::blocks::cutting::process::ForceModel;
 use crate::blocks::cutting::tool_path::{radial_depth_mm, wall_mm};
 use crate::run::scenario::{Scenario, param};
 
@@ -146,7 +145,7 @@ pub fn profile(
     };
     let (most_mm, deepest_mm) = (*max_position_mm, *max_depth_mm);
     let wall_mm = wall_mm(workpiece.axial_depth_mm, workpiece.radial_depth_mm);
-    let by_teeth = scenario.plant.force_model == ForceModel::Mechanistic;
+    let by_teeth = scenario.plant.force_model.tooth_by_tooth();
     // Formula and networks take the radial depth as it is set; the teeth meet a wall that stays.
     let radial_at = |axial_mm: f64| {
         if by_teeth { radial_depth_mm(axial_mm, wall_mm) } else { workpiece.radial_depth_mm }
