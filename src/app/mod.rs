@@ -6,6 +6,7 @@ pub mod command;
 pub mod cut;
 mod execute;
 mod files;
+pub mod format;
 pub mod history;
 #[cfg(not(target_arch = "wasm32"))]
 mod native;

@@ -3,9 +3,10 @@
 use egui::{ComboBox, Label, RichText, Role, Slider, TextWrapMode, Ui, WidgetInfo};
 
 use super::command::{Command, PlaybackCommand};
+use super::format;
 use super::panels::View;
 use super::playback::Speed;
-use super::theme::{self, Palette};
+use super::theme::Palette;
 use super::widgets::icon::{self, Icon};
 use crate::run::one_run::End;
 
@@ -32,7 +33,7 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         if icon::button(ui, Icon::End, "End", "To the end of the cut (End)", true).clicked() {
             commands.push(Command::Playback(PlaybackCommand::SeekToEnd));
         }
-        let text = theme::time_of(playback.playhead_s, view.session.length_s());
+        let text = format::time_of(playback.playhead_s, view.session.length_s());
         let text = RichText::new(text).monospace();
         let text = if view.narrow { text.small() } else { text };
         ui.add(Label::new(text).selectable(false));

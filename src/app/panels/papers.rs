@@ -13,6 +13,7 @@ use egui::{Frame, Margin, RichText, ScrollArea, Ui};
 
 use super::{Panel, View};
 use crate::app::command::{Command, SessionCommand, ShellCommand};
+use crate::app::format;
 use crate::app::theme::{self, Palette};
 use crate::base::settings::Choice;
 use crate::blocks::cutting::process::ForceModel;
@@ -199,7 +200,7 @@ fn summary(ui: &mut Ui, table: &PaperTable) {
         bands.force_percent,
         bands.feed_percent,
         bands.speed_percent,
-        theme::quantity(bands.ra_um, "um"),
+        format::quantity(bands.ra_um, "um"),
     );
     let text = if all == 0 { run.to_owned() } else { format!("{run} {bands}") };
     ui.label(RichText::new(text).color(palette.weak));

@@ -15,6 +15,7 @@ use egui::{RichText, ScrollArea, Ui};
 
 use super::{Panel, View};
 use crate::app::command::Command;
+use crate::app::format;
 use crate::app::session::Session;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::legend;
@@ -153,7 +154,7 @@ impl WorkpiecePanel {
         let lengths = self.marks.as_ref().map_or([0.0; 3], |marked| marked.lengths.mm);
         ui.horizontal_wrapped(|ui| {
             for (i, name) in ["within", "up to twice as far", "farther: scrap"].iter().enumerate() {
-                let text = format!("{name}, {} mm", theme::number(lengths[i], "N"));
+                let text = format!("{name}, {} mm", format::number(lengths[i], "N"));
                 legend::sample_of(ui, &text, theme::MACHINED[i], |painter, rect, color| {
                     painter.rect_filled(rect.shrink(1.0), 3.0, color);
                 });

@@ -6,8 +6,9 @@ use std::collections::BTreeSet;
 use egui::Ui;
 use egui_plot::{GridInput, GridMark, HLine, HoverPosition, Plot, VLine};
 
+use super::super::format::{self, log10};
 use super::super::session::Session;
-use super::super::theme::{self, Look, Palette, log10};
+use super::super::theme::{self, Look, Palette};
 use super::curves::{band, fit_values, lines};
 use super::legend;
 use super::reading::reading;
@@ -121,7 +122,7 @@ pub fn show(
     let label = move |hover: &HoverPosition<'_>| match hover {
         HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
             let value = write(position.y, unit);
-            Some(format!("{plot_name}: {value}\n{}", theme::time(position.x)))
+            Some(format!("{plot_name}: {value}\n{}", format::time(position.x)))
         }
         _ => None,
     };
@@ -148,7 +149,7 @@ pub fn show(
             plot.vline(playhead.color(palette.playhead).width(1.0));
         });
     response.response.widget_info(|| {
-        let [from_s, to_s] = range.map(theme::time);
+        let [from_s, to_s] = range.map(format::time);
         let label = format!("{} from {from_s} to {to_s}", chart.title);
         egui::WidgetInfo::labeled(egui::Role::Figure, true, label)
     });
@@ -186,7 +187,7 @@ pub fn still<'a>(title: &str, palette: &Palette, [width, height]: [f32; 2]) -> P
 /// Grid lines at round values, about as many as asked for.
 pub fn grid(input: GridInput, count: f32) -> Vec<GridMark> {
     let (low, high) = input.bounds;
-    let Some(step) = theme::round_step((high - low) / f64::from(count.max(1.0))) else {
+    let Some(step) = format::round_step((high - low) / f64::from(count.max(1.0))) else {
         return Vec::new();
     };
     let (first, last) = ((low / step).ceil() as i64, (high / step).floor() as i64);
@@ -212,7 +213,7 @@ fn legend_row(
     ui.spacing_mut().item_spacing = egui::vec2(10.0, 1.0);
     ui.spacing_mut().interact_size.y = 14.0;
     ui.horizontal_wrapped(|ui| {
-        let unit = theme::unit(SIGNALS[index(chart.curves[0].signal)].unit);
+        let unit = format::unit(SIGNALS[index(chart.curves[0].signal)].unit);
         ui.add(egui::Label::new(egui::RichText::new(format!("{} [{unit}]", chart.title)).strong()));
         for curve in chart.foremost() {
             reading(ui, curve, session.row(), chart.write);

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 
 use egui::{DragValue, Response, Ui};
 
-use super::super::theme;
+use super::super::format;
 
 /// What a field holds.
 #[derive(Clone, Copy, Debug)]
@@ -59,7 +59,7 @@ impl NumberField<'_> {
         let text: String = text.trim().chars().take(MOST_CHARS).collect();
         let name = self.name;
         let [min, max] = self.range.map(readable);
-        let with_unit = |text: String| format!("{text} {}", theme::unit(self.unit));
+        let with_unit = |text: String| format!("{text} {}", format::unit(self.unit));
         let allowed = with_unit(format!("allowed is a number from {min} to {max}"));
         let allowed = allowed.trim_end();
         let Some(number) = parse(&text, self.unit) else {

@@ -4,7 +4,7 @@
 use egui::{ComboBox, Response, Slider, Ui, WidgetInfo};
 
 use super::super::command::{Command, SessionCommand};
-use super::super::theme;
+use super::super::format;
 use super::icon::{self, Icon};
 use super::number::NumberField;
 use crate::base::settings::{DepthStep, Kind, MAX_STEPS, Value};
@@ -72,7 +72,7 @@ pub fn setting(
         for part in [Some(response), slider].into_iter().flatten() {
             part.context_menu(|ui| {
                 let default = spec.default.to_string();
-                let unit = theme::unit(spec.unit);
+                let unit = format::unit(spec.unit);
                 if ui.button(format!("Reset to {default} {unit}").trim_end()).clicked() {
                     change(spec.default.clone());
                     ui.close();
@@ -97,7 +97,7 @@ fn describe(ui: &mut Ui, param: &Param) {
             ui.label(format!("{}: {}", option.label, option.doc.replace('\n', " ")));
         }
     } else {
-        ui.label(format!("Allowed: {}.", spec.allowed.allowed(&theme::unit(spec.unit))));
+        ui.label(format!("Allowed: {}.", spec.allowed.allowed(&format::unit(spec.unit))));
     }
     let acts =
         if spec.live { "acts at once, also during the cut" } else { "belongs to the set-up" };
@@ -117,7 +117,7 @@ fn number(
 ) -> Response {
     let spec = &param.spec;
     let mut value = now;
-    let unit = theme::unit(spec.unit);
+    let unit = format::unit(spec.unit);
     let suffix = if unit.is_empty() { String::new() } else { format!(" {unit}") };
     let whole = matches!(spec.allowed, Kind::Int { .. });
     let decimals = if whole { 0 } else { decimals(min, max) };

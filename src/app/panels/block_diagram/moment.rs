@@ -1,9 +1,9 @@
 //! The state of the loop at the playhead, with the commands under way in the dead-time queue.
 
 use super::wires::Wire;
+use crate::app::format;
 use crate::app::panels::equation_cards::Moment;
 use crate::app::session::Session;
-use crate::app::theme;
 use crate::run::signals::Row;
 
 /// Most dots in the queue: more would run into each other.
@@ -67,9 +67,9 @@ impl<'a> Now<'a> {
         let unit = wire.info().unit;
         if unit == "%" {
             let quantised = self.moment.scenario.cnc.override_quantised;
-            return theme::override_percent(self.value(wire), quantised);
+            return format::override_percent(self.value(wire), quantised);
         }
-        theme::quantity(self.value(wire), unit)
+        format::quantity(self.value(wire), unit)
     }
 }
 

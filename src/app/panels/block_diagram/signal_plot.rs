@@ -5,8 +5,9 @@ use egui_plot::{Line, Plot, PlotPoints};
 
 use super::moment::Now;
 use super::wires::Wire;
+use crate::app::format;
 use crate::app::session::Session;
-use crate::app::theme::{self, Look, Palette};
+use crate::app::theme::{Look, Palette};
 use crate::run::signals::{SIGNALS, SignalInfo, signal};
 
 /// Length of the plotted part, s.
@@ -112,7 +113,7 @@ pub fn show(ui: &mut egui::Ui, session: &Session, now: &Now<'_>, wire: Wire, hei
         }
     });
     let height = (height - (ui.cursor().top() - top)).max(90.0);
-    let unit = theme::unit(info.unit);
+    let unit = format::unit(info.unit);
     Plot::new("wire")
         .height(height)
         .allow_zoom(false)

@@ -4,7 +4,8 @@ use egui::{Grid, RichText, Ui};
 
 use super::contest::Contest;
 use super::table::printed_of;
-use crate::app::theme::{self, Palette};
+use crate::app::format;
+use crate::app::theme::Palette;
 
 /// The section; the printed table belongs to what is shown or not.
 pub fn show(ui: &mut Ui, contest: &Contest, belongs: bool) {
@@ -32,8 +33,8 @@ pub fn show(ui: &mut Ui, contest: &Contest, belongs: bool) {
             ui.label(&transient.name);
             let periods = transient.periods.map_or("never steady".to_owned(), |n| n.to_string());
             ui.label(periods);
-            ui.label(theme::deviation(transient.overshoot_percent));
-            ui.label(theme::deviation(transient.offset_percent));
+            ui.label(format::deviation(transient.overshoot_percent));
+            ui.label(format::deviation(transient.offset_percent));
             let printed = printed_of(&transient.name, belongs);
             let printed = printed.map(|row| format!("{:.0}", row.optimization_iterations));
             ui.label(RichText::new(printed.unwrap_or_default()).color(palette.weak));

@@ -4,6 +4,7 @@
 use egui::{Color32, Grid, RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
 
 use crate::app::command::{Command, SessionCommand, ShellCommand};
+use crate::app::format;
 use crate::app::theme::{self, Palette};
 use crate::run::edits::Edits;
 use crate::run::scenario_file;
@@ -75,7 +76,7 @@ fn figure(
         _ => format!("± {}", value(measure, spread.deviation)),
     };
     let printed = printed.map(|printed| {
-        let off = theme::deviation(100.0 * (spread.mean / printed - 1.0));
+        let off = format::deviation(100.0 * (spread.mean / printed - 1.0));
         format!("{}, {off}", as_printed(measure, printed))
     });
     let is_best = best(all, measure) == Some(spread.mean);

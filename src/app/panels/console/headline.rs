@@ -2,6 +2,7 @@
 
 use egui::{RichText, Ui};
 
+use crate::app::format;
 use crate::app::panels::View;
 use crate::app::theme::{self, Palette};
 use crate::app::twin::Comparison;
@@ -58,11 +59,11 @@ fn items(view: &View<'_>, palette: &Palette) -> [Item; 5] {
         Item {
             title: "Metal removed",
             help: "Axial depth times radial depth, summed over the path.".to_owned(),
-            value: theme::quantity(chosen.metal_removed_cm3, "cm^3"),
+            value: format::quantity(chosen.metal_removed_cm3, "cm^3"),
             color: palette.text,
             below: [
-                format!("on {} of path", theme::quantity(chosen.path_mm, "mm")),
-                twin_has(theme::quantity(twin.metal_removed_cm3, "cm^3")),
+                format!("on {} of path", format::quantity(chosen.path_mm, "mm")),
+                twin_has(format::quantity(twin.metal_removed_cm3, "cm^3")),
             ],
         },
     ]
@@ -78,7 +79,7 @@ fn ra_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> Strin
     let ended = |row: &Row| row.has(flag::K5_OUTSIDE) && row.ra_um == 0.0;
     let text = |row: &Row| match ra(row) {
         Some(_) if ended(row) => "outside model".to_owned(),
-        Some(ra_um) => theme::quantity(ra_um, "um"),
+        Some(ra_um) => format::quantity(ra_um, "um"),
         None => "-".to_owned(),
     };
     let inside = |ra_um: f64| (ra_um - now.ra_target_um).abs() <= tolerance_um;
@@ -91,7 +92,7 @@ fn ra_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> Strin
         value: text(now),
         color: judged(palette, ra(now).is_some_and(inside), ra(now).is_some()),
         below: [
-            format!("target {}", theme::quantity(now.ra_target_um, "um")),
+            format!("target {}", format::quantity(now.ra_target_um, "um")),
             twin_has(text(twin)),
         ],
     }
@@ -103,7 +104,7 @@ fn force_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> St
     let percent = view.session.current().target.tolerance_percent;
     let tolerance_n = ratio_from_percent(percent) * now.force_ref_n;
     let inside = (now.force_n - now.force_ref_n).abs() <= tolerance_n;
-    let force = |row: &Row| theme::quantity(row.force_n, "N");
+    let force = |row: &Row| format::quantity(row.force_n, "N");
     Item {
         title: "Force now",
         help: format!(
@@ -112,7 +113,7 @@ fn force_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> St
         value: force(now),
         color: judged(palette, inside, !now.has(flag::AIR)),
         below: [
-            format!("reference {}", theme::quantity(now.force_ref_n, "N")),
+            format!("reference {}", format::quantity(now.force_ref_n, "N")),
             twin_has(force(twin)),
         ],
     }
@@ -159,7 +160,7 @@ fn worst_force(chosen: &Metrics, palette: &Palette, twin: String) -> Item {
 fn time_of_cut(view: &View<'_>, palette: &Palette) -> Item {
     let Comparison { chosen, twin, time_saved_s, .. } = view.session.comparison();
     let saved = if *time_saved_s < 0.0 { "lost" } else { "saved" };
-    let size_s = theme::quantity(time_saved_s.abs(), "s");
+    let size_s = format::quantity(time_saved_s.abs(), "s");
     let percent =
         if twin.time_of_cut_s > 0.0 { 100.0 * time_saved_s / twin.time_of_cut_s } else { 0.0 };
     let compared = match percent {
@@ -177,9 +178,9 @@ fn time_of_cut(view: &View<'_>, palette: &Palette) -> Item {
         help: format!(
             "Time since the start of the cut. Constant feed takes {} for the same length of \
              path: {size_s} {saved}.",
-            theme::time(twin.time_of_cut_s)
+            format::time(twin.time_of_cut_s)
         ),
-        value: theme::time(chosen.time_of_cut_s),
+        value: format::time(chosen.time_of_cut_s),
         color: palette.text,
         below,
     }
@@ -192,12 +193,12 @@ fn worst(of: &Metrics) -> Option<f64> {
 
 /// Before the first contact, and in the air alone, there is no share.
 fn share_of(value: Option<f64>) -> String {
-    value.map_or("-".to_owned(), |x| theme::quantity(x, "%"))
+    value.map_or("-".to_owned(), |x| format::quantity(x, "%"))
 }
 
 fn signed(value: Option<f64>) -> String {
     let Some(value) = value else { return "-".to_owned() };
-    let text = theme::quantity(value, "%");
+    let text = format::quantity(value, "%");
     if value > 0.0 && !text.starts_with("0.0 ") { format!("+{text}") } else { text }
 }
 

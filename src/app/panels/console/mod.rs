@@ -14,6 +14,7 @@ use workpiece::WorkpieceWindow;
 
 use super::{Panel, View};
 use crate::app::command::Command;
+use crate::app::format;
 use crate::app::theme::{self, Look};
 use crate::app::widgets::chart::{self, Axes, Chart, ChartCurve};
 use crate::app::widgets::zoom::by_touch;
@@ -53,7 +54,7 @@ fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
         band: None,
         levels: Vec::new(),
         include: &[],
-        write: theme::quantity,
+        write: format::quantity,
     };
     let cnc = &scenario.cnc;
     let limits = vec![
@@ -104,9 +105,9 @@ fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
             levels: limits,
             include: &[90.0, 110.0],
             write: if cnc.override_quantised {
-                |value, _| theme::override_percent(value, true)
+                |value, _| format::override_percent(value, true)
             } else {
-                theme::quantity
+                format::quantity
             },
             ..chart(
                 "override",

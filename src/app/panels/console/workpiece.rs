@@ -9,6 +9,7 @@ use egui::{RichText, Ui};
 
 use super::super::View;
 use crate::app::command::{Command, SessionCommand};
+use crate::app::format;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::setting::{Size, setting};
@@ -181,9 +182,9 @@ impl WorkpieceWindow {
             at if at == f64::NEG_INFINITY => "still to be cut".to_owned(),
             at if at == f64::INFINITY => "cut already".to_owned(),
             at if at < 0.0 => "the tool comes in from the air".to_owned(),
-            at => format!("tool at {}", theme::quantity(at, "mm")),
+            at => format!("tool at {}", format::quantity(at, "mm")),
         };
-        let length = theme::quantity(length_mm, "mm");
+        let length = format::quantity(length_mm, "mm");
         ui.label(RichText::new(format!("{length} long, {place}")).strong());
         let map = picture::show(ui, part);
         let place_mm = [begin_mm, length_mm];

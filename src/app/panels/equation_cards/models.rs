@@ -6,7 +6,7 @@ use super::laws::{
     polynomial, polynomial_with, quartic_with, straight_on,
 };
 use super::live::Live;
-use crate::app::theme;
+use crate::app::format;
 use crate::base::math;
 use crate::models::Valued;
 use crate::models::genetic::sdnrp_2007::{K2_MIN_N, K3_MAX_N, K5_MAX_N};
@@ -25,13 +25,13 @@ const M5: [f64; 2] = [3.018, -0.0341];
 type Law = (String, String, String);
 
 fn from_to(symbol: &str, [low, high]: [f64; 2], unit: &str) -> String {
-    format!("{symbol} {} to {} {}", number(low), number(high), theme::unit(unit))
+    format!("{symbol} {} to {} {}", number(low), number(high), format::unit(unit))
 }
 
 fn live(symbol: &str, (formula, values, range): Law, answer: Valued, unit: &str) -> Live {
     Live {
         formula: format!("{symbol} = {formula}"),
-        values: format!("{symbol} = {values} = {} {}", number(answer.value), theme::unit(unit)),
+        values: format!("{symbol} = {values} = {} {}", number(answer.value), format::unit(unit)),
         range,
         valid: answer.valid,
     }

@@ -4,7 +4,7 @@
 use super::cutting::process_at;
 use super::formula::number;
 use super::live::Live;
-use crate::app::theme;
+use crate::app::format;
 use crate::blocks::cutting::material::Material;
 use crate::blocks::cutting::neural::NeuralCut;
 use crate::models::neural_force::{
@@ -115,7 +115,7 @@ fn ranges(point: &CutPoint, cut: &NeuralCut, material: Material, hardness_hb: f6
         Material::MnCrSi5.label()
     );
     if !cut.known {
-        let hardness = theme::quantity(hardness_hb, "HB");
+        let hardness = format::quantity(hardness_hb, "HB");
         left.push(format!("{} at {hardness}, trained on {materials}", material.label()));
     }
     if !left.is_empty() {

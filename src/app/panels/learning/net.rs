@@ -3,7 +3,8 @@
 
 use egui::{Align2, FontId, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
-use crate::app::theme::{Look, Palette, fine};
+use crate::app::format::fine;
+use crate::app::theme::{Look, Palette};
 use crate::models::unks::SIZES;
 
 /// How positive and negative weights are drawn.

@@ -3,8 +3,9 @@
 use egui::{Grid, ProgressBar, RichText, Ui};
 
 use crate::app::command::{Command, SessionCommand};
+use crate::app::format::{deviation, number};
 use crate::app::panels::View;
-use crate::app::theme::{Palette, deviation, number};
+use crate::app::theme::Palette;
 use crate::base::units::percent_from_ratio;
 use crate::run::scenario::Scenario;
 use crate::study::unks_passes::{BETTER, Pass, Passes, PassesVerdict, beginning_with};

@@ -6,7 +6,8 @@ use egui::{pos2, vec2};
 
 use super::motion::{MotionPicture, amplitude};
 use super::state::MachineState;
-use crate::app::theme::{self, Palette};
+use crate::app::format;
+use crate::app::theme::Palette;
 use crate::base::math::pow;
 use crate::models::structure::parameters::NODES;
 
@@ -82,11 +83,11 @@ pub fn show(ui: &mut Ui, machine: &MachineState, motion: &MotionPicture, phase: 
 /// The picture in words.
 fn said(motion: &MotionPicture, scale: &Scale) -> String {
     let parts = NODES.iter().zip(motion.z).map(|(node, z)| match motion.in_metres {
-        true => format!("{node} {}", theme::fine(1e6 * amplitude(z), "um")),
+        true => format!("{node} {}", format::fine(1e6 * amplitude(z), "um")),
         false => format!("{node} {:.3}", z.re),
     });
     let parts = parts.collect::<Vec<String>>().join(", ");
-    format!("Five masses at {}: {parts}. {}", theme::fine(motion.f_hz, "Hz"), scale.text)
+    format!("Five masses at {}: {parts}. {}", format::fine(motion.f_hz, "Hz"), scale.text)
 }
 
 /// How large movements are drawn.
@@ -110,7 +111,7 @@ impl Scale {
         let times = round_down(wanted * POINT_M / largest);
         let points = times / POINT_M;
         let bar_um = round_down(1e6 * 40.0 / points);
-        let bar = ((1e-6 * bar_um * points) as f32, format!("{bar_um} {}", theme::unit("um")));
+        let bar = ((1e-6 * bar_um * points) as f32, format!("{bar_um} {}", format::unit("um")));
         Self { points, bar: Some(bar), text: format!("Movement drawn ×{}", grouped(times)) }
     }
 
@@ -137,7 +138,7 @@ fn round_down(x: f64) -> f64 {
     if !(x.is_finite() && x > 0.0) {
         return 1.0;
     }
-    let decade = pow(10.0, theme::log10(x).floor());
+    let decade = pow(10.0, format::log10(x).floor());
     [5.0, 2.0, 1.0].map(|factor| factor * decade).into_iter().find(|y| *y <= x).unwrap_or(decade)
 }
 
@@ -221,7 +222,7 @@ fn mass(
     let weight = kilograms(machine.model.elements.mass_kg[node]);
     let z = motion.z[node];
     let move_text = match motion.in_metres {
-        true => theme::fine(1e6 * amplitude(z), "um"),
+        true => format::fine(1e6 * amplitude(z), "um"),
         false => format!("{:+.2}", z.re + 0.0),
     };
     let line = |text: String, size: f32, y: f32, color: Color32| {

@@ -7,7 +7,8 @@ use egui_plot::{
     PlotPoints, PlotResponse, PlotUi, Points, Text, VLine,
 };
 
-use crate::app::theme::{self, Look, Palette, log10};
+use crate::app::format::{self, log10};
+use crate::app::theme::{Look, Palette};
 use crate::app::widgets::chart::{grid, still, tick};
 use crate::app::widgets::legend;
 use crate::base::math::{extent, pow};
@@ -116,7 +117,7 @@ impl Figure {
         let [across, up] = self.units;
         let mut text = self.title.to_owned();
         if !up.is_empty() {
-            text += &format!(" [{}]", theme::unit(up));
+            text += &format!(" [{}]", format::unit(up));
         }
         if long(across) {
             text += &format!(" over the {} [{across}]", self.over);
@@ -142,8 +143,8 @@ impl Figure {
         let label = move |hover: &HoverPosition<'_>| match hover {
             HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
                 let value = if logarithmic { pow(10.0, position.y) } else { position.y };
-                let at = theme::fine(position.x, across_unit);
-                Some(format!("{plot_name}: {}\n{at}", theme::fine(value, up_unit)))
+                let at = format::fine(position.x, across_unit);
+                Some(format!("{plot_name}: {}\n{at}", format::fine(value, up_unit)))
             }
             _ => None,
         };
@@ -170,7 +171,7 @@ impl Figure {
                 self.draw(plot, palette);
             });
         response.response.widget_info(|| {
-            let [from, to] = self.across.map(|x| theme::fine(x, across_unit));
+            let [from, to] = self.across.map(|x| format::fine(x, across_unit));
             let label = format!("{} from {from} to {to}", self.title);
             WidgetInfo::labeled(Role::Figure, true, label)
         });

@@ -7,6 +7,7 @@ use egui_plot::MarkerShape;
 use super::motion::amplitude;
 use super::plot::{Figure, Marks, PlotCurve, decades_of};
 use super::state::MachineState;
+use crate::app::format;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::legend;
 use crate::app::widgets::zoom::by_touch;
@@ -82,7 +83,7 @@ impl ResponseView {
         ui.scope(|ui| {
             ui.spacing_mut().interact_size.y = 14.0;
             ui.horizontal_wrapped(|ui| {
-                let title = format!("Frequency response [{}]", theme::unit("um/kN"));
+                let title = format!("Frequency response [{}]", format::unit("um/kN"));
                 ui.label(RichText::new(title).strong());
                 for (i, (name, look, _)) in PARTS.iter().enumerate() {
                     if legend::entry(ui, name, *look, self.hidden[i]).clicked() {
@@ -120,13 +121,13 @@ impl ResponseView {
         let here = tree(&machine.model, self.cursor_hz);
         let read = |(name, _, part): &(&str, Look, Part)| {
             let z = part(&here);
-            let size = theme::fine(UM_KN * amplitude(z), "um/kN");
+            let size = format::fine(UM_KN * amplitude(z), "um/kN");
             let name = name.split(' ').next().unwrap_or_default();
             format!("{name} {size}, {:.1}°", degrees(z))
         };
         let shown = PARTS.iter().enumerate().filter(|(i, _)| !self.hidden[*i]);
         let said = shown.map(|(_, part)| read(part)).collect::<Vec<String>>().join("; ");
-        let text = format!("At {}: {said}", theme::fine(self.cursor_hz, "Hz"));
+        let text = format!("At {}: {said}", format::fine(self.cursor_hz, "Hz"));
         let label = ui.label(RichText::new(&text).color(Palette::at(ui).weak));
         label.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
         moved
@@ -146,7 +147,7 @@ impl ResponseView {
         (figure.up, figure.logarithmic) = (decades_of(values, DECADES), true);
         for (i, mode) in machine.modes.iter().enumerate() {
             let f_hz = mode.free.frequency_hz;
-            let name = format!("mode {}, {}", i + 1, theme::fine(f_hz, "Hz"));
+            let name = format!("mode {}, {}", i + 1, format::fine(f_hz, "Hz"));
             figure.posts.push((name, Look::Limit, f_hz));
             if f_hz < last_hz {
                 figure.tags.push((f_hz, (i + 1).to_string()));

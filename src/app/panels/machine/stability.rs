@@ -6,6 +6,7 @@ use egui_plot::MarkerShape;
 
 use super::plot::{Figure, Marks, PlotCurve};
 use crate::app::command::{Command, SessionCommand};
+use crate::app::format;
 use crate::app::theme::{self, Look, Palette};
 use crate::base::math::{extent, limit};
 use crate::base::settings::Value;
@@ -150,8 +151,8 @@ fn verdict(ui: &mut Ui, now: Operating, grown: Option<f64>, job: &ChartJob) {
     let palette = Palette::at(ui);
     let at = format!(
         "{} and {} deep",
-        theme::quantity(now.speed_rpm, "1/min"),
-        theme::quantity(now.depth_mm, "mm")
+        format::quantity(now.speed_rpm, "1/min"),
+        format::quantity(now.depth_mm, "mm")
     );
     let (text, color) = match grown {
         None => ("No cut now".to_owned(), palette.weak),
@@ -169,7 +170,7 @@ fn verdict(ui: &mut Ui, now: Operating, grown: Option<f64>, job: &ChartJob) {
         let any_speed_mm = job.any_speed_mm();
         let text = match any_speed_mm.is_finite() {
             true => {
-                let any = theme::quantity(any_speed_mm, "mm");
+                let any = format::quantity(any_speed_mm, "mm");
                 format!("Stable at every speed up to {any}, by the lobes.")
             }
             false => "Nothing can chatter: the chip does not feel the vibration.".to_owned(),

@@ -6,7 +6,8 @@ use super::motion::{Drive, MotionPicture};
 use super::picture;
 use super::response::ResponseView;
 use super::state::MachineState;
-use crate::app::theme::{self, Palette};
+use crate::app::format;
+use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 
 /// From this width on, points, picture and response stand beside each other.
@@ -122,10 +123,10 @@ impl VibrationView {
             return;
         };
         let what = match self.drive {
-            Drive::Mode(i) => format!("Mode {}: {}", i + 1, theme::fine(motion.f_hz, "Hz")),
+            Drive::Mode(i) => format!("Mode {}: {}", i + 1, format::fine(motion.f_hz, "Hz")),
             _ => {
-                let force = theme::quantity(force_n, "N");
-                format!("{force} at {}", theme::fine(motion.f_hz, "Hz"))
+                let force = format::quantity(force_n, "N");
+                format!("{force} at {}", format::fine(motion.f_hz, "Hz"))
             }
         };
         let text = format!("{what}, shown at {SHOWN_HZ} Hz");

@@ -6,6 +6,7 @@ use egui_plot::MarkerShape;
 
 use super::life::{Life, LifeInCut};
 use super::plot::{Figure, Marks, PlotCurve, decades_of, range_of};
+use crate::app::format;
 use crate::app::session::Session;
 use crate::app::theme::{self, Look, Palette};
 use crate::base::math::extent;
@@ -107,10 +108,10 @@ impl WearView {
         let (factor, unit) = sound_unit(life);
         let text = format!(
             "wear land {}, force {}, sound {}, Ra {}",
-            theme::fine(now.flank_mm, "mm"),
-            theme::quantity(now.force_n, "N"),
-            theme::fine(factor * now.sound, unit),
-            theme::quantity(now.ra_um, "um"),
+            format::fine(now.flank_mm, "mm"),
+            format::quantity(now.force_n, "N"),
+            format::fine(factor * now.sound, unit),
+            format::quantity(now.ra_um, "um"),
         );
         let label = ui.label(RichText::new(&text).color(Palette::at(ui).weak));
         label.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
@@ -156,7 +157,7 @@ impl WearView {
                 let said = match (estimates.last(), &in_cut.problem) {
                     (_, Some(problem)) => problem.clone(),
                     (Some(last), None) => {
-                        let remaining = theme::quantity(last.prediction.remaining_min(), "min");
+                        let remaining = format::quantity(last.prediction.remaining_min(), "min");
                         let alarm =
                             if last.prediction.alarm { ", worn out by its sound" } else { "" };
                         format!("{remaining} left at the programmed cut{alarm}")
@@ -171,12 +172,14 @@ impl WearView {
                         desired tool life, as far as its sound shows it";
             ui.checkbox(&mut self.adjusts, "Adjust the speed").on_hover_text(help);
             let said = match (life.tool_done, life.tool.end_min()) {
-                (_, Some(end_min)) => format!("worn out after {}", theme::quantity(end_min, "min")),
+                (_, Some(end_min)) => {
+                    format!("worn out after {}", format::quantity(end_min, "min"))
+                }
                 (true, None) => "not worn out in ten times the desired tool life".to_owned(),
                 (false, None) => format!("cutting: minute {}", life.tool.minutes().len()),
             };
             let speed = life.tool.minutes().last().map_or(0.0, |minute| minute.cutting_speed_m_min);
-            let text = format!("{said}, at last {}", theme::quantity(speed, "m/min"));
+            let text = format!("{said}, at last {}", format::quantity(speed, "m/min"));
             ui.label(RichText::new(text).small().color(Palette::at(ui).weak));
         });
         let height = height - (ui.cursor().top() - top);

@@ -2,7 +2,7 @@
 
 use egui::{Grid, ScrollArea, Ui};
 
-use crate::app::theme;
+use crate::app::format;
 use crate::study::papers::{PaperRow, PaperTable};
 use crate::study::published::PaperId;
 
@@ -14,8 +14,8 @@ fn off(is: f64, wanted: f64) -> f64 {
 type Column = (&'static str, fn(&PaperRow) -> String);
 
 const RA: [Column; 2] = [
-    ("Ra printed", |row| theme::deviation(row.ra_deviation_printed_percent)),
-    ("Ra run", |row| theme::deviation(row.ra_deviation_reproduced_percent)),
+    ("Ra printed", |row| format::deviation(row.ra_deviation_printed_percent)),
+    ("Ra run", |row| format::deviation(row.ra_deviation_reproduced_percent)),
 ];
 
 /// Final against desired force; only Table 3 of 2007 prints the desired one.
@@ -23,11 +23,11 @@ const FORCE: [Column; 2] = [
     ("force printed", |row| {
         let (end, wanted) = (&row.force_final_n, row.force_start_n.printed);
         let [printed, read] =
-            [end.printed, end.reference].map(|is| theme::deviation(off(is, wanted)));
+            [end.printed, end.reference].map(|is| format::deviation(off(is, wanted)));
         if printed == read { printed } else { format!("{printed}\n(read {read})") }
     }),
     ("force run", |row| {
-        theme::deviation(off(row.force_final_n.reproduced, row.force_start_n.reproduced))
+        format::deviation(off(row.force_final_n.reproduced, row.force_start_n.reproduced))
     }),
 ];
 
@@ -58,7 +58,7 @@ fn extremes(table: &PaperTable) -> String {
         return String::new();
     };
     let told = |row: &PaperRow| {
-        format!("{} in simulation {}", theme::deviation(row.ra_deviation_printed_percent), row.sim)
+        format!("{} in simulation {}", format::deviation(row.ra_deviation_printed_percent), row.sim)
     };
     format!("Ra is off by {} to {}", told(high), told(low))
 }

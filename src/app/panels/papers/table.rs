@@ -4,6 +4,7 @@ use egui::{Grid, RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
 
 use super::Shown;
 use crate::app::command::{Command, SessionCommand, ShellCommand};
+use crate::app::format;
 use crate::app::panels::equation_cards::Names;
 use crate::app::theme::{self, Palette};
 use crate::models::genetic::Calibration;
@@ -78,7 +79,7 @@ fn load(ui: &mut Ui, shown: Shown, row: &PaperRow, commands: &mut Vec<Command>) 
 /// Residual and verdict of a cell in words.
 fn verdict(cell: &Cell, column: &Column) -> String {
     let residual = if column.absolute() {
-        format!("{:+.3} {}", cell.residual, theme::unit(column.unit))
+        format!("{:+.3} {}", cell.residual, format::unit(column.unit))
     } else {
         format!("{:+.2} %", cell.residual_percent)
     };
@@ -157,7 +158,7 @@ pub fn table(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<C
             for column in &columns {
                 ui.vertical(|ui| {
                     ui.strong(column.title);
-                    let unit = theme::unit(column.unit);
+                    let unit = format::unit(column.unit);
                     ui.label(RichText::new(unit).size(NOTE).weak());
                 });
             }
@@ -171,7 +172,7 @@ pub fn table(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<C
                         ui.horizontal(|ui| {
                             ui.label(RichText::new(printed(cell, column)).color(palette.weak));
                             if cell.verdict != CellVerdict::Given {
-                                ui.strong(theme::number(cell.reproduced, column.unit));
+                                ui.strong(format::number(cell.reproduced, column.unit));
                             }
                         });
                         ui.label(verdict_text(cell, column, palette));
@@ -195,10 +196,10 @@ fn figures(ui: &mut Ui, paper: PaperId, row: &PaperRow) {
         ui.end_row();
         for column in &columns {
             let cell = (column.cell)(row);
-            let unit = theme::unit(column.unit);
+            let unit = format::unit(column.unit);
             ui.label(RichText::new(format!("{}, {unit}", column.title)).size(NOTE));
             ui.label(printed(cell, column).replace(" (", "\n("));
-            ui.strong(theme::number(cell.reproduced, column.unit));
+            ui.strong(format::number(cell.reproduced, column.unit));
             ui.label(verdict_text(cell, column, palette));
             ui.end_row();
         }

@@ -3,6 +3,7 @@
 use egui::{Button, Grid, RichText, Ui};
 
 use crate::app::command::{Command, PlaybackCommand, SessionCommand, ShellCommand};
+use crate::app::format;
 use crate::app::theme::{self, Palette};
 use crate::base::settings::Value;
 use crate::run::scenario::Scenario;
@@ -83,24 +84,24 @@ fn values(ui: &mut Ui, optimum: &Optimum) {
     let palette = Palette::at(ui);
     let pairs = [
         [
-            ("Feed", theme::quantity(optimum.feed_mm_min, "mm/min")),
-            ("Speed", theme::quantity(optimum.speed_rpm, "1/min")),
+            ("Feed", format::quantity(optimum.feed_mm_min, "mm/min")),
+            ("Speed", format::quantity(optimum.speed_rpm, "1/min")),
         ],
         [
-            ("Feed per tooth", theme::fine(optimum.feed_per_tooth_mm, "mm")),
-            ("Cutting speed", theme::quantity(optimum.cutting_speed_m_min, "m/min")),
+            ("Feed per tooth", format::fine(optimum.feed_per_tooth_mm, "mm")),
+            ("Cutting speed", format::quantity(optimum.cutting_speed_m_min, "m/min")),
         ],
         [
-            ("Force", theme::quantity(optimum.force_n, "N")),
-            ("Removal", theme::fine(optimum.removal_rate_cm3_min, "cm3/min")),
+            ("Force", format::quantity(optimum.force_n, "N")),
+            ("Removal", format::fine(optimum.removal_rate_cm3_min, "cm3/min")),
         ],
         [
-            ("Time of cut", theme::quantity(optimum.time_s, "s")),
-            ("with tool changes", theme::quantity(optimum.production_time_s, "s")),
+            ("Time of cut", format::quantity(optimum.time_s, "s")),
+            ("with tool changes", format::quantity(optimum.production_time_s, "s")),
         ],
         [
-            ("Cost of cut", theme::fine(optimum.cost, "")),
-            ("Objective", theme::fine(optimum.score.value, "")),
+            ("Cost of cut", format::fine(optimum.cost, "")),
+            ("Objective", format::fine(optimum.score.value, "")),
         ],
     ];
     Grid::new("answer").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {

@@ -6,7 +6,8 @@ use egui::{Color32, Painter, Rect, RichText, Stroke, Ui, vec2};
 
 use super::marks;
 use super::search::Found;
-use crate::app::theme::{self, Look, Palette};
+use crate::app::format;
+use crate::app::theme::{Look, Palette};
 use crate::app::widgets::legend;
 use crate::study::plan::constraints::{Checked, ORIGIN};
 use crate::study::plan::machine::Source;
@@ -112,7 +113,7 @@ pub fn legend(ui: &mut Ui, layers: &mut Layers, found: &Found, programmed_text: 
 
 /// A limit without digits that say nothing.
 fn plain(value: f64) -> String {
-    let text = theme::fine(value, "");
+    let text = format::fine(value, "");
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {
@@ -148,7 +149,7 @@ pub fn explain(ui: &mut Ui, checked: &Checked) {
     ui.set_max_width(340.0);
     ui.label(RichText::new(constraint.formula).monospace());
     ui.label(constraint.why);
-    let unit = theme::unit(constraint.unit);
+    let unit = format::unit(constraint.unit);
     ui.label(format!("Limit: {} {unit} ({}).", limits(checked), source(checked.source)));
     ui.label(RichText::new(format!("The constraint is {ORIGIN}.")).color(palette.weak));
 }

@@ -8,7 +8,8 @@ use super::marks::{self, Moving};
 use super::picture::Polyline;
 use super::readout::readout;
 use super::search::Found;
-use crate::app::theme::{self, Look, Palette};
+use crate::app::format;
+use crate::app::theme::{Look, Palette};
 use crate::app::widgets::chart::{grid, tick};
 use crate::app::widgets::zoom::by_touch;
 use crate::run::scenario::Scenario;
@@ -166,7 +167,7 @@ impl Map {
         }
         if self.layers.show(MapLayer::ForceLines) {
             for (force_n, lines) in found.picture.force_lines() {
-                let text = theme::quantity(*force_n, "N").replace(".0 ", " ");
+                let text = format::quantity(*force_n, "N").replace(".0 ", " ");
                 label(ui, &painter, lines, &at, &text, palette.weak, &mut taken);
             }
         }
@@ -219,7 +220,7 @@ fn name(found: &Found) -> String {
     let best = if found.job.progress().done { "optimum" } else { "best so far" };
     format!(
         "Force over cutting speed and feed per tooth; {best} at {} and {}",
-        theme::quantity(optimum.cutting_speed_m_min, "m/min"),
-        theme::fine(optimum.feed_per_tooth_mm, "mm"),
+        format::quantity(optimum.cutting_speed_m_min, "m/min"),
+        format::fine(optimum.feed_per_tooth_mm, "mm"),
     )
 }

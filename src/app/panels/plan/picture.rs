@@ -5,7 +5,8 @@
 use egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions, lerp};
 
 use super::polyline::joined;
-use crate::app::theme::{Palette, round_step};
+use crate::app::format::round_step;
+use crate::app::theme::Palette;
 use crate::study::plan::contour::Segment;
 use crate::study::plan::field::PlanField;
 use crate::study::plan::problem::{CUTTING_SPEED_M_MIN, FEED_PER_TOOTH_MM, Problem};

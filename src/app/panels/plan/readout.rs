@@ -3,6 +3,7 @@
 use egui::{Grid, Rect, RichText, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::picture::Picture;
+use crate::app::format;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
 use crate::study::plan::problem::Problem;
@@ -12,15 +13,15 @@ pub fn readout(ui: &mut Ui, problem: &Problem, point: [f64; 2]) {
     let palette = Palette::at(ui);
     let cut = problem.cut(point);
     let lines = [
-        ("Cutting speed", theme::quantity(point[0], "m/min")),
-        ("Feed per tooth", theme::fine(point[1], "mm")),
-        ("Spindle speed", theme::quantity(cut.speed_rpm, "1/min")),
-        ("Feed", theme::quantity(cut.feed_mm_min, "mm/min")),
-        ("Force", theme::quantity(cut.force_n, "N")),
-        ("Ra of feed marks", theme::quantity(cut.ra_um, "um")),
-        ("Spindle power", theme::quantity(cut.power_kw, "kW")),
-        ("Deflection", theme::fine(cut.deflection_mm, "mm")),
-        ("Tool life", theme::quantity(cut.tool_life_min, "min")),
+        ("Cutting speed", format::quantity(point[0], "m/min")),
+        ("Feed per tooth", format::fine(point[1], "mm")),
+        ("Spindle speed", format::quantity(cut.speed_rpm, "1/min")),
+        ("Feed", format::quantity(cut.feed_mm_min, "mm/min")),
+        ("Force", format::quantity(cut.force_n, "N")),
+        ("Ra of feed marks", format::quantity(cut.ra_um, "um")),
+        ("Spindle power", format::quantity(cut.power_kw, "kW")),
+        ("Deflection", format::fine(cut.deflection_mm, "mm")),
+        ("Tool life", format::quantity(cut.tool_life_min, "min")),
     ];
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
     ui.spacing_mut().interact_size.y = 14.0;
@@ -66,7 +67,7 @@ pub fn scale(ui: &mut Ui, picture: &Picture) {
     const STEPS: usize = 40;
     let palette = Palette::at(ui);
     let [low, high] = picture.range_n();
-    ui.label(RichText::new(theme::quantity(low, "N")).small().color(palette.weak));
+    ui.label(RichText::new(format::quantity(low, "N")).small().color(palette.weak));
     let (rect, response) = ui.allocate_exact_size(SIZE, Sense::hover());
     let said = "Force: in colour where the cut is allowed, grey where a constraint forbids it";
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, said));
@@ -84,5 +85,5 @@ pub fn scale(ui: &mut Ui, picture: &Picture) {
         }
     }
     response.on_hover_text(said);
-    ui.label(RichText::new(theme::quantity(high, "N")).small().color(palette.weak));
+    ui.label(RichText::new(format::quantity(high, "N")).small().color(palette.weak));
 }

@@ -4,7 +4,8 @@
 use egui::{CollapsingHeader, ComboBox, RichText, Role, Ui, WidgetInfo};
 
 use crate::app::command::{Command, SessionCommand};
-use crate::app::theme::{self, Palette};
+use crate::app::format;
+use crate::app::theme::Palette;
 use crate::base::settings::Value;
 use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::run::scenario::Scenario;
@@ -69,18 +70,18 @@ fn answer(
     let asked = format!(
         "For {:.0} HB, a cutter of {}, {}:",
         found.hardness_hb,
-        theme::quantity(found.diameter_mm, "mm"),
+        format::quantity(found.diameter_mm, "mm"),
         engagement.label()
     );
     ui.label(RichText::new(asked).small().color(palette.weak));
     let values = format!(
         "{}, {} a tooth",
-        theme::quantity(speed.value, "m/min"),
-        theme::fine(feed.value, "mm")
+        format::quantity(speed.value, "m/min"),
+        format::fine(feed.value, "mm")
     );
     ui.strong(values);
     let (feed, rpm) = (found.feed_mm_min, found.speed_rpm);
-    ui.label(format!("{}, {}", theme::quantity(rpm, "1/min"), theme::quantity(feed, "mm/min")));
+    ui.label(format!("{}, {}", format::quantity(rpm, "1/min"), format::quantity(feed, "mm/min")));
     let (text, color) = match found.inside_table() {
         true => ("inside the table", palette.good),
         false => ("outside the table: its edge answers", palette.warn),

@@ -8,7 +8,8 @@ use super::layers::{Layers, MapLayer};
 use super::marks::{self, Moving};
 use super::search::Found;
 use super::space::{Space, top};
-use crate::app::theme::{self, Look, Palette, round_step};
+use crate::app::format::{self, round_step};
+use crate::app::theme::{Look, Palette};
 use crate::app::widgets::zoom::by_touch;
 use crate::study::plan::constraints::CONSTRAINTS;
 use crate::study::plan::problem::{CUTTING_SPEED_M_MIN, FEED_PER_TOOTH_MM};
@@ -165,7 +166,7 @@ fn frame(painter: &Painter, space: &Space, palette: &Palette, top_n: f64) {
     if let Some(left) = left {
         painter.line_segment([space.at(left, 0.0), space.at(left, top_n)], stroke);
         for force_n in steps([0.0, top_n], 4.0) {
-            let text = theme::quantity(force_n, "N").replace(".0 ", " ");
+            let text = format::quantity(force_n, "N").replace(".0 ", " ");
             write(space.at(left, force_n) - vec2(5.0, 0.0), Align2::RIGHT_CENTER, &text);
         }
     }

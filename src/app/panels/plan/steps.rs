@@ -2,8 +2,9 @@
 
 use egui::{RichText, Ui};
 
+use crate::app::format;
 use crate::app::panels::View;
-use crate::app::theme::{self, Palette};
+use crate::app::theme::Palette;
 use crate::base::units::percent_from_ratio;
 use crate::run::signals::flag;
 use crate::study::plan::PlanJob;
@@ -23,7 +24,7 @@ fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {
     let (now, row) = (session.current(), session.row());
     let letter = now.belief.model_set.letter();
     let feed_speed = |feed: f64, speed: f64| {
-        format!("{}, {}", theme::quantity(feed, "mm/min"), theme::quantity(speed, "1/min"))
+        format!("{}, {}", format::quantity(feed, "mm/min"), format::quantity(speed, "1/min"))
     };
     let optimum = job.map(|job| (job.optimum(), job.progress()));
     let found = match &optimum {
@@ -37,7 +38,7 @@ fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {
             format!(
                 "{state}: {}, {}",
                 feed_speed(optimum.feed_mm_min, optimum.speed_rpm),
-                theme::quantity(optimum.force_n, "N")
+                format::quantity(optimum.force_n, "N")
             )
         }
     };
@@ -51,7 +52,7 @@ fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {
     });
     let air = row.has(flag::AIR);
     let deviation = percent_from_ratio(row.force_measured_n / row.force_ref_n - 1.0);
-    let measured = theme::quantity(row.force_measured_n, "N");
+    let measured = format::quantity(row.force_measured_n, "N");
     let samples = |time_s: f64| (time_s / now.control_period_s() + 1e-6).floor();
     [
         step("The optimal cutting conditions are found by PSO-NN", found),
@@ -59,10 +60,10 @@ fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {
             "They are programmed",
             feed_speed(program.feed_mm_min, program.spindle_rpm) + compared,
         ),
-        step("The desired roughness is set", theme::quantity(row.ra_target_um, "um")),
+        step("The desired roughness is set", format::quantity(row.ra_target_um, "um")),
         step(
             &format!("The reference force follows from {letter}1"),
-            theme::quantity(row.force_ref_n, "N"),
+            format::quantity(row.force_ref_n, "N"),
         ),
         step(
             &format!("Feed and speed are commanded ({})", now.controller.kind.label()),
@@ -73,15 +74,15 @@ fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {
             if air {
                 "in the air".to_owned()
             } else {
-                format!("{measured}, {}", theme::deviation(deviation))
+                format!("{measured}, {}", format::deviation(deviation))
             },
         ),
         step(
             "The overrides go back to the machine",
             format!(
                 "DNCFRO {}, DNCSPO {}",
-                theme::override_percent(row.feed_override_percent, now.cnc.override_quantised),
-                theme::override_percent(row.spindle_override_percent, now.cnc.override_quantised)
+                format::override_percent(row.feed_override_percent, now.cnc.override_quantised),
+                format::override_percent(row.spindle_override_percent, now.cnc.override_quantised)
             ),
         ),
         step(

@@ -4,6 +4,7 @@
 use egui::{Button, Grid, RichText, Role, Ui, WidgetInfo};
 
 use super::layers::{explain, limits};
+use crate::app::format;
 use crate::app::theme::{self, Look, Palette};
 use crate::study::plan::constraints::{Checked, ORIGIN};
 use crate::study::plan::machine::Source;
@@ -72,7 +73,7 @@ fn row(ui: &mut Ui, number: usize, one: &Checked, open: &mut Option<usize>) {
     if response.on_hover_ui(|ui| explain(ui, one)).clicked() {
         *open = (!is_open).then_some(number);
     }
-    ui.label(RichText::new(theme::fine(one.value, constraint.unit)).size(NOTE));
+    ui.label(RichText::new(format::fine(one.value, constraint.unit)).size(NOTE));
     let limit = limits(one) + mark(one.source);
     ui.label(RichText::new(limit).small().color(palette.weak));
     let margin = format!("{:+.0} %", one.margin_percent);

@@ -7,6 +7,7 @@ use egui::{Align2, Color32, FontId, Rect, Sense, Ui, WidgetInfo, vec2};
 
 use super::part::{self, Part};
 use super::{Marked, WorkpiecePanel, cutter, judged, under_tool};
+use crate::app::format;
 use crate::app::scene;
 use crate::app::scene::camera::Camera;
 use crate::app::scene::mesh::Mesh;
@@ -123,9 +124,9 @@ impl WorkpiecePanel {
 fn place(x_mm: f64, length_mm: f64, [number, count]: [usize; 2]) -> String {
     let cut = if count > 1 { format!("cut {} of {count}, ", number + 1) } else { String::new() };
     let tool = if x_mm < 0.0 {
-        format!("tool {} before the part", theme::quantity(-x_mm, "mm"))
+        format!("tool {} before the part", format::quantity(-x_mm, "mm"))
     } else {
-        let [x, length] = [x_mm.min(length_mm), length_mm].map(|x| theme::number(x, "mm"));
+        let [x, length] = [x_mm.min(length_mm), length_mm].map(|x| format::number(x, "mm"));
         format!("tool at {x} of {length} mm")
     };
     cut + &tool

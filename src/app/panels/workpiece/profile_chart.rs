@@ -3,7 +3,8 @@
 use egui::{RichText, Role, Sense, Ui, WidgetInfo};
 use egui_plot::{HoverPosition, Line, PlotPoints};
 
-use crate::app::theme::{self, Look, Palette};
+use crate::app::format;
+use crate::app::theme::{Look, Palette};
 use crate::app::widgets::chart::{grid, still, tick};
 use crate::app::widgets::legend;
 use crate::base::math::extent;
@@ -74,7 +75,7 @@ pub fn show(ui: &mut Ui, curves: &Curves) {
     let label = |hover: &HoverPosition<'_>| match hover {
         HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
             let [height, along] =
-                [(position.y, "um"), (position.x, "mm")].map(|(x, u)| theme::quantity(x, u));
+                [(position.y, "um"), (position.x, "mm")].map(|(x, u)| format::quantity(x, u));
             Some(format!("{plot_name}: {height}\n{along} along the line"))
         }
         _ => None,
@@ -96,7 +97,7 @@ pub fn show(ui: &mut Ui, curves: &Curves) {
             }
         });
     response.response.widget_info(|| {
-        let [from, to] = [from, to].map(|x| theme::quantity(x, "mm"));
+        let [from, to] = [from, to].map(|x| format::quantity(x, "mm"));
         let label = format!("Profile from {from} to {to} along the line");
         WidgetInfo::labeled(Role::Figure, true, label)
     });

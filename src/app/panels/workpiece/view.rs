@@ -3,8 +3,8 @@
 use egui::{PointerButton, Rect, Response, Role, Slider, Ui, Vec2, WidgetInfo};
 
 use super::cutter::SHANK_MM;
+use crate::app::format::round_step;
 use crate::app::scene::camera::{Camera, Point};
-use crate::app::theme::round_step;
 
 /// Distance of the eye and how far behind the tool it looks, mm: at the tool, and close up.
 const AT_TOOL_MM: [f32; 2] = [96.0, 9.0];

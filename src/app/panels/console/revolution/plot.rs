@@ -8,6 +8,7 @@ use egui_plot::{
 };
 
 use super::{Axis, LINES, RevolutionWindow};
+use crate::app::format;
 use crate::app::panels::View;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::chart::{grid, still, tick};
@@ -101,8 +102,8 @@ impl RevolutionWindow {
         });
         let label = move |hover: &HoverPosition<'_>| match hover {
             HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
-                let at = theme::quantity(scale(axis, position.x), unit);
-                Some(format!("{plot_name}: {}\n{at}", theme::quantity(position.y, "N")))
+                let at = format::quantity(scale(axis, position.x), unit);
+                Some(format!("{plot_name}: {}\n{at}", format::quantity(position.y, "N")))
             }
             _ => None,
         };
@@ -118,7 +119,7 @@ impl RevolutionWindow {
             .y_grid_spacer(move |input| grid(input, size.y / GRID[1]))
             .x_axis_formatter(move |mark, _| {
                 let value = scale(axis, mark.value);
-                format!("{} {}", tick(GridMark { value, ..mark }), theme::unit(unit))
+                format!("{} {}", tick(GridMark { value, ..mark }), format::unit(unit))
             })
             .y_axis_formatter(|mark, _| format!("{} N", tick(mark)))
             .label_formatter(label)
@@ -134,7 +135,7 @@ impl RevolutionWindow {
                 plot.vline(now.color(palette.playhead).width(1.0));
             });
         response.response.widget_info(|| {
-            let [from, to] = range.map(|place| theme::quantity(place, unit));
+            let [from, to] = range.map(|place| format::quantity(place, unit));
             let label = format!("Forces from {from} to {to}");
             WidgetInfo::labeled(Role::Figure, true, label)
         });
@@ -153,8 +154,8 @@ fn summary(shown: &Revolution) -> String {
     let Some(peak) = shown.peak.map(|i| &shown.samples[i]) else {
         return format!("{} samples {until}", shown.samples.len());
     };
-    let force = theme::quantity(peak.fxy_n(), "N");
-    let angle = theme::quantity(peak.angle_deg, "deg");
+    let force = format::quantity(peak.fxy_n(), "N");
+    let angle = format::quantity(peak.angle_deg, "deg");
     format!(
         "{} samples {until}. Peak of the last control period (shaded): {force} at {angle}; with \
          the sensor's noise it is what the controller sees.",

@@ -4,7 +4,8 @@
 use egui::{Align2, Rect, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use super::picture::PictureMap;
-use crate::app::theme::{self, Palette};
+use crate::app::format;
+use crate::app::theme::Palette;
 use crate::base::units::percent_from_ratio;
 use crate::blocks::cutting::field::MaterialField;
 use crate::run::scenario::Scenario;
@@ -84,8 +85,8 @@ impl MaterialPicture {
         let said = format!(
             "Material under seed {}: force {} to {} along this cut",
             source.seed,
-            theme::deviation(low),
-            theme::deviation(high)
+            format::deviation(low),
+            format::deviation(high)
         );
         ui.label(weak(said.clone()));
         let (rect, response) = ui.allocate_exact_size(vec2(map.x.span(), HEIGHT), Sense::hover());
@@ -118,7 +119,7 @@ impl MaterialPicture {
                 .min_by(|a, b| (map.at(a[0]) - at.x).abs().total_cmp(&(map.at(b[0]) - at.x).abs()));
             if let Some([x_mm, percent]) = near {
                 let text =
-                    format!("{} at {}", theme::deviation(*percent), theme::quantity(*x_mm, "mm"));
+                    format!("{} at {}", format::deviation(*percent), format::quantity(*x_mm, "mm"));
                 response.on_hover_text(text);
             }
         }

@@ -6,7 +6,8 @@ use egui::{
 };
 use egui::{RichText, pos2, vec2};
 
-use crate::app::theme::{self, Palette};
+use crate::app::format;
+use crate::app::theme::Palette;
 use crate::base::math::{PI, cos, sin};
 use crate::base::settings::Section;
 use crate::blocks::cutting::tool::R216_16B20_040;
@@ -126,7 +127,7 @@ pub fn show(ui: &mut Ui, part: &PicturePart) -> PictureMap {
 }
 
 fn listed(part: &PicturePart, value: impl Fn(&Section) -> f64) -> String {
-    let values = part.sections.iter().map(|section| theme::number(value(section), "mm"));
+    let values = part.sections.iter().map(|section| format::number(value(section), "mm"));
     format!("{} mm", values.collect::<Vec<_>>().join(", "))
 }
 
@@ -184,7 +185,7 @@ fn side(sheet: &Sheet<'_>, part: &PicturePart, floor_mm: f64) {
         ball_from_side(sheet, part.tool_mm, tip_mm);
     }
     for (x_mm, [_, axial_mm, _]) in stretches {
-        sheet.write(x_mm, 0.0, Align2::CENTER_BOTTOM, theme::number(axial_mm, "mm"));
+        sheet.write(x_mm, 0.0, Align2::CENTER_BOTTOM, format::number(axial_mm, "mm"));
     }
 }
 
@@ -224,7 +225,7 @@ fn above(sheet: &Sheet<'_>, part: &PicturePart) {
                 x_mm,
                 0.5 * (wall_mm + edge_mm),
                 Align2::CENTER_CENTER,
-                theme::number(radial_mm, "mm"),
+                format::number(radial_mm, "mm"),
             );
         }
     }

@@ -3,7 +3,8 @@
 use egui::{Grid, RichText, Ui, WidgetInfo};
 
 use crate::app::command::{Command, SessionCommand};
-use crate::app::theme::{self, Palette};
+use crate::app::format;
+use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::number::NumberField;
 use crate::base::settings::{
@@ -123,7 +124,7 @@ pub fn sections(ui: &mut Ui, cut: usize, cuts: &mut [Vec<Section>], said: &mut O
 fn radial(ui: &mut Ui, axial_mm: f64, radial_mm: f64) {
     let palette = Palette::at(ui);
     if axial_mm > 0.0 && radial_mm > 0.0 {
-        ui.label(theme::number(radial_mm, "mm"));
+        ui.label(format::number(radial_mm, "mm"));
     } else {
         let text = RichText::new("air").color(palette.warn);
         ui.label(text).on_hover_text("The tool meets no material here");

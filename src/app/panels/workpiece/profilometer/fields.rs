@@ -5,8 +5,9 @@ use egui::{RichText, Ui};
 use super::super::profile_chart;
 use super::Profilometer;
 use crate::app::command::Command;
+use crate::app::format;
 use crate::app::panels::View;
-use crate::app::theme::{self, Palette};
+use crate::app::theme::Palette;
 use crate::app::widgets::number::NumberField;
 use crate::app::widgets::setting::{Size, setting};
 use crate::study::profilometer::{Measurement, ProfileLine};
@@ -39,7 +40,7 @@ impl Profilometer {
             Some(Err(error)) => {
                 let mut text = error.clone();
                 text[..1].make_ascii_uppercase();
-                ui.label(RichText::new(theme::unit(&format!("{text}."))).color(palette.bad));
+                ui.label(RichText::new(format::unit(&format!("{text}."))).color(palette.bad));
             }
             None => {}
         }
@@ -79,7 +80,7 @@ impl Profilometer {
                 self.own = None;
                 ui.request_repaint();
             }
-            let length = theme::quantity(line.length_mm(), "mm");
+            let length = format::quantity(line.length_mm(), "mm");
             ui.label(format!("{length} long"));
         });
     }
@@ -93,19 +94,19 @@ fn figures(ui: &mut Ui, found: &Measurement, long_mm: f64) {
         for (name, value) in
             [("Ra", roughness.ra_um), ("Rq", roughness.rq_um), ("Rz", roughness.rz_um)]
         {
-            let text = format!("{name} {}", theme::quantity(value, "um"));
+            let text = format!("{name} {}", format::quantity(value, "um"));
             ui.label(RichText::new(text).size(15.0).strong());
             ui.add_space(6.0);
         }
     });
-    let long = theme::fine(long_mm, "mm");
+    let long = format::fine(long_mm, "mm");
     let lengths = match found.lengths {
         1 => format!("Over one sampling length of {long}; the standard takes five. "),
         n if n < 5 => format!("Over {n} sampling lengths of {long}; the standard takes five. "),
         n => format!("Over {n} sampling lengths of {long}. "),
     };
     let run = if found.run_ra_um > 0.0 {
-        let ra = theme::quantity(found.run_ra_um, "um");
+        let ra = format::quantity(found.run_ra_um, "um");
         format!("The run's Ra with dynamics is {ra} along the line on average.")
     } else {
         "Simulated tooth by tooth, K5 gives no Ra here: feed marks and run-out alone.".to_owned()
