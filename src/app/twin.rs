@@ -19,8 +19,8 @@ pub fn is_of_controller(path: &str) -> bool {
 pub fn scenario(chosen: &Scenario) -> Scenario {
     let twin = chosen.with(|settings| {
         settings.controller.kind = ControllerKind::ConstantFeed;
-        settings.constant_feed.feed_percent = 100.0;
-        settings.constant_feed.speed_percent = 100.0;
+        settings.controller.constant_feed.feed_percent = 100.0;
+        settings.controller.constant_feed.speed_percent = 100.0;
     });
     twin.expect("constant feed goes with any scenario")
 }

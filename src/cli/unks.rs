@@ -46,8 +46,8 @@ fn prepare(args: &UnksArgs) -> Result<Scenario, Box<dyn std::error::Error>> {
     apply(&mut scenario, &args.set)?;
     if let Some(path) = &args.load {
         load_networks(&mut scenario, path)?;
-        if args.cold && scenario.unks.start != UnksStart::Cold {
-            let start = scenario.unks.start.id();
+        if args.cold && scenario.controller.unks.start != UnksStart::Cold {
+            let start = scenario.controller.unks.start.id();
             return Err(format!(
                 "--cold: {} holds networks of the start `{start}`: leave --cold out",
                 path.display()
@@ -58,7 +58,7 @@ fn prepare(args: &UnksArgs) -> Result<Scenario, Box<dyn std::error::Error>> {
         scenario.set_all(&beginning_anew(UnksStart::Cold))?;
     }
     if let Some(rate) = args.rate {
-        let paths: &[&str] = match scenario.unks.start {
+        let paths: &[&str] = match scenario.controller.unks.start {
             UnksStart::Cold => &["cold_rate"],
             UnksStart::Shipped => &["forward_rate", "inverse_rate"],
         };
@@ -77,7 +77,7 @@ pub fn execute(args: &UnksArgs) -> Outcome {
         progress.set_position((STEPS * passes.progress()) as u64);
     }
     progress.finish_and_clear();
-    let start = scenario.unks.start;
+    let start = scenario.controller.unks.start;
     let mut out = std::io::stdout().lock();
     if args.json {
         let report = json!({
@@ -87,7 +87,7 @@ pub fn execute(args: &UnksArgs) -> Outcome {
         });
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
-        let begun = if scenario.unks.networks.get().is_some() {
+        let begun = if scenario.controller.unks.networks.get().is_some() {
             "networks learned before"
         } else {
             start.label()

@@ -78,16 +78,16 @@ fn what_was_learned_is_carried_on_and_the_start_chosen_anew() {
         let mut screen = open(size, UnksStart::Cold);
         let expected = learned(session(&screen).chosen().run(), 1).unwrap();
         press(&mut screen, "Cut again with what was learned");
-        assert_eq!(session(&screen).scenario().unks.networks.get(), Some(&expected));
+        assert_eq!(session(&screen).scenario().controller.unks.networks.get(), Some(&expected));
         assert!(texts(&screen).contains("learned before"), "{}", texts(&screen));
         // Longer than a gesture lasts: two steps of undo.
         screen.run_steps(20);
         press(&mut screen, "trained before");
-        let unks = &session(&screen).scenario().unks;
+        let unks = &session(&screen).scenario().controller.unks;
         assert_eq!((unks.start, unks.networks.get()), (UnksStart::Shipped, None));
         screen.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
         screen.run_steps(2);
-        assert_eq!(session(&screen).scenario().unks.networks.get(), Some(&expected));
+        assert_eq!(session(&screen).scenario().controller.unks.networks.get(), Some(&expected));
     }
 }
 
@@ -105,7 +105,7 @@ fn passes_are_worked_off_and_their_networks_can_be_used() {
     let shown = texts(&screen);
     assert!(shown.contains("The feedback's share falls pass by pass."), "{shown}");
     press(&mut screen, "Use these networks");
-    let stored = session(&screen).scenario().unks.networks.get().unwrap().clone();
+    let stored = session(&screen).scenario().controller.unks.networks.get().unwrap().clone();
     assert_eq!((stored.start, stored.origins[2].epochs), (UnksStart::Cold, 5));
     assert!(texts(&screen).contains("Made with other settings than those of now."));
 }
@@ -140,6 +140,6 @@ fn a_file_of_networks_brings_its_controller_and_a_bad_one_becomes_a_notice() {
     assert_eq!(session.scenario(), &load("first-cut").unwrap());
     session.execute(command(stored.write()));
     assert_eq!(session.scenario().controller.kind, ControllerKind::Unks);
-    assert_eq!(session.scenario().unks.networks.get(), Some(&stored));
+    assert_eq!(session.scenario().controller.unks.networks.get(), Some(&stored));
     assert_eq!(session.notices().len(), 1);
 }

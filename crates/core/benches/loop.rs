@@ -83,7 +83,7 @@ mod baseline {
         let field_drive = (1.0 - field_pole * field_pole).sqrt();
 
         let programmed = [scenario.program.feed_mm_min, scenario.program.spindle_rpm];
-        let kp = scenario.sdnrp.kp;
+        let kp = scenario.controller.sdnrp.kp;
         let target = scenario.target.ra_um;
         let force_ref = k1.at(target);
         let feed_decay = (-14.0 * dt).exp();

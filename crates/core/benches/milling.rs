@@ -255,7 +255,7 @@ fn ratio(record_every: u32, repeats: u32) -> f64 {
 /// What a controller's update costs, in steps of the plant, over what it saw in a run.
 fn updates(kind: ControllerKind, adapted: Adapted, step_s: f64, repeats: u32) {
     let mut scenario = experiment(kind, 576);
-    scenario.change(|s| s.mrac.adapted = adapted).unwrap();
+    scenario.change(|s| s.controller.mrac.adapted = adapted).unwrap();
     let run = Run::complete(&scenario, &Edits::none());
     let rows = run.recording().rows();
     let models = GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration);

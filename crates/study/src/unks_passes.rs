@@ -97,7 +97,7 @@ impl Passes {
             settings.run.record_every = settings.run.steps_per_control;
         });
         let scenario = scenario.expect("UNKS, and a row a control period, go with any scenario");
-        let unks = &scenario.unks;
+        let unks = &scenario.controller.unks;
         Self {
             from_scratch: unks.start == UnksStart::Cold && unks.networks.get().is_none(),
             wanted: passes.clamp(1, MAX_PASSES),
@@ -170,7 +170,7 @@ impl Passes {
             && let Some(stored) = &self.learned
         {
             let networks = StoredNetworks::from(stored.clone());
-            match self.scenario.change(|settings| settings.unks.networks = networks) {
+            match self.scenario.change(|settings| settings.controller.unks.networks = networks) {
                 Ok(()) => {
                     self.run = Run::new(&self.scenario, &Edits::none());
                     (self.means, self.seen) = (Means::default(), 0);
@@ -244,7 +244,7 @@ pub struct PassesVerdict {
 #[must_use]
 pub fn learned(run: &Run, passes: u32) -> Option<Stored> {
     let learning = run.closed_loop().learning()?;
-    let (scenario, settings) = (run.scenario(), &run.scenario().unks);
+    let (scenario, settings) = (run.scenario(), &run.scenario().controller.unks);
     let origin = |rows: u32, rate: f64| Provenance {
         note: format!("learned in the cut by UNKS: {}", scenario.info.name),
         rows,

@@ -15,7 +15,6 @@ use super::equation_cards::Block;
 use super::learning::LearningView;
 use super::{Panel, View};
 use crate::app::command::Command;
-use crate::blocks::control::ControllerKind;
 use moment::Now;
 use wires::{RA, Wire};
 
@@ -69,7 +68,7 @@ impl Panel for BlockDiagramPanel {
     fn ui(&mut self, ui: &mut egui::Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let side = if view.narrow { 4 } else { 12 };
         Frame::new().inner_margin(Margin::symmetric(side, 6)).show(ui, |ui| {
-            let learns = view.session.current().controller.kind == ControllerKind::Unks;
+            let learns = view.session.current().controller.kind.learns();
             if learns {
                 self.choose(ui);
             }

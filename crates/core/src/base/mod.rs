@@ -1,5 +1,6 @@
 //! What every layer needs and nothing of milling: math, units, random numbers, networks, settings.
 
+pub mod equation;
 pub mod fft;
 pub mod math;
 pub mod network;

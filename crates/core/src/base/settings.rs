@@ -394,6 +394,21 @@ pub trait Group {
     fn get(&self, key: &str) -> Option<Value>;
     /// Sets `key`; `None` where the key is unknown or the value does not fit `kind`.
     fn set(&mut self, key: &str, value: &Value, kind: &Kind) -> Option<()>;
+    /// The groups within this one, each with the full path that it stands under; most have none.
+    fn parts() -> Vec<(&'static str, Vec<Spec>)>
+    where
+        Self: Sized,
+    {
+        Vec::new()
+    }
+    /// The group within this one that stands under `path`.
+    fn part(&self, _path: &str) -> Option<&dyn Group> {
+        None
+    }
+    /// The same, to change it.
+    fn part_mut(&mut self, _path: &str) -> Option<&mut dyn Group> {
+        None
+    }
 }
 
 /// Declares a settings struct: `name: type = default, min..=max, "unit", live|setup, "Label";`
@@ -480,13 +495,19 @@ macro_rules! choice {
             $( $(#[doc = $doc])+ $variant, )+
         }
 
+        $crate::choice!(@options $name {
+            $( $variant = $id, $label, concat!($($doc),+).trim_ascii_start(); )+
+        });
+    };
+    // What an enum of these variants can do as a choice.
+    (@options $name:ident { $( $variant:ident = $id:literal, $label:literal, $doc:expr; )+ }) => {
         impl $name {
             /// All options with their ids and labels, in the order of [`Self::ALL`].
             pub const OPTIONS: &'static [$crate::base::settings::Choice] = &[
                 $( $crate::base::settings::Choice {
                     id: $id,
                     label: $label,
-                    doc: concat!($($doc),+).trim_ascii_start(),
+                    doc: $doc,
                 }, )+
             ];
             /// All variants.

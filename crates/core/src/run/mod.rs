@@ -4,6 +4,7 @@ pub mod closed_loop;
 pub mod digest;
 pub mod durability;
 pub mod edits;
+pub mod explanation;
 pub mod metrics;
 pub mod one_run;
 pub mod presets;

@@ -26,9 +26,9 @@ fn calm(preset: &str, adapted: Adapted) -> Scenario {
     scenario
         .change(|s| {
             s.noise.level = 0.0;
-            s.mrac.adapted = adapted;
-            s.proportional.ki = 0.05;
-            s.proportional.kp = 0.5;
+            s.controller.mrac.adapted = adapted;
+            s.controller.proportional.ki = 0.05;
+            s.controller.proportional.kp = 0.5;
         })
         .unwrap();
     scenario

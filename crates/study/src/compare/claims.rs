@@ -55,7 +55,7 @@ pub fn both_on(preset: &str) -> Vec<Entrant> {
 pub fn iterations_needed(base: &Scenario) -> u32 {
     let with = |iterations: u32| {
         let scenario = TABLE_1[UNKS].on(base).scenario.with(|settings| {
-            settings.unks.internal_iterations = iterations;
+            settings.controller.unks.internal_iterations = iterations;
             settings.run.record_every = settings.run.steps_per_control;
         });
         let scenario = scenario.expect("up to ten iterations, and a row a control period, fit");

@@ -52,14 +52,14 @@ pub const BEYOND: &[Method] = &[
         name: "P, Smith predictor",
         apply: |s| {
             s.controller.kind = ControllerKind::Proportional;
-            (s.proportional.kp, s.proportional.smith) = (1.6, true);
+            (s.controller.proportional.kp, s.controller.proportional.smith) = (1.6, true);
         },
     },
     Method {
         name: "MRAC, one gain",
         apply: |s| {
             s.controller.kind = ControllerKind::Mrac;
-            s.mrac.adapted = Adapted::Gain;
+            s.controller.mrac.adapted = Adapted::Gain;
         },
     },
     Method { name: "Preview", apply: |s| s.controller.kind = ControllerKind::Preview },

@@ -269,7 +269,7 @@ fn the_feed_follows_the_analytic_response_of_equation_3() {
     scenario
         .change(|s| {
             s.controller.kind = ControllerKind::ConstantFeed;
-            s.constant_feed.feed_percent = 50.0;
+            s.controller.constant_feed.feed_percent = 50.0;
         })
         .unwrap();
     let run = Run::complete(&scenario, &Edits::none());

@@ -57,7 +57,7 @@ fn from_a_cold_start_five_passes_hand_over_from_the_feedback_to_the_inverse_mode
 #[test]
 fn with_the_rate_at_zero_nothing_is_learned_and_the_scheme_is_the_division_controller() {
     let mut scenario = short(UnksStart::Cold);
-    scenario.change(|s| s.unks.cold_rate = 0.0).unwrap();
+    scenario.change(|s| s.controller.unks.cold_rate = 0.0).unwrap();
     let passes = complete(&scenario, 2);
     let [first, second] = passes.done() else { panic!("two passes") };
     assert_eq!(Pass { number: 2, ..first.clone() }, *second);
@@ -93,14 +93,18 @@ fn a_pass_is_a_scenario_that_can_be_saved_and_run_again() {
         let link = scenario_link::write(&second, &Edits::none());
         assert!(link.len() < 16_000, "{} bytes", link.len());
         let (mut second, _) = scenario_link::parse(&link).unwrap();
-        assert_eq!(second.unks.networks.get(), Some(&stored));
+        assert_eq!(second.controller.unks.networks.get(), Some(&stored));
         let again = complete(&second, 1);
         assert_eq!(Pass { number: 2, ..again.done()[0].clone() }, two.done()[1]);
         assert_eq!(again.learned().unwrap().networks, two.learned().unwrap().networks);
 
         // Where the scheme stops learning, it stays what it was.
-        second.change(|s| s.unks.cold_rate = 0.0).unwrap();
-        second.change(|s| (s.unks.forward_rate, s.unks.inverse_rate) = (0.0, 0.0)).unwrap();
+        second.change(|s| s.controller.unks.cold_rate = 0.0).unwrap();
+        second
+            .change(|s| {
+                (s.controller.unks.forward_rate, s.controller.unks.inverse_rate) = (0.0, 0.0)
+            })
+            .unwrap();
         let run = Run::complete(&second, &Edits::none());
         assert_eq!(learned(&run, 1).unwrap().networks, stored.networks);
     }
@@ -140,7 +144,7 @@ fn networks_are_refused_by_field_and_where_they_do_not_belong() {
     assert!(error.unwrap_err().to_string().contains("set both together"));
     scenario.set_all(&beginning_anew(UnksStart::Shipped)).unwrap();
     assert_eq!(scenario, before);
-    assert_eq!(StoredNetworks::default(), scenario.unks.networks);
+    assert_eq!(StoredNetworks::default(), scenario.controller.unks.networks);
 }
 
 #[test]
@@ -154,7 +158,7 @@ fn bad_inputs_are_contained() {
     assert_eq!(complete(&scenario, 2).verdict(), None);
     // The largest rate does not spoil the run.
     let mut scenario = short(UnksStart::Cold);
-    scenario.change(|s| s.unks.cold_rate = 0.1).unwrap();
+    scenario.change(|s| s.controller.unks.cold_rate = 0.1).unwrap();
     let passes = complete(&scenario, 2);
     assert!(passes.done().iter().all(|pass| error(pass).is_finite() && pass.feedback.is_finite()));
 }

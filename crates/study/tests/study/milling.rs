@@ -69,7 +69,7 @@ fn mrac_agrees_in_what_its_bursts_leave_alone() {
     assert!((five.max_force_n / 1179.0 - 1.0).abs() < 0.1, "{five:?}");
     assert!((five.time_of_cut_s / 96.34 - 1.0).abs() < 0.1, "{five:?}");
     let mut scenario = experiment_2("mrac");
-    scenario.change(|s| s.mrac.adapted = Adapted::Gain).unwrap();
+    scenario.change(|s| s.controller.mrac.adapted = Adapted::Gain).unwrap();
     let one = run(&scenario);
     assert!((one.normalized_standard_error.unwrap() - 0.170).abs() < 0.01, "{one:?}");
     assert!((one.time_of_cut_s - 88.5).abs() < 1.0, "{one:?}");
@@ -168,8 +168,8 @@ fn the_smith_predictor_calms_the_p_controller_at_a_long_dead_time() {
     let plain = run(&scenario).max_force_n;
     scenario
         .change(|s| {
-            s.proportional.smith = true;
-            s.proportional.kp = 1.6;
+            s.controller.proportional.smith = true;
+            s.controller.proportional.kp = 1.6;
         })
         .unwrap();
     let predicted = run(&scenario).max_force_n;
@@ -209,7 +209,9 @@ fn unks_agrees_with_the_networks_as_shipped() {
 fn unks_learns_while_it_cuts() {
     let learning = Run::complete(&experiment_2("unks"), &Edits::none());
     let mut scenario = experiment_2("unks");
-    scenario.change(|s| (s.unks.forward_rate, s.unks.inverse_rate) = (0.0, 0.0)).unwrap();
+    scenario
+        .change(|s| (s.controller.unks.forward_rate, s.controller.unks.inverse_rate) = (0.0, 0.0))
+        .unwrap();
     let fixed = Run::complete(&scenario, &Edits::none());
     assert_ne!(learning.recording().digest(), fixed.recording().digest());
 }

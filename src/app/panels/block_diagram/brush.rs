@@ -11,7 +11,7 @@ use super::moment::Now;
 use crate::app::panels::equation_cards::formula::{number, typeset};
 use crate::app::panels::equation_cards::{Block, Lamp};
 use crate::app::theme::Palette;
-use crate::blocks::control::ControllerKind;
+use crate::run::explanation::explain_controller;
 
 const TITLE: f32 = 13.0;
 const TEXT: f32 = 11.5;
@@ -29,13 +29,11 @@ fn detail(block: Block, now: &Now<'_>) -> String {
             let calibration = block.using(scenario).map_or("", |using| using.calibration.label());
             format!("{} {calibration}", block.card().models(scenario))
         }
-        Block::Controller => match scenario.controller.kind {
-            ControllerKind::Sdnrp => format!("SDNRP, Kp {}", number(scenario.sdnrp.kp)),
-            ControllerKind::Tracking => {
-                format!("Tracking, gain {}", number(now.moment.row.gain_estimate))
-            }
-            kind => kind.label().to_owned(),
-        },
+        Block::Controller => {
+            let beside = explain_controller(scenario, now.moment.row).beside_name;
+            let comma = if beside.is_empty() { "" } else { ", " };
+            format!("{}{comma}{beside}", scenario.controller.kind.label())
+        }
         Block::Override => {
             let cnc = &scenario.cnc;
             let [low, high] = [cnc.override_min_percent, cnc.override_max_percent].map(number);

@@ -22,18 +22,9 @@ const FIRST: [&str; 5] =
 /// Shown with the first ones, by a widget of its own.
 const TARGET: &str = "target.ra_um";
 
-/// Groups below the fold, with their titles.
-const GROUPS: [(&str, &str); 25] = [
-    ("target", "Target"),
-    ("controller.constant_feed", "Constant feed"),
-    ("controller.sdnrp", "SDNRP"),
-    ("controller.tracking", "Tracking"),
-    ("controller.division", "Division"),
-    ("controller.p", "P"),
-    ("controller.adjustable_pi", "Adjustable PI"),
-    ("controller.mrac", "MRAC"),
-    ("controller.unks", "UNKS"),
-    ("controller.preview", "Preview"),
+/// Groups below the fold, with their titles, around those of the controllers.
+const BEFORE: &[(&str, &str)] = &[("target", "Target")];
+const AFTER: &[(&str, &str)] = &[
     ("belief", "What the controller believes"),
     ("plant", "Plant"),
     ("noise", "Noise"),
@@ -50,6 +41,12 @@ const GROUPS: [(&str, &str); 25] = [
     ("profile", "Roughness profile"),
     ("", "Name"),
 ];
+
+/// The groups below the fold, with their titles, in order.
+fn groups() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let controllers = ControllerKind::ALL.iter().map(|kind| (kind.group(), kind.label()));
+    BEFORE.iter().copied().chain(controllers).chain(AFTER.iter().copied())
+}
 
 /// The first controls: target Ra, material and hardness, noise, wear, controller.
 pub fn first(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
@@ -87,7 +84,7 @@ pub fn more(ui: &mut Ui, view: &View<'_>, windows: &mut Windows, commands: &mut 
     ui.add_space(6.0);
     CollapsingHeader::new("More settings").id_salt("more").show_unindented(ui, |ui| {
         let scenario = view.session.current();
-        for (group, title) in GROUPS {
+        for (group, title) in groups() {
             if !concerns(group, scenario.controller.kind) {
                 continue;
             }
@@ -163,7 +160,7 @@ mod tests {
         for param in table() {
             let placed = param.path == TARGET
                 || FIRST.contains(&param.path.as_str())
-                || GROUPS.iter().any(|(group, _)| *group == param.group);
+                || groups().any(|(group, _)| group == param.group);
             assert!(placed, "no group of controls shows `{}`", param.path);
         }
     }

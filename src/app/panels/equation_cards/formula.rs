@@ -3,25 +3,7 @@
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, Color32, FontId};
 
-/// A number with four digits that count and no useless zeros after the point.
-#[must_use]
-pub fn number(x: f64) -> String {
-    let magnitude = x.abs();
-    let decimals = match magnitude {
-        m if m >= 1000.0 => 0,
-        m if m >= 100.0 => 1,
-        m if m >= 10.0 => 2,
-        m if m >= 0.01 || m == 0.0 => 3,
-        m if m >= 1e-4 => 5,
-        _ => return format!("{x:.2e}"),
-    };
-    let text = format!("{x:.decimals$}");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
-    }
-}
+pub use crate::base::equation::number;
 
 /// Terms joined with their signs; a factor 1 before a symbol is left out.
 #[must_use]

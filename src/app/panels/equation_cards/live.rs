@@ -8,6 +8,7 @@ use super::formula::{number, sum};
 use super::machine::{marks, vibration};
 use super::models::{desired_force, roughness};
 use super::overrides::overrides;
+pub use crate::base::equation::Live;
 use crate::base::units::percent_from_ratio;
 use crate::models::genetic::GeneticModels;
 use crate::models::structure::RoughnessFrom;
@@ -23,27 +24,6 @@ pub struct Moment<'a> {
     pub scenario: &'a Scenario,
     /// What leaves the dead-time queue: feed command in mm/min and speed command in 1/min.
     pub delayed: [f64; 2],
-}
-
-/// One equation with its live values.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Live {
-    /// The formula with the coefficients that are in use.
-    pub formula: String,
-    /// The same with the values of the moment and the result.
-    pub values: String,
-    /// Where it holds; empty for an equation that holds everywhere.
-    pub range: String,
-    /// Whether the values lie within that range.
-    pub valid: bool,
-}
-
-impl Live {
-    /// An equation that holds everywhere.
-    pub(super) fn everywhere(formula: impl Into<String>, values: impl Into<String>) -> Self {
-        let (formula, values) = (formula.into(), values.into());
-        Self { formula, values, range: String::new(), valid: true }
-    }
 }
 
 /// The equations of `block` at this moment.

@@ -1,6 +1,7 @@
 //! What boxes, models and lamps are called: K1..K6 or M1..M6, as the model set in use has it.
 
 use super::{Block, Card, Lamp};
+use crate::blocks::control::law::Held;
 use crate::blocks::cutting::process::{ForceModel, Plant};
 use crate::models::genetic::{Calibration, ModelSet};
 use crate::run::scenario::Scenario;
@@ -109,7 +110,11 @@ impl Card {
     /// The models of the box by name, joined by commas; empty for a box without.
     #[must_use]
     pub fn models(&self, scenario: &Scenario) -> String {
-        if self.block == Block::Controller && scenario.controller.kind.is_force_controller() {
+        let idle = match scenario.controller.kind.held() {
+            Held::Overrides | Held::Force => self.block == Block::Controller,
+            Held::Roughness => false,
+        };
+        if idle {
             return String::new();
         }
         let names = Names::of(scenario);

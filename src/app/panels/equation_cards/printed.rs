@@ -1,22 +1,15 @@
 //! The equations as their sources print them, for the model sets and the drive in use.
 
 use super::Block;
+use crate::blocks::control::law::Held;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::feed_drive::FeedDriveKind;
 use crate::models::genetic::ModelSet;
+pub use crate::models::printed::Printed;
 use crate::run::scenario::Scenario;
 
-/// An equation as its source prints it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Printed {
-    /// The formula.
-    pub formula: &'static str,
-    /// Paper and equation number, or why there is none.
-    pub source: &'static str,
-}
-
 const fn eq(formula: &'static str, source: &'static str) -> Printed {
-    Printed { formula, source }
+    Printed::new(formula, source)
 }
 
 const K1: Printed = eq("F_d = 293 - 593 / √(39.37 Ra)", "SDNRP 2007, eq. 4");
@@ -27,10 +20,6 @@ const K4: Printed = eq(
     "SDNRP 2007, eq. 7 (Ck45, A_D 2 mm, R_D 3 mm, sharp tool)",
 );
 const K5: Printed = eq("Ra = 0.0254 (593 / (293 - F))^2", "SDNRP 2007, eq. 8");
-const K_LAW: Printed = eq(
-    "F_s = F_d + Kp (F_d - F_m)",
-    "SDNRP 2007, figures lost: the reading that fits text and Table 3",
-);
 const M1: Printed =
     eq("F = 69.306 Ra^3 - 270.18 Ra^2 + 398.82 Ra + 14.875", "Control strategy 2013, eq. 2");
 const M2: Printed = eq(
@@ -43,11 +32,6 @@ const M4: Printed = eq(
     "Control strategy 2013, eq. 5; the paper then takes its neural network in place of it",
 );
 const M5: Printed = eq("Ra = 0.0001 F^2 - 0.0341 F + 3.018", "Control strategy 2013, eq. 6");
-const M_LAW: Printed = eq(
-    "F_s = F_d + Kp (F_d - F_m)",
-    "Control strategy 2013, steps 5 to 7, in words only: read as in SDNRP 2007",
-);
-
 const NETWORK: Printed = eq(
     "F_x, F_y, F_z = NN(f, n, R_D, A_D, material, hardness, D, geometry)",
     "Control strategy 2013, section 2.3: 8 inputs, 15 hidden neurons, 3 outputs; its weights were \
@@ -116,8 +100,15 @@ impl Block {
         let kind = scenario.feed_drive.kind;
         match self {
             Self::Reference => vec![if of_2007 { K1 } else { M1 }],
-            Self::Controller if of_2007 => vec![K_LAW, K2, K3],
-            Self::Controller => vec![M_LAW, M2, M3],
+            Self::Controller => {
+                let mut law = scenario.controller.printed(set);
+                law.extend(match scenario.controller.kind.held() {
+                    Held::Roughness if of_2007 => vec![K2, K3],
+                    Held::Roughness => vec![M2, M3],
+                    Held::Overrides | Held::Force => Vec::new(),
+                });
+                law
+            }
             Self::Override => vec![eq(
                 "f_c = DNCFRO · f_p,  n_c = DNCSPO · n_p,  0..250 %",
                 "Control strategy 2013, section 2; whole percents and rate: CNC practice, chosen",

@@ -12,7 +12,7 @@ use crate::study::unks_passes::{beginning_anew, beginning_with, learned};
 /// The controls.
 pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
-    let settings = &view.session.scenario().unks;
+    let settings = &view.session.scenario().controller.unks;
     let stored = settings.networks.get();
     ui.label(RichText::new("The cut begins with networks").strong());
     ui.horizontal_wrapped(|ui| {

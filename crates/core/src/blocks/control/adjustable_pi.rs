@@ -9,7 +9,11 @@
 //!
 //! The velocity form needs no other anti-windup: u is the override that was really sent.
 
-use super::override_loop::{ForceLaw, ForceSample};
+use super::ControlSetup;
+use super::law::{AtRest, ControlMoment};
+use super::override_loop::{ForceController, ForceLaw, ForceSample};
+use crate::base::equation::number;
+use crate::models::printed::Printed;
 
 crate::settings! {
     /// Settings of the adjustable PI controller.
@@ -28,16 +32,35 @@ crate::settings! {
 /// Least estimate: a lighter cut does not raise the gain any more.
 const GAIN_MIN: f64 = 0.15;
 
+/// The controller.
+pub type AdjustablePi = ForceController<AdjustablePiLaw>;
+
 /// The law with its estimate.
 #[derive(Clone, Debug)]
-pub struct AdjustablePi {
-    pub(super) settings: AdjustablePiSettings,
-    pub(super) gain: f64,
-    pub(super) covariance: f64,
-    pub(super) error_before: f64,
+pub struct AdjustablePiLaw {
+    settings: AdjustablePiSettings,
+    gain: f64,
+    covariance: f64,
+    error_before: f64,
 }
 
-impl ForceLaw for AdjustablePi {
+impl ForceLaw for AdjustablePiLaw {
+    type Settings = AdjustablePiSettings;
+    const ABOUT: &'static str =
+        "PI force control whose gain follows the estimated force gain (2005).";
+
+    fn new(settings: &AdjustablePiSettings, _: &ControlSetup) -> Self {
+        Self { settings: settings.clone(), gain: 1.0, covariance: 1.0, error_before: 0.0 }
+    }
+
+    fn configure(&mut self, settings: &AdjustablePiSettings, _: &ControlSetup) {
+        self.settings = settings.clone();
+    }
+
+    fn smith(settings: &AdjustablePiSettings) -> bool {
+        settings.smith
+    }
+
     fn update(&mut self, sample: &ForceSample) -> f64 {
         let (y, a) = (sample.y, sample.actual);
         let error = 1.0 - y;
@@ -56,5 +79,23 @@ impl ForceLaw for AdjustablePi {
 
     fn gain(&self) -> f64 {
         self.gain
+    }
+
+    fn at_rest(_: &AdjustablePiSettings) -> AtRest {
+        AtRest::OnReference
+    }
+
+    fn printed(_: &AdjustablePiSettings) -> Printed {
+        Printed::new(
+            "u = u_{before} + [Kp (e - e_{before}) + Ki e] / K,  e = 1 - F_m / F_{ref}",
+            "Stute and Goetz, cited in Combined system 2005; gains chosen, K by recursive least \
+             squares with forgetting",
+        )
+    }
+
+    fn explain(settings: &AdjustablePiSettings, moment: &ControlMoment) -> (String, String) {
+        let [kp, ki] = [settings.kp, settings.ki].map(number);
+        let formula = format!("u grows by [{kp} (e - e_{{before}}) + {ki} e] / K,  e = 1 - y");
+        (formula, format!("K = {}", number(moment.gain_estimate)))
     }
 }

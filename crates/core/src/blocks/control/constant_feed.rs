@@ -2,8 +2,12 @@
 //! every adaptive controller is compared with; with the override sliders it is also the manual
 //! mode of a machine.
 
-use super::{ControlInput, ControlOutput, FeedSpeed};
+use super::law::{AtRest, ControlLaw, ControlMoment, Explained, Held};
+use super::{ControlInput, ControlOutput, ControlSetup, FeedSpeed, Limits};
+use crate::base::equation::{Live, number};
 use crate::base::units::ratio_from_percent;
+use crate::models::genetic::ModelSet;
+use crate::models::printed::Printed;
 
 crate::settings! {
     /// Settings of constant feed.
@@ -21,12 +25,23 @@ pub struct ConstantFeed {
     settings: ConstantFeedSettings,
 }
 
-impl ConstantFeed {
-    pub(super) fn new(settings: &ConstantFeedSettings) -> Self {
+impl ControlLaw for ConstantFeed {
+    type Settings = ConstantFeedSettings;
+    const ABOUT: &'static str =
+        "Programmed feed and speed at fixed overrides: conventional milling without control.";
+    const HELD: Held = Held::Overrides;
+
+    fn new(settings: &ConstantFeedSettings, _: &ControlSetup, _: FeedSpeed) -> Self {
         Self { settings: settings.clone() }
     }
 
-    pub(super) fn update(&mut self, input: &ControlInput) -> ControlOutput {
+    fn configure(&mut self, settings: &ConstantFeedSettings, _: &ControlSetup) {
+        self.settings = settings.clone();
+    }
+
+    fn restart(&mut self, _: FeedSpeed) {}
+
+    fn update(&mut self, input: &ControlInput) -> ControlOutput {
         let feed = ratio_from_percent(self.settings.feed_percent);
         let speed = ratio_from_percent(self.settings.speed_percent);
         ControlOutput {
@@ -38,6 +53,46 @@ impl ConstantFeed {
             gain_estimate: 1.0,
             feed_model_valid: true,
             speed_model_valid: true,
+        }
+    }
+
+    /// It knows no force model: whoever sets the overrides may go as low as they do.
+    fn limits(overrides: Limits) -> Limits {
+        overrides
+    }
+
+    fn at_rest(_: &ConstantFeedSettings) -> AtRest {
+        AtRest::WhereTheLawMeetsThePlant
+    }
+
+    fn printed(_: &ConstantFeedSettings, _: ModelSet) -> Vec<Printed> {
+        vec![Printed::new(
+            "f_c = override · f_p,  n_c = override · n_p",
+            "conventional milling, which every paper compares with",
+        )]
+    }
+
+    fn explain(settings: &ConstantFeedSettings, moment: &ControlMoment) -> Explained {
+        let line = |symbol: &str, percent: f64, programmed: f64, unit: &str| {
+            let result = programmed * ratio_from_percent(percent);
+            Live::everywhere(
+                format!("{symbol}_c = override · {symbol}_p"),
+                format!(
+                    "{symbol}_c = {} % · {} = {} {unit}",
+                    number(percent),
+                    number(programmed),
+                    number(result)
+                ),
+            )
+        };
+        let program = moment.programmed;
+        Explained {
+            lines: vec![
+                line("f", settings.feed_percent, program.feed_mm_min, "mm/min"),
+                line("n", settings.speed_percent, program.speed_rpm, "1/min"),
+            ],
+            models_at_n: None,
+            beside_name: String::new(),
         }
     }
 }

@@ -12,8 +12,12 @@
 //! an offset. The actual form has none; the command form is integral control in the logarithm and
 //! needs gamma below 0.48 at a dead time of 40 ms.
 
-use super::override_loop::{ForceLaw, ForceSample};
+use super::ControlSetup;
+use super::law::{AtRest, ControlMoment};
+use super::override_loop::{ForceController, ForceLaw, ForceSample};
+use crate::base::equation::number;
 use crate::base::math::{self, limit};
+use crate::models::printed::Printed;
 
 crate::choice! {
     /// What the quotient multiplies.
@@ -42,13 +46,32 @@ crate::settings! {
 /// Limits of the quotient.
 const QUOTIENT: [f64; 2] = [0.2, 3.0];
 
+/// The controller.
+pub type Division = ForceController<DivisionLaw>;
+
 /// The law; it has no state.
 #[derive(Clone, Debug)]
-pub struct Division {
-    pub(super) settings: DivisionSettings,
+pub struct DivisionLaw {
+    settings: DivisionSettings,
 }
 
-impl ForceLaw for Division {
+impl ForceLaw for DivisionLaw {
+    type Settings = DivisionSettings;
+    const ABOUT: &'static str =
+        "The divisional controller of 2005: programmed feed over normalised force.";
+
+    fn new(settings: &DivisionSettings, _: &ControlSetup) -> Self {
+        Self { settings: settings.clone() }
+    }
+
+    fn configure(&mut self, settings: &DivisionSettings, _: &ControlSetup) {
+        self.settings = settings.clone();
+    }
+
+    fn smith(settings: &DivisionSettings) -> bool {
+        settings.smith
+    }
+
     fn update(&mut self, sample: &ForceSample) -> f64 {
         let quotient = limit(1.0 / sample.y, QUOTIENT[0], QUOTIENT[1]);
         match self.settings.divided {
@@ -56,5 +79,39 @@ impl ForceLaw for Division {
             Divided::Actual => sample.actual * quotient,
             Divided::Command => sample.sent * math::pow(quotient, self.settings.exponent),
         }
+    }
+
+    fn at_rest(settings: &DivisionSettings) -> AtRest {
+        match settings.divided {
+            Divided::Programmed => AtRest::WhereTheLawMeetsThePlant,
+            Divided::Actual | Divided::Command => AtRest::OnReference,
+        }
+    }
+
+    fn printed(settings: &DivisionSettings) -> Printed {
+        match settings.divided {
+            Divided::Programmed => Printed::new(
+                "u = F_{ref} / F_m",
+                "Combined system 2005, divisional controller, in words only: the reading that is \
+                 stable and as poor in accuracy as its Table 1",
+            ),
+            Divided::Actual => Printed::new(
+                "u = u_a F_{ref} / F_m",
+                "chosen: the divisional controller of 2005 over the feed that was reached",
+            ),
+            Divided::Command => Printed::new(
+                "u = u_{before} (F_{ref} / F_m)^γ",
+                "chosen: the divisional controller of 2005 over its last command",
+            ),
+        }
+    }
+
+    fn explain(settings: &DivisionSettings, _: &ControlMoment) -> (String, String) {
+        let formula = match settings.divided {
+            Divided::Programmed => "u = 1 / y".to_owned(),
+            Divided::Actual => "u = u_a / y".to_owned(),
+            Divided::Command => format!("u = u_{{before}} y^{{-{}}}", number(settings.exponent)),
+        };
+        (formula, String::new())
     }
 }

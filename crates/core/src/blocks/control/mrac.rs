@@ -15,8 +15,12 @@
 //! badly excited by a steady cut: the Landau form bursts now and then, dipping the feed for less
 //! than half a second. They are not adapted while the override stands at its upper limit.
 
-use super::override_loop::{ForceLaw, ForceSample};
+use super::ControlSetup;
+use super::law::{AtRest, ControlMoment};
+use super::override_loop::{ForceController, ForceLaw, ForceSample};
+use crate::base::equation::number;
 use crate::base::math::limit;
+use crate::models::printed::Printed;
 
 crate::choice! {
     /// What is adapted.
@@ -61,10 +65,13 @@ const THETA_START: [f64; N] = [0.25, 0.1, 0.1, 0.1, 0.3];
 /// Bounds of the estimated gain, in units of F_ref.
 const GAIN_RANGE: [f64; 2] = [0.3, 4.0];
 
+/// The controller.
+pub type Mrac = ForceController<MracLaw>;
+
 /// The law with its estimates.
 #[derive(Clone, Debug)]
-pub struct Mrac {
-    pub(super) settings: MracSettings,
+pub struct MracLaw {
+    settings: MracSettings,
     theta: [f64; N],
     covariance: [[f64; N]; N],
     /// The regressors of the last periods, newest first.
@@ -82,19 +89,7 @@ fn dot(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
-impl Mrac {
-    pub(super) fn new(settings: &MracSettings) -> Self {
-        Self {
-            settings: settings.clone(),
-            theta: THETA_START,
-            covariance: diagonal(COVARIANCE_START),
-            past: [[1.0, 1.0, 1.0, 1.0, 0.0]; DELAY],
-            model: 1.0,
-            y_before: 0.0,
-            gain: 1.0,
-        }
-    }
-
+impl MracLaw {
     fn landau(&mut self, sample: &ForceSample) -> f64 {
         let MracSettings { pole, regulation: c1, forgetting, .. } = self.settings;
         if sample.entered {
@@ -165,7 +160,30 @@ impl Mrac {
     }
 }
 
-impl ForceLaw for Mrac {
+impl ForceLaw for MracLaw {
+    type Settings = MracSettings;
+    const ABOUT: &'static str = "Model-reference adaptive control (2005).";
+
+    fn new(settings: &MracSettings, _: &ControlSetup) -> Self {
+        Self {
+            settings: settings.clone(),
+            theta: THETA_START,
+            covariance: diagonal(COVARIANCE_START),
+            past: [[1.0, 1.0, 1.0, 1.0, 0.0]; DELAY],
+            model: 1.0,
+            y_before: 0.0,
+            gain: 1.0,
+        }
+    }
+
+    fn configure(&mut self, settings: &MracSettings, _: &ControlSetup) {
+        self.settings = settings.clone();
+    }
+
+    fn smith(settings: &MracSettings) -> bool {
+        settings.smith
+    }
+
     fn update(&mut self, sample: &ForceSample) -> f64 {
         match self.settings.adapted {
             Adapted::Landau => self.landau(sample),
@@ -177,6 +195,33 @@ impl ForceLaw for Mrac {
         match self.settings.adapted {
             Adapted::Landau => 1.0,
             Adapted::Gain => self.gain,
+        }
+    }
+
+    fn at_rest(_: &MracSettings) -> AtRest {
+        AtRest::OnReference
+    }
+
+    fn printed(settings: &MracSettings) -> Printed {
+        match settings.adapted {
+            Adapted::Landau => Printed::new(
+                "u = [y_m + c_1 y_{m,before} - Σ_{i>0} θ_i φ_i] / θ_0",
+                "Landau and Lozano's direct form, as Daneshmend and Pak and Tomizuka, cited in \
+                 Combined system 2005, used it; numbers chosen",
+            ),
+            Adapted::Gain => Printed::new(
+                "u = r / K,  K' = γ u_a (y - K u_a) / (0.05 + u_a^2)",
+                "chosen: model-reference adaptive control of Combined system 2005 with one gain",
+            ),
+        }
+    }
+
+    fn explain(settings: &MracSettings, moment: &ControlMoment) -> (String, String) {
+        match settings.adapted {
+            Adapted::Landau => ("u from five adapted parameters θ φ".to_owned(), String::new()),
+            Adapted::Gain => {
+                ("u = r / K".to_owned(), format!("K = {}", number(moment.gain_estimate)))
+            }
         }
     }
 }

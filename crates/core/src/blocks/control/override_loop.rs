@@ -14,16 +14,17 @@
 //! In the air (y below 0.06: 40 of 665 N) the override goes to its upper limit and every state is
 //! held: low loads raise the feed above the programmed one (2005, section 1).
 
-use super::adjustable_pi::AdjustablePi;
-use super::division::Division;
-use super::mrac::Mrac;
-use super::preview::Preview;
-use super::proportional::Proportional;
-use super::unks::{Learning, Unks};
-use super::{ControlInput, ControlOutput, ControlSetup, ControllerKind, FeedSpeed};
+use std::fmt::Debug;
+
+use super::law::{AtRest, ControlLaw, ControlMoment, Explained, Held};
+use super::unks::Learning;
+use super::{ControlInput, ControlOutput, ControlSetup, FeedSpeed, Running};
+use crate::base::equation::{Live, number};
 use crate::base::math::limit;
+use crate::base::settings::Group;
 use crate::models::feed_drive::{DriveState, ExactDrive};
-use crate::models::unks::HORIZON_BEYOND;
+use crate::models::genetic::ModelSet;
+use crate::models::printed::Printed;
 
 /// Normalised force below which the tool is in the air: 40 of 665 N (2005 simulator, chosen).
 const AIR: f64 = 0.06;
@@ -55,8 +56,24 @@ pub struct ForceSample<'a> {
     pub override_loop: &'a OverrideLoop,
 }
 
-/// One of the laws: from a sample in contact to the new override.
-pub trait ForceLaw {
+/// The law of a force controller: from a sample in contact to the new override. [`ForceController`]
+/// makes a controller of it.
+pub trait ForceLaw: Sized {
+    /// Its settings, those under `controller.<id>`.
+    type Settings: Group + Clone + Debug + Default + PartialEq;
+    /// What it is, with its source, in a sentence.
+    const ABOUT: &'static str;
+    /// Whether networks learn in it; [`Self::learning`] then shows them.
+    const LEARNS: bool = false;
+
+    /// The law before its first sample.
+    fn new(settings: &Self::Settings, setup: &ControlSetup) -> Self;
+    /// Takes over changed settings and keeps its state.
+    fn configure(&mut self, settings: &Self::Settings, setup: &ControlSetup);
+    /// Whether it wants the measured force corrected for the dead time (Smith predictor).
+    fn smith(settings: &Self::Settings) -> bool;
+    /// A new cut begins: what was learned stays, dynamic state goes.
+    fn restart(&mut self) {}
     /// The new override, before limits.
     fn update(&mut self, sample: &ForceSample) -> f64;
     /// The override in the air.
@@ -68,6 +85,17 @@ pub trait ForceLaw {
     fn gain(&self) -> f64 {
         1.0
     }
+    /// What can be seen of its networks that learn in the cut.
+    fn learning(&self) -> Option<Learning<'_>> {
+        None
+    }
+    /// Where the force comes to rest in a cut that does not change.
+    fn at_rest(settings: &Self::Settings) -> AtRest;
+    /// The law as its source prints it.
+    fn printed(settings: &Self::Settings) -> Printed;
+    /// The law with the values of a moment: its formula, and what stands beside the override that was
+    /// sent; empty where nothing does.
+    fn explain(settings: &Self::Settings, moment: &ControlMoment) -> (String, String);
 }
 
 /// The shared part with its state.
@@ -148,7 +176,7 @@ impl OverrideLoop {
     }
 
     /// One control period of `law`.
-    pub(super) fn update(&mut self, law: &mut dyn ForceLaw, input: &ControlInput) -> ControlOutput {
+    fn update<L: ForceLaw>(&mut self, law: &mut L, input: &ControlInput) -> ControlOutput {
         let programmed = input.programmed.feed_mm_min;
         let sent = input.applied.feed_mm_min / programmed;
         if self.started {
@@ -183,81 +211,8 @@ impl OverrideLoop {
     }
 }
 
-/// The laws that can be chosen.
-#[derive(Clone, Debug)]
-enum AnyLaw {
-    Division(Division),
-    Proportional(Proportional),
-    AdjustablePi(AdjustablePi),
-    Mrac(Box<Mrac>),
-    Unks(Box<Unks>),
-    Preview(Box<Preview>),
-}
-
-impl AnyLaw {
-    fn new(setup: &ControlSetup) -> Self {
-        match setup.kind {
-            // register: law
-            ControllerKind::Proportional => {
-                Self::Proportional(Proportional { settings: setup.proportional.clone(), sum: 0.0 })
-            }
-            ControllerKind::AdjustablePi => Self::AdjustablePi(AdjustablePi {
-                settings: setup.adjustable_pi.clone(),
-                gain: 1.0,
-                covariance: 1.0,
-                error_before: 0.0,
-            }),
-            ControllerKind::Mrac => Self::Mrac(Box::new(Mrac::new(setup.mrac))),
-            ControllerKind::Unks => Self::Unks(Box::new(Unks::new(setup.unks, horizon(setup)))),
-            ControllerKind::Preview => Self::Preview(Box::new(Preview::new(setup))),
-            _ => Self::Division(Division { settings: setup.division.clone() }),
-        }
-    }
-
-    /// Takes over changed settings of the same law; `false` if it is another one.
-    fn configure(&mut self, setup: &ControlSetup) -> bool {
-        match (self, setup.kind) {
-            (Self::Division(law), ControllerKind::Division) => {
-                law.settings = setup.division.clone();
-            }
-            (Self::Proportional(law), ControllerKind::Proportional) => {
-                law.settings = setup.proportional.clone();
-            }
-            (Self::AdjustablePi(law), ControllerKind::AdjustablePi) => {
-                law.settings = setup.adjustable_pi.clone();
-            }
-            (Self::Mrac(law), ControllerKind::Mrac) => law.settings = setup.mrac.clone(),
-            (Self::Unks(law), ControllerKind::Unks) => {
-                law.settings = setup.unks.clone();
-                law.set_horizon(horizon(setup));
-            }
-            (Self::Preview(law), ControllerKind::Preview) => law.configure(setup),
-            _ => return false,
-        }
-        true
-    }
-
-    fn learning(&self) -> Option<Learning<'_>> {
-        match self {
-            Self::Unks(law) => Some(law.learning()),
-            _ => None,
-        }
-    }
-
-    fn as_law(&mut self) -> &mut dyn ForceLaw {
-        match self {
-            Self::Division(law) => law,
-            Self::Proportional(law) => law,
-            Self::AdjustablePi(law) => law,
-            Self::Mrac(law) => law.as_mut(),
-            Self::Unks(law) => law.as_mut(),
-            Self::Preview(law) => law.as_mut(),
-        }
-    }
-}
-
 /// Whole control periods of the believed dead time.
-fn periods(setup: &ControlSetup) -> usize {
+pub(super) fn periods(setup: &ControlSetup) -> usize {
     (setup.belief.dead_time_s / setup.period_s).round() as usize
 }
 
@@ -273,65 +228,80 @@ fn lag(drive: &ExactDrive) -> f64 {
     area
 }
 
-/// How far UNKS looks ahead, in control periods.
-fn horizon(setup: &ControlSetup) -> usize {
-    periods(setup) + HORIZON_BEYOND
-}
-
-fn smith(setup: &ControlSetup) -> bool {
-    match setup.kind {
-        ControllerKind::Proportional => setup.proportional.smith,
-        ControllerKind::AdjustablePi => setup.adjustable_pi.smith,
-        ControllerKind::Mrac => setup.mrac.smith,
-        ControllerKind::Unks => setup.unks.smith,
-        // It looks ahead by itself.
-        ControllerKind::Preview => false,
-        _ => setup.division.smith,
-    }
-}
-
 /// A force controller: the shared part and its law.
 #[derive(Clone, Debug)]
-pub struct ForceController {
+pub struct ForceController<L> {
     override_loop: OverrideLoop,
-    law: AnyLaw,
+    law: L,
 }
 
-impl ForceController {
-    /// The controller at the start of a run, the machine at the programmed feed.
-    pub(super) fn new(setup: &ControlSetup) -> Self {
-        Self { override_loop: OverrideLoop::new(setup, smith(setup)), law: AnyLaw::new(setup) }
+impl<L: ForceLaw> ControlLaw for ForceController<L> {
+    type Settings = L::Settings;
+    const ABOUT: &'static str = L::ABOUT;
+    const HELD: Held = Held::Force;
+    const LEARNS: bool = L::LEARNS;
+
+    fn new(settings: &L::Settings, setup: &ControlSetup, _: FeedSpeed) -> Self {
+        let override_loop = OverrideLoop::new(setup, L::smith(settings));
+        Self { override_loop, law: L::new(settings, setup) }
     }
 
-    /// The controller that takes over a machine which runs at the override `actual` under the command
-    /// `sent`. A law with a state starts from the one that asks for `sent`; static division and P
-    /// have none, and the override goes where they say.
-    pub(super) fn take_over(setup: &ControlSetup, actual: f64, sent: f64) -> Self {
-        let mut this = Self::new(setup);
-        this.override_loop.restart(actual, sent);
+    /// A law with a state starts from the one that asks for the override that is being sent; static
+    /// division and P have none, and the override goes where they say.
+    fn take_over(settings: &L::Settings, setup: &ControlSetup, running: &Running) -> Self {
+        let Running { programmed, actual, sent } = running;
+        let of_programmed = |feed_mm_min: f64| feed_mm_min / programmed.feed_mm_min;
+        let mut this = Self::new(settings, setup, *programmed);
+        this.override_loop
+            .restart(of_programmed(actual.feed_mm_min), of_programmed(sent.feed_mm_min));
         this.override_loop.taking_over = true;
         this
     }
 
-    /// Takes over changed settings and keeps its state; `false` if another law is chosen.
-    pub(super) fn configure(&mut self, setup: &ControlSetup) -> bool {
-        self.override_loop.configure(setup, smith(setup));
-        self.law.configure(setup)
+    fn configure(&mut self, settings: &L::Settings, setup: &ControlSetup) {
+        self.override_loop.configure(setup, L::smith(settings));
+        self.law.configure(settings, setup);
     }
 
-    /// A new cut begins at the programmed feed: what was learned stays.
-    pub(super) fn restart(&mut self) {
+    fn restart(&mut self, _: FeedSpeed) {
         self.override_loop.restart(1.0, 1.0);
-        if let AnyLaw::Proportional(law) = &mut self.law {
-            law.sum = 0.0;
-        }
+        self.law.restart();
     }
 
-    pub(super) fn learning(&self) -> Option<Learning<'_>> {
+    fn update(&mut self, input: &ControlInput) -> ControlOutput {
+        self.override_loop.update(&mut self.law, input)
+    }
+
+    fn learning(&self) -> Option<Learning<'_>> {
         self.law.learning()
     }
 
-    pub(super) fn update(&mut self, input: &ControlInput) -> ControlOutput {
-        self.override_loop.update(self.law.as_law(), input)
+    fn at_rest(settings: &L::Settings) -> AtRest {
+        L::at_rest(settings)
+    }
+
+    fn printed(settings: &L::Settings, _: ModelSet) -> Vec<Printed> {
+        vec![L::printed(settings)]
+    }
+
+    fn explain(settings: &L::Settings, moment: &ControlMoment) -> Explained {
+        let [desired, measured] = [moment.force_ref_n, moment.force_measured_n];
+        let seen = Live::everywhere(
+            "y = F_m / F_{ref}",
+            format!(
+                "y = {} / {} = {}",
+                number(measured),
+                number(desired),
+                number(measured / desired)
+            ),
+        );
+        let (formula, beside) = L::explain(settings, moment);
+        let comma = if beside.is_empty() { "" } else { ", " };
+        let sent = format!("u = {} %{comma}{beside}", number(moment.feed_override_percent));
+        Explained {
+            lines: vec![seen, Live::everywhere(formula, sent)],
+            models_at_n: None,
+            beside_name: String::new(),
+        }
     }
 }

@@ -9,7 +9,11 @@
 //! 1.6 keeps its damping. The sum stands still while the override stands at a limit, and starts after
 //! another controller where it asks for the override that is being sent.
 
-use super::override_loop::{ForceLaw, ForceSample};
+use super::ControlSetup;
+use super::law::{AtRest, ControlMoment};
+use super::override_loop::{ForceController, ForceLaw, ForceSample};
+use crate::base::equation::number;
+use crate::models::printed::Printed;
 
 crate::settings! {
     /// Settings of the P controller.
@@ -23,14 +27,36 @@ crate::settings! {
     }
 }
 
+/// The controller.
+pub type Proportional = ForceController<ProportionalLaw>;
+
 /// The law with its sum.
 #[derive(Clone, Debug)]
-pub struct Proportional {
-    pub(super) settings: ProportionalSettings,
-    pub(super) sum: f64,
+pub struct ProportionalLaw {
+    settings: ProportionalSettings,
+    sum: f64,
 }
 
-impl ForceLaw for Proportional {
+impl ForceLaw for ProportionalLaw {
+    type Settings = ProportionalSettings;
+    const ABOUT: &'static str = "Proportional force control (2005), integral part optional.";
+
+    fn new(settings: &ProportionalSettings, _: &ControlSetup) -> Self {
+        Self { settings: settings.clone(), sum: 0.0 }
+    }
+
+    fn configure(&mut self, settings: &ProportionalSettings, _: &ControlSetup) {
+        self.settings = settings.clone();
+    }
+
+    fn smith(settings: &ProportionalSettings) -> bool {
+        settings.smith
+    }
+
+    fn restart(&mut self) {
+        self.sum = 0.0;
+    }
+
     fn update(&mut self, sample: &ForceSample) -> f64 {
         let error = 1.0 - sample.y;
         let [low, high] = sample.range;
@@ -45,5 +71,21 @@ impl ForceLaw for Proportional {
             self.sum += error;
         }
         1.0 + kp * error + self.settings.ki * self.sum
+    }
+
+    fn at_rest(settings: &ProportionalSettings) -> AtRest {
+        if settings.ki > 0.0 { AtRest::OnReference } else { AtRest::WhereTheLawMeetsThePlant }
+    }
+
+    fn printed(_: &ProportionalSettings) -> Printed {
+        Printed::new(
+            "u = 1 + Kp (1 - y) + Ki Σ(1 - y),  y = F_m / F_{ref}",
+            "Tlusty and Elbestawi, cited in Combined system 2005; gains chosen",
+        )
+    }
+
+    fn explain(settings: &ProportionalSettings, _: &ControlMoment) -> (String, String) {
+        let kp = number(settings.kp);
+        (format!("u = 1 + {kp} (1 - y) + Ki Σ(1 - y)"), String::new())
     }
 }

@@ -10,7 +10,11 @@
 //! table cannot tell it. Proportional feedback leaves a steady-state error, which is the paper's
 //! own result (Ra off by up to 31.6 % in its Table 3).
 
-use super::{ControlInput, ControlOutput, FeedSpeed};
+use super::law::{AtRest, ControlLaw, ControlMoment, Explained, Held};
+use super::{ControlInput, ControlOutput, ControlSetup, FeedSpeed};
+use crate::base::equation::{Live, number};
+use crate::models::genetic::ModelSet;
+use crate::models::printed::Printed;
 
 /// The gain at which K2 and K3 are identified, and the default.
 pub const KP_DEFAULT: f64 = 0.5;
@@ -29,12 +33,23 @@ pub struct Sdnrp {
     settings: SdnrpSettings,
 }
 
-impl Sdnrp {
-    pub(super) fn new(settings: &SdnrpSettings) -> Self {
+impl ControlLaw for Sdnrp {
+    type Settings = SdnrpSettings;
+    const ABOUT: &'static str =
+        "The 2007 paper's controller: proportional force feedback into K2 and K3.";
+    const HELD: Held = Held::Roughness;
+
+    fn new(settings: &SdnrpSettings, _: &ControlSetup, _: FeedSpeed) -> Self {
         Self { settings: settings.clone() }
     }
 
-    pub(super) fn update(&mut self, input: &ControlInput) -> ControlOutput {
+    fn configure(&mut self, settings: &SdnrpSettings, _: &ControlSetup) {
+        self.settings = settings.clone();
+    }
+
+    fn restart(&mut self, _: FeedSpeed) {}
+
+    fn update(&mut self, input: &ControlInput) -> ControlOutput {
         let error_n = input.force_ref_n - input.force_measured_n;
         let force_setpoint_n = input.force_ref_n + self.settings.kp * error_n;
         let feed = input.models.feed_from_force(force_setpoint_n);
@@ -46,5 +61,38 @@ impl Sdnrp {
             feed_model_valid: feed.valid,
             speed_model_valid: speed.valid,
         }
+    }
+
+    fn at_rest(_: &SdnrpSettings) -> AtRest {
+        AtRest::WhereTheLawMeetsThePlant
+    }
+
+    fn printed(_: &SdnrpSettings, set: ModelSet) -> Vec<Printed> {
+        let source = match set {
+            // That of the milling simulator has the form of 2007.
+            ModelSet::Sdnrp2007 | ModelSet::Milling2005 => {
+                "SDNRP 2007, figures lost: the reading that fits text and Table 3"
+            }
+            ModelSet::Strategy2013 => {
+                "Control strategy 2013, steps 5 to 7, in words only: read as in SDNRP 2007"
+            }
+        };
+        vec![Printed::new("F_s = F_d + Kp (F_d - F_m)", source)]
+    }
+
+    fn explain(settings: &SdnrpSettings, moment: &ControlMoment) -> Explained {
+        let (desired, measured) = (moment.force_ref_n, moment.force_measured_n);
+        let kp = number(settings.kp);
+        let setpoint = desired + settings.kp * (desired - measured);
+        let law = Live::everywhere(
+            format!("F_s = F_d + {kp} (F_d - F_m)"),
+            format!(
+                "F_s = {d} + {kp} ({d} - {}) = {} N",
+                number(measured),
+                number(setpoint),
+                d = number(desired),
+            ),
+        );
+        Explained { lines: vec![law], models_at_n: Some(setpoint), beside_name: format!("Kp {kp}") }
     }
 }

@@ -23,11 +23,14 @@
 //! (error feedback): the command then alternates between neighbouring percents, and its mean is the
 //! one that was asked for.
 
-use super::{ControlInput, ControlOutput, ControlSetup, FeedSpeed, Limits};
+use super::law::{AtRest, ControlLaw, ControlMoment, Explained, Held};
+use super::{ControlInput, ControlOutput, ControlSetup, FeedSpeed, Limits, Running};
+use crate::base::equation::{Live, number};
 use crate::base::math::{self, limit};
 use crate::base::units::ratio_from_percent;
 use crate::models::feed_drive::{DriveState, ExactDrive};
-use crate::models::genetic::GeneticModels;
+use crate::models::genetic::{GeneticModels, ModelSet};
+use crate::models::printed::Printed;
 use crate::models::spindle::ExactSpindle;
 
 crate::settings! {
@@ -86,79 +89,6 @@ pub struct Tracking {
 }
 
 impl Tracking {
-    pub(super) fn new(setup: &ControlSetup, current: FeedSpeed) -> Self {
-        let capacity = (DEAD_TIME_MAX_S / setup.period_s).ceil() as usize + 3;
-        let step = |length_s: f64| SubStep {
-            feed: ExactDrive::new(setup.belief.feed_drive, length_s),
-            spindle: ExactSpindle::new(1.0, 1.0, length_s),
-            length_s,
-        };
-        let mut tracking = Self {
-            settings: setup.tracking.clone(),
-            weight: 0.0,
-            whole_periods: 0,
-            older: step(0.0),
-            newer: step(setup.period_s),
-            whole: ExactSpindle::new(1.0, 1.0, setup.period_s),
-            sent: vec![current; capacity],
-            newest: 0,
-            feed: DriveState::settled(current.feed_mm_min),
-            speed_rpm: current.speed_rpm,
-            speed_undelayed_rpm: current.speed_rpm,
-            gain: 1.0,
-            setpoint_n: 200.0,
-            started: false,
-            bumpless: false,
-            asked: current,
-        };
-        tracking.configure(setup);
-        tracking
-    }
-
-    /// Takes over a running machine: the predictor starts from its feed and speed and from the
-    /// command under way, the gain from the value at which the present command is right; from
-    /// there it goes to the true one with its own time constant.
-    pub(super) fn take_over(setup: &ControlSetup, current: FeedSpeed, sent: FeedSpeed) -> Self {
-        let mut tracking = Self::new(setup, current);
-        tracking.sent.fill(sent);
-        tracking.bumpless = true;
-        tracking.asked = sent;
-        tracking
-    }
-
-    /// A new cut begins at rest at `current`: the gain stays, the predictor starts anew.
-    pub(super) fn restart(&mut self, current: FeedSpeed) {
-        self.sent.fill(current);
-        self.feed = DriveState::settled(current.feed_mm_min);
-        (self.speed_rpm, self.speed_undelayed_rpm) = (current.speed_rpm, current.speed_rpm);
-        self.asked = current;
-        self.started = false;
-    }
-
-    pub(super) fn configure(&mut self, setup: &ControlSetup) {
-        let belief = setup.belief;
-        self.settings = setup.tracking.clone();
-        let lambda_s =
-            self.settings.response_s + self.settings.dead_time_share * belief.dead_time_s;
-        self.weight = 1.0 - math::exp(-setup.period_s / lambda_s);
-        // The dead time need not be a whole number of control periods: the older command still
-        // acts during its fraction. 1e-9: a dead time of 4 periods must not become 3.999..
-        self.whole_periods = (belief.dead_time_s / setup.period_s + 1e-9).floor() as usize;
-        let fraction_s = (belief.dead_time_s - self.whole_periods as f64 * setup.period_s).max(0.0);
-        let spindle = |length_s: f64| {
-            let (tau_s, rate) = (belief.spindle_time_constant_s, belief.spindle_rate_rpm_s);
-            ExactSpindle::new(tau_s, rate, length_s)
-        };
-        let step = |length_s: f64| SubStep {
-            feed: ExactDrive::new(belief.feed_drive, length_s),
-            spindle: spindle(length_s),
-            length_s,
-        };
-        self.older = step(fraction_s);
-        self.newer = step(setup.period_s - fraction_s);
-        self.whole = spindle(setup.period_s);
-    }
-
     /// The command sent `ago` periods before the newest one.
     fn sent(&self, ago: usize) -> FeedSpeed {
         let n = self.sent.len();
@@ -184,8 +114,87 @@ impl Tracking {
         self.speed_rpm = speed_rpm;
         self.speed_undelayed_rpm = self.whole.advance(self.speed_undelayed_rpm, applied.speed_rpm);
     }
+}
 
-    pub(super) fn update(&mut self, input: &ControlInput) -> ControlOutput {
+impl ControlLaw for Tracking {
+    type Settings = TrackingSettings;
+    const ABOUT: &'static str =
+        "Model inverse with integral action, anti-windup and a Smith predictor.";
+    const HELD: Held = Held::Roughness;
+
+    fn new(settings: &TrackingSettings, setup: &ControlSetup, current: FeedSpeed) -> Self {
+        let capacity = (DEAD_TIME_MAX_S / setup.period_s).ceil() as usize + 3;
+        let step = |length_s: f64| SubStep {
+            feed: ExactDrive::new(setup.belief.feed_drive, length_s),
+            spindle: ExactSpindle::new(1.0, 1.0, length_s),
+            length_s,
+        };
+        let mut tracking = Self {
+            settings: settings.clone(),
+            weight: 0.0,
+            whole_periods: 0,
+            older: step(0.0),
+            newer: step(setup.period_s),
+            whole: ExactSpindle::new(1.0, 1.0, setup.period_s),
+            sent: vec![current; capacity],
+            newest: 0,
+            feed: DriveState::settled(current.feed_mm_min),
+            speed_rpm: current.speed_rpm,
+            speed_undelayed_rpm: current.speed_rpm,
+            gain: 1.0,
+            setpoint_n: 200.0,
+            started: false,
+            bumpless: false,
+            asked: current,
+        };
+        tracking.configure(settings, setup);
+        tracking
+    }
+
+    /// Takes over a running machine: the predictor starts from its feed and speed and from the
+    /// command under way, the gain from the value at which the present command is right; from
+    /// there it goes to the true one with its own time constant.
+    fn take_over(settings: &TrackingSettings, setup: &ControlSetup, running: &Running) -> Self {
+        let mut tracking = Self::new(settings, setup, running.actual);
+        tracking.sent.fill(running.sent);
+        tracking.bumpless = true;
+        tracking.asked = running.sent;
+        tracking
+    }
+
+    /// A new cut begins at rest at `current`: the gain stays, the predictor starts anew.
+    fn restart(&mut self, current: FeedSpeed) {
+        self.sent.fill(current);
+        self.feed = DriveState::settled(current.feed_mm_min);
+        (self.speed_rpm, self.speed_undelayed_rpm) = (current.speed_rpm, current.speed_rpm);
+        self.asked = current;
+        self.started = false;
+    }
+
+    fn configure(&mut self, settings: &TrackingSettings, setup: &ControlSetup) {
+        let belief = setup.belief;
+        self.settings = settings.clone();
+        let lambda_s = lambda_s(&self.settings, belief.dead_time_s);
+        self.weight = 1.0 - math::exp(-setup.period_s / lambda_s);
+        // The dead time need not be a whole number of control periods: the older command still
+        // acts during its fraction. 1e-9: a dead time of 4 periods must not become 3.999..
+        self.whole_periods = (belief.dead_time_s / setup.period_s + 1e-9).floor() as usize;
+        let fraction_s = (belief.dead_time_s - self.whole_periods as f64 * setup.period_s).max(0.0);
+        let spindle = |length_s: f64| {
+            let (tau_s, rate) = (belief.spindle_time_constant_s, belief.spindle_rate_rpm_s);
+            ExactSpindle::new(tau_s, rate, length_s)
+        };
+        let step = |length_s: f64| SubStep {
+            feed: ExactDrive::new(belief.feed_drive, length_s),
+            spindle: spindle(length_s),
+            length_s,
+        };
+        self.older = step(fraction_s);
+        self.newer = step(setup.period_s - fraction_s);
+        self.whole = spindle(setup.period_s);
+    }
+
+    fn update(&mut self, input: &ControlInput) -> ControlOutput {
         if self.started {
             self.predict(input.applied);
         }
@@ -224,6 +233,74 @@ impl Tracking {
             speed_model_valid: speed.valid,
         }
     }
+
+    fn at_rest(_: &TrackingSettings) -> AtRest {
+        AtRest::OnReference
+    }
+
+    fn printed(_: &TrackingSettings, set: ModelSet) -> Vec<Printed> {
+        let law = match set {
+            ModelSet::Sdnrp2007 | ModelSet::Milling2005 => {
+                "g' = (F_m / K4(f, n) - g) / λ,  K4(f_c, n_c) = F_d / g"
+            }
+            ModelSet::Strategy2013 => "g' = (F_m / M4(f, n) - g) / λ,  M4(f_c, n_c) = F_d / g",
+        };
+        vec![Printed::new(
+            law,
+            "chosen: internal model control with a Smith predictor; no paper prints it",
+        )]
+    }
+
+    fn explain(settings: &TrackingSettings, moment: &ControlMoment) -> Explained {
+        let ControlMoment { force_ref_n: desired, gain_estimate: gain, command, .. } = *moment;
+        let (k, resolution) = (moment.models.set.letter(), moment.limits.resolution);
+        let lambda_s = lambda_s(settings, moment.belief.dead_time_s);
+        let mut lines = vec![
+            Live::everywhere(
+                format!(
+                    "g follows F_m / {k}4(predicted f, n) with a time constant of {} s",
+                    number(lambda_s)
+                ),
+                format!("g = {}  (F_m = {} N)", number(gain), number(moment.force_measured_n)),
+            ),
+            Live::everywhere(
+                "u = F_d / g",
+                format!(
+                    "u = {} / {} = {} N",
+                    number(desired),
+                    number(gain),
+                    number(desired / gain)
+                ),
+            ),
+            Live {
+                formula: format!("f_c, n_c from {k}4(f_c, n_c) = u on the line of {k}2 and {k}3"),
+                values: format!(
+                    "f_c = {} mm/min, n_c = {} 1/min",
+                    number(command.feed_mm_min),
+                    number(command.speed_rpm)
+                ),
+                range: format!("{k}3 and the inverse of {k}4 within their ranges"),
+                valid: moment.models_valid,
+            },
+        ];
+        if resolution.feed_mm_min > 0.0 {
+            lines.push(Live::everywhere(
+                "what rounding to whole % takes is added to the next request: the mean is as asked",
+                format!(
+                    "1 % is {} mm/min and {} 1/min",
+                    number(resolution.feed_mm_min),
+                    number(resolution.speed_rpm)
+                ),
+            ));
+        }
+        let beside_name = format!("gain {}", number(gain));
+        Explained { lines, models_at_n: None, beside_name }
+    }
+}
+
+/// Time constant of the gain estimate.
+fn lambda_s(settings: &TrackingSettings, dead_time_s: f64) -> f64 {
+    settings.response_s + settings.dead_time_share * dead_time_s
 }
 
 /// What rounding to steps of `resolution` took from a request: at most half a step. What limits or

@@ -37,7 +37,7 @@ use crate::blocks::cnc::feed_drive::FeedDrive;
 use crate::blocks::cnc::feed_override::Override;
 use crate::blocks::cnc::spindle_drive::SpindleDrive;
 use crate::blocks::control::unks::Learning;
-use crate::blocks::control::{ControlInput, Controller, ControllerKind, FeedSpeed, Limits};
+use crate::blocks::control::{ControlInput, Controller, FeedSpeed, Limits, Running};
 use crate::blocks::cutting::disturbance::DynamicForce;
 use crate::blocks::cutting::process::Process;
 use crate::blocks::cutting::tool_path::Engagement;
@@ -50,7 +50,6 @@ use crate::blocks::sensing::peak::PeakWindow;
 use crate::blocks::surface::roughness;
 use crate::models::Valued;
 use crate::models::genetic::GeneticModels;
-use crate::models::genetic::force_formula::{FEED_MIN_MM_MIN, SPEED_MIN_RPM};
 
 /// Peak force below which a tool that goes through cuts with air between them counts as in the air, as
 /// a share of the desired force: 40 of 665 N in 2005.
@@ -211,7 +210,7 @@ impl ClosedLoop {
 
     /// Takes over changed live settings; the state of every block goes on.
     pub fn reconfigure(&mut self, scenario: &Scenario) {
-        let current =
+        let actual =
             FeedSpeed { feed_mm_min: self.row.feed_mm_min, speed_rpm: self.row.spindle_rpm };
         self.cuts = programmed_cuts(scenario);
         self.limits = self.cuts[self.path.cut()].1;
@@ -221,7 +220,8 @@ impl ClosedLoop {
         self.target_ra_um = reference::desired_ra(&scenario.target, &self.belief);
         let command = [self.row.feed_command_mm_min, self.row.spindle_command_rpm];
         let sent = FeedSpeed { feed_mm_min: command[0], speed_rpm: command[1] };
-        self.controller.reconfigure(&scenario.control_setup(), self.programmed, current, sent);
+        let running = Running { programmed: self.programmed, actual, sent };
+        self.controller.reconfigure(&scenario.control_setup(), &running);
         let period_s = scenario.control_period_s();
         self.feed_override.reconfigure(&scenario.cnc, period_s);
         self.spindle_override.reconfigure(&scenario.cnc, period_s);
@@ -519,22 +519,17 @@ fn bit(on: bool, bit: u32) -> u32 {
     if on { bit } else { 0 }
 }
 
-/// Limits of the commands in a cut, counted from 0. An adaptive controller also stays where the force
-/// model holds: below [`FEED_MIN_MM_MIN`] the force no longer falls with the feed, and below
-/// [`SPEED_MIN_RPM`] it would stop the spindle to raise the force.
+/// Limits of the commands in a cut, counted from 0: those of the overrides, and the controller's own.
 #[must_use]
 pub fn limits(scenario: &Scenario, cut: usize) -> Limits {
     let programmed = scenario.programmed(cut);
-    let mut feed_mm_min = scenario.cnc.range(programmed.feed_mm_min);
-    let mut speed_rpm = scenario.cnc.range(programmed.speed_rpm);
-    if scenario.controller.kind != ControllerKind::ConstantFeed {
-        feed_mm_min[0] = feed_mm_min[0].max(FEED_MIN_MM_MIN).min(feed_mm_min[1]);
-        speed_rpm[0] = speed_rpm[0].max(SPEED_MIN_RPM).min(speed_rpm[1]);
-    }
     let percent = if scenario.cnc.override_quantised { ratio_from_percent(1.0) } else { 0.0 };
-    let resolution = FeedSpeed {
-        feed_mm_min: programmed.feed_mm_min * percent,
-        speed_rpm: programmed.speed_rpm * percent,
-    };
-    Limits { feed_mm_min, speed_rpm, resolution }
+    scenario.controller.kind.limits(Limits {
+        feed_mm_min: scenario.cnc.range(programmed.feed_mm_min),
+        speed_rpm: scenario.cnc.range(programmed.speed_rpm),
+        resolution: FeedSpeed {
+            feed_mm_min: programmed.feed_mm_min * percent,
+            speed_rpm: programmed.speed_rpm * percent,
+        },
+    })
 }

@@ -1,20 +1,11 @@
 //! The groups of settings: everything a run depends on besides its edits, as plain data.
 
 use super::table::Param;
-use crate::base::settings::{Group, Value};
+use crate::base::settings::{Group, Spec, Value};
 use crate::blocks::cnc::feed_drive::FeedDriveSettings;
 use crate::blocks::cnc::feed_override::{Cnc, Program};
 use crate::blocks::cnc::spindle_drive::SpindleDriveSettings;
-use crate::blocks::control::adjustable_pi::AdjustablePiSettings;
-use crate::blocks::control::constant_feed::ConstantFeedSettings;
-use crate::blocks::control::division::DivisionSettings;
-use crate::blocks::control::mrac::MracSettings;
-use crate::blocks::control::preview::PreviewSettings;
-use crate::blocks::control::proportional::ProportionalSettings;
-use crate::blocks::control::sdnrp::SdnrpSettings;
-use crate::blocks::control::tracking::TrackingSettings;
-use crate::blocks::control::unks::UnksSettings;
-use crate::blocks::control::{Belief, ControlSetup, ControllerChoice, FeedSpeed};
+use crate::blocks::control::{Belief, ControlSetup, ControllerSettings, FeedSpeed};
 use crate::blocks::cutting::disturbance::NoiseSettings;
 use crate::blocks::cutting::process::Plant;
 use crate::blocks::cutting::workpiece::Workpiece;
@@ -70,6 +61,10 @@ macro_rules! scenario {
                     format!("{}.{}", $prefix, spec.key)
                 };
                 table.push(Param { path, group: $prefix, spec });
+            }
+            for (group, specs) in <$ty as Group>::parts() {
+                let param = |spec: Spec| Param { path: format!("{group}.{}", spec.key), group, spec };
+                table.extend(specs.into_iter().map(param));
             } )+
             table
         }
@@ -78,15 +73,24 @@ macro_rules! scenario {
             pub(super) fn get_param(&self, param: &Param) -> Value {
                 let found = match param.group {
                     $( $prefix => self.$field.get(param.spec.key), )+
-                    _ => None,
+                    path => {
+                        let part = None$( .or_else(|| self.$field.part(path)) )+;
+                        part.and_then(|part| part.get(param.spec.key))
+                    }
                 };
                 found.expect("every table entry names a field of its group")
             }
 
             pub(super) fn set_param(&mut self, param: &Param, value: &Value) -> Option<()> {
+                let Spec { key, allowed, .. } = &param.spec;
                 match param.group {
-                    $( $prefix => self.$field.set(param.spec.key, value, &param.spec.allowed), )+
-                    _ => None,
+                    $( $prefix => self.$field.set(key, value, allowed), )+
+                    path => {
+                        $( if let Some(part) = self.$field.part_mut(path) {
+                            return part.set(key, value, allowed);
+                        } )+
+                        None
+                    }
                 }
             }
         }
@@ -100,16 +104,7 @@ scenario! {
     "target", target: Target;
     "plant", plant: Plant;
     "noise", noise: NoiseSettings;
-    "controller", controller: ControllerChoice;
-    "controller.constant_feed", constant_feed: ConstantFeedSettings;
-    "controller.sdnrp", sdnrp: SdnrpSettings;
-    "controller.tracking", tracking: TrackingSettings;
-    "controller.division", division: DivisionSettings;
-    "controller.p", proportional: ProportionalSettings;
-    "controller.adjustable_pi", adjustable_pi: AdjustablePiSettings;
-    "controller.mrac", mrac: MracSettings;
-    "controller.unks", unks: UnksSettings;
-    "controller.preview", preview: PreviewSettings;
+    "controller", controller: ControllerSettings;
     "belief", belief: Belief;
     "feed_drive", feed_drive: FeedDriveSettings;
     "spindle_drive", spindle_drive: SpindleDriveSettings;
@@ -158,16 +153,7 @@ impl Settings {
     #[must_use]
     pub fn control_setup(&self) -> ControlSetup<'_> {
         ControlSetup {
-            kind: self.controller.kind,
-            constant_feed: &self.constant_feed,
-            sdnrp: &self.sdnrp,
-            tracking: &self.tracking,
-            division: &self.division,
-            proportional: &self.proportional,
-            adjustable_pi: &self.adjustable_pi,
-            mrac: &self.mrac,
-            unks: &self.unks,
-            preview: &self.preview,
+            settings: &self.controller,
             part: ProgrammedPart {
                 cuts: &self.workpiece.cuts,
                 axial_depth_mm: self.workpiece.axial_depth_mm,

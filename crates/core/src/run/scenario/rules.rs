@@ -33,15 +33,15 @@ impl Settings {
                 allowed: "true with `machine.coupled` = true".to_owned(),
             });
         }
-        if let Some(stored) = self.unks.networks.get()
-            && stored.start != self.unks.start
+        if let Some(stored) = self.controller.unks.networks.get()
+            && stored.start != self.controller.unks.start
         {
             return Err(SettingError::Refused {
                 path: "controller.unks.networks".to_owned(),
                 value: format!("networks of the start `{}`", stored.start.id()),
                 allowed: format!(
                     "networks of `controller.unks.start`, {}, or none; set both together",
-                    self.unks.start.id()
+                    self.controller.unks.start.id()
                 ),
             });
         }

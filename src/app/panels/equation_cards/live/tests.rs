@@ -111,7 +111,7 @@ fn models_explain_themselves_over_every_force() {
             .change(|s| {
                 (s.plant.model_set, s.belief.model_set) = (set, set);
                 (s.plant.calibration, s.belief.calibration) = (calibration, calibration);
-                s.sdnrp.kp = 0.0;
+                s.controller.sdnrp.kp = 0.0;
             })
             .unwrap();
         for force in [90.0, 141.8, 160.0, 177.5, 196.0, 203.0, 230.0, 240.0, 262.0, 280.0] {

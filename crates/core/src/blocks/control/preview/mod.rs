@@ -22,9 +22,12 @@ mod believed_part;
 use believed_part::BelievedPart;
 
 use super::ControlSetup;
-use super::override_loop::{ForceLaw, ForceSample, LEAST};
+use super::law::{AtRest, ControlMoment};
+use super::override_loop::{ForceController, ForceLaw, ForceSample, LEAST};
+use crate::base::equation::number;
 use crate::base::math::{self, limit};
 use crate::base::units::{mm_s_from_mm_min, ratio_from_percent};
+use crate::models::printed::Printed;
 
 crate::settings! {
     /// Settings of the controller with preview.
@@ -53,9 +56,12 @@ const LEAST_FORCE: f64 = 0.05;
 /// Bounds of ln g.
 const LOG_GAIN: f64 = 4.0;
 
+/// The controller.
+pub type Preview = ForceController<PreviewLaw>;
+
 /// The law with its estimate.
 #[derive(Clone, Debug)]
-pub struct Preview {
+pub struct PreviewLaw {
     settings: PreviewSettings,
     part: BelievedPart,
     log_gain: f64,
@@ -66,24 +72,7 @@ pub struct Preview {
     place: Option<(usize, f64)>,
 }
 
-impl Preview {
-    pub(super) fn new(setup: &ControlSetup) -> Self {
-        let doubt = ratio_from_percent(setup.preview.doubt_percent);
-        Self {
-            settings: setup.preview.clone(),
-            part: BelievedPart::new(&setup.part, setup.belief),
-            log_gain: 0.0,
-            variance: doubt * doubt,
-            before: None,
-            place: None,
-        }
-    }
-
-    pub(super) fn configure(&mut self, setup: &ControlSetup) {
-        self.settings = setup.preview.clone();
-        self.part.configure(&setup.part, setup.belief);
-    }
-
+impl PreviewLaw {
     /// What the last period says about the gain: ln g and its variance.
     fn measured(&self, sample: &ForceSample, level: f64) -> (f64, f64) {
         let (input, PreviewSettings { exponent, place_doubt_mm, .. }) =
@@ -129,7 +118,33 @@ impl Preview {
     }
 }
 
-impl ForceLaw for Preview {
+impl ForceLaw for PreviewLaw {
+    type Settings = PreviewSettings;
+    const ABOUT: &'static str = "Looks ahead in the programmed part: the feed that the force allows \
+                                 where the command will act.";
+
+    fn new(settings: &PreviewSettings, setup: &ControlSetup) -> Self {
+        let doubt = ratio_from_percent(settings.doubt_percent);
+        Self {
+            settings: settings.clone(),
+            part: BelievedPart::new(&setup.part, setup.belief),
+            log_gain: 0.0,
+            variance: doubt * doubt,
+            before: None,
+            place: None,
+        }
+    }
+
+    fn configure(&mut self, settings: &PreviewSettings, setup: &ControlSetup) {
+        self.settings = settings.clone();
+        self.part.configure(&setup.part, setup.belief);
+    }
+
+    /// It looks ahead by itself.
+    fn smith(_: &PreviewSettings) -> bool {
+        false
+    }
+
     fn update(&mut self, sample: &ForceSample) -> f64 {
         let level = self.part.level(sample.input, self.settings.exponent);
         if sample.entered {
@@ -148,5 +163,23 @@ impl ForceLaw for Preview {
 
     fn gain(&self) -> f64 {
         math::exp(self.log_gain)
+    }
+
+    fn at_rest(_: &PreviewSettings) -> AtRest {
+        AtRest::OnReference
+    }
+
+    fn printed(_: &PreviewSettings) -> Printed {
+        Printed::new(
+            "u = [aim / (g max K(x_h))]^{1/α}",
+            "chosen: a Kalman filter of the gain g over the believed part; no paper prints it",
+        )
+    }
+
+    fn explain(settings: &PreviewSettings, moment: &ControlMoment) -> (String, String) {
+        let [margin, exponent] = [settings.margin_mm, settings.exponent].map(number);
+        let aim = number(ratio_from_percent(settings.aim_percent));
+        let formula = format!("u = [{aim} / (g · max K(x_h ± {margin} mm))]^{{1/{exponent}}}");
+        (formula, format!("g = {}", number(moment.gain_estimate)))
     }
 }

@@ -11,11 +11,11 @@
 //! NM-2 gives 1 before it has learned, so the scheme begins as the division controller and hands
 //! over, sample by sample, from the feedback to the inverse model. NM-1 has no part in it.
 
-use super::{ForceSample, LEAST, Unks, free};
+use super::{ForceSample, LEAST, UnksLaw, free};
 use crate::base::math::{self, limit};
 use crate::models::unks::REFERENCE_KN;
 
-impl Unks {
+impl UnksLaw {
     pub(super) fn cold(&mut self, sample: &ForceSample, [now, old, older]: [f64; 3]) -> f64 {
         let most = sample.range[1];
         let features = [now - math::ln(sample.actual), now - old, now - older];

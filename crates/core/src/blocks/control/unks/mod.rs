@@ -20,10 +20,15 @@ mod learner;
 
 use learner::Learner;
 
-use super::override_loop::{ForceLaw, ForceSample};
+use super::ControlSetup;
+use super::law::{AtRest, ControlMoment};
+use super::override_loop::{ForceController, ForceLaw, ForceSample, periods};
 use crate::base::math::{self, limit};
 use crate::base::network::ScaledNetwork;
-use crate::models::unks::{REFERENCE_KN, StoredNetworks, UnksNetworks, UnksStart, log_force};
+use crate::models::printed::Printed;
+use crate::models::unks::{
+    HORIZON_BEYOND, REFERENCE_KN, StoredNetworks, UnksNetworks, UnksStart, log_force,
+};
 
 crate::settings! {
     /// Settings of the neural control scheme.
@@ -160,10 +165,13 @@ impl Learning<'_> {
     }
 }
 
+/// The controller.
+pub type Unks = ForceController<UnksLaw>;
+
 /// The scheme with its learning networks.
 #[derive(Clone, Debug)]
-pub struct Unks {
-    pub(super) settings: UnksSettings,
+pub struct UnksLaw {
+    settings: UnksSettings,
     networks: UnksNetworks,
     forward: Learner,
     inverse: Learner,
@@ -176,40 +184,12 @@ pub struct Unks {
     trace: LearningTrace,
 }
 
-impl Unks {
-    pub(super) fn new(settings: &UnksSettings, horizon: usize) -> Self {
-        let stored = settings.networks.get().map(|stored| stored.networks.clone());
-        let networks = stored
-            .unwrap_or_else(|| UnksNetworks::at_start(settings.start, settings.first_weights));
-        Self {
-            settings: settings.clone(),
-            forward: Learner::new(&networks.forward),
-            inverse: Learner::new(&networks.inverse),
-            networks,
-            trace: LearningTrace::default(),
-            horizon: horizon.clamp(1, MAX_HORIZON),
-            past: vec![Moment::default(); MAX_HORIZON + 1],
-            newest: 0,
-            seen: 0,
-            logs: [0.0; 3],
-        }
-    }
+/// How far the scheme looks ahead, in control periods.
+fn horizon(setup: &ControlSetup) -> usize {
+    (periods(setup) + HORIZON_BEYOND).clamp(1, MAX_HORIZON)
+}
 
-    pub(super) fn set_horizon(&mut self, horizon: usize) {
-        self.horizon = horizon.clamp(1, MAX_HORIZON);
-    }
-
-    pub(super) fn learning(&self) -> Learning<'_> {
-        Learning {
-            start: self.settings.start,
-            initial: &self.networks,
-            forward: &self.forward.scaled,
-            inverse: &self.inverse.scaled,
-            lessons: [self.forward.lessons, self.inverse.lessons],
-            trace: self.trace,
-        }
-    }
-
+impl UnksLaw {
     /// Step 1: what the override of H periods ago has come to.
     fn identify(&mut self, now: f64, actual: f64) {
         if (self.seen as usize) <= self.horizon {
@@ -259,7 +239,50 @@ impl Unks {
     }
 }
 
-impl ForceLaw for Unks {
+impl ForceLaw for UnksLaw {
+    type Settings = UnksSettings;
+    const ABOUT: &'static str =
+        "The neural control scheme of 2005, its networks learning in the cut.";
+    const LEARNS: bool = true;
+
+    fn new(settings: &UnksSettings, setup: &ControlSetup) -> Self {
+        let stored = settings.networks.get().map(|stored| stored.networks.clone());
+        let networks = stored
+            .unwrap_or_else(|| UnksNetworks::at_start(settings.start, settings.first_weights));
+        Self {
+            settings: settings.clone(),
+            forward: Learner::new(&networks.forward),
+            inverse: Learner::new(&networks.inverse),
+            networks,
+            trace: LearningTrace::default(),
+            horizon: horizon(setup),
+            past: vec![Moment::default(); MAX_HORIZON + 1],
+            newest: 0,
+            seen: 0,
+            logs: [0.0; 3],
+        }
+    }
+
+    fn configure(&mut self, settings: &UnksSettings, setup: &ControlSetup) {
+        self.settings = settings.clone();
+        self.horizon = horizon(setup);
+    }
+
+    fn smith(settings: &UnksSettings) -> bool {
+        settings.smith
+    }
+
+    fn learning(&self) -> Option<Learning<'_>> {
+        Some(Learning {
+            start: self.settings.start,
+            initial: &self.networks,
+            forward: &self.forward.scaled,
+            inverse: &self.inverse.scaled,
+            lessons: [self.forward.lessons, self.inverse.lessons],
+            trace: self.trace,
+        })
+    }
+
     fn update(&mut self, sample: &ForceSample) -> f64 {
         let now = log_force(sample.y);
         if sample.entered {
@@ -277,5 +300,34 @@ impl ForceLaw for Unks {
             UnksStart::Shipped => self.trained(sample, features),
             UnksStart::Cold => self.cold(sample, self.logs),
         }
+    }
+
+    fn at_rest(_: &UnksSettings) -> AtRest {
+        AtRest::NearReference
+    }
+
+    fn printed(settings: &UnksSettings) -> Printed {
+        match settings.start {
+            UnksStart::Shipped => Printed::new(
+                "u = a_0 e^{NM-2} · internal loop + w_{ext} (NM-R(F_{ref}, F_m) - 1)",
+                "Combined system 2005: UNKS, after Kawato's hierarchical scheme; weights and rates \
+                 were never published",
+            ),
+            UnksStart::Cold => Printed::new(
+                "u = e^{NM-2} + NM-R(F_{ref}, F_m) - 1",
+                "feedback-error learning (Miyamoto, Kawato, Setoyama, Suzuki 1988), on which UNKS of \
+                 Combined system 2005 rests",
+            ),
+        }
+    }
+
+    fn explain(settings: &UnksSettings, _: &ControlMoment) -> (String, String) {
+        let formula = match settings.start {
+            UnksStart::Shipped => {
+                "u = a_0 e^{NM-2} · internal loop + w_{ext} (NM-R(F_{ref}, F_m) - 1)"
+            }
+            UnksStart::Cold => "u = e^{NM-2} + NM-R(F_{ref}, F_m) - 1",
+        };
+        (formula.to_owned(), String::new())
     }
 }

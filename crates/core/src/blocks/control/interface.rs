@@ -1,0 +1,100 @@
+//! What passes between the loop and a controller.
+
+use super::{Belief, ControllerSettings};
+use crate::models::genetic::GeneticModels;
+use crate::models::genetic::force_formula::{FEED_MIN_MM_MIN, SPEED_MIN_RPM};
+use crate::models::part::ProgrammedPart;
+
+/// A pair of feed and spindle speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FeedSpeed {
+    /// Feed, mm/min.
+    pub feed_mm_min: f64,
+    /// Spindle speed, 1/min.
+    pub speed_rpm: f64,
+}
+
+/// Limits of the commands, from the override limits and the controller's own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Feed range, mm/min.
+    pub feed_mm_min: [f64; 2],
+    /// Spindle speed range, 1/min.
+    pub speed_rpm: [f64; 2],
+    /// Steps in which commands are sent: a percent of the programmed values where overrides are
+    /// whole percents, 0 where they are continuous.
+    pub resolution: FeedSpeed,
+}
+
+impl Limits {
+    /// The same, but where the force model holds: below [`FEED_MIN_MM_MIN`] the force no longer falls
+    /// with the feed, and below [`SPEED_MIN_RPM`] the spindle would be stopped to raise the force.
+    #[must_use]
+    pub fn within_force_model(mut self) -> Self {
+        let from = |[low, high]: [f64; 2], least: f64| [low.max(least).min(high), high];
+        self.feed_mm_min = from(self.feed_mm_min, FEED_MIN_MM_MIN);
+        self.speed_rpm = from(self.speed_rpm, SPEED_MIN_RPM);
+        self
+    }
+}
+
+/// What a controller sees at the start of a control period.
+#[derive(Clone, Copy, Debug)]
+pub struct ControlInput<'a> {
+    /// Measured force of the tick before, N.
+    pub force_measured_n: f64,
+    /// Desired force F_d, N (positive).
+    pub force_ref_n: f64,
+    /// Programmed feed and speed (100 % override).
+    pub programmed: FeedSpeed,
+    /// The command that was really sent in the period before, after all limits.
+    pub applied: FeedSpeed,
+    /// Limits of the command to come.
+    pub limits: Limits,
+    /// The controller's models.
+    pub models: &'a GeneticModels,
+    /// The cut that the machine is in, counted from 0.
+    pub cut: usize,
+    /// Where along it the tool's axis stands by the machine's own reading, mm from where the programmed
+    /// part begins.
+    pub x_mm: f64,
+}
+
+/// What a controller asks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ControlOutput {
+    /// Requested feed and speed, before limits; finite.
+    pub request: FeedSpeed,
+    /// The force that the models were asked for: F_s of SDNRP, F_d / gain of Tracking, N.
+    pub force_setpoint_n: f64,
+    /// The controller's estimate of true over modelled force (1 where it has none).
+    pub gain_estimate: f64,
+    /// Whether K2 was used inside its range.
+    pub feed_model_valid: bool,
+    /// Whether K3 was used inside its range.
+    pub speed_model_valid: bool,
+}
+
+/// Everything that a controller is set up from.
+#[derive(Clone, Copy, Debug)]
+pub struct ControlSetup<'a> {
+    /// Which controller, and the settings of each.
+    pub settings: &'a ControllerSettings,
+    /// The part as programmed.
+    pub part: ProgrammedPart<'a>,
+    /// The controller's beliefs.
+    pub belief: &'a Belief,
+    /// Control period, s.
+    pub period_s: f64,
+}
+
+/// A running machine that a controller takes over.
+#[derive(Clone, Copy, Debug)]
+pub struct Running {
+    /// Programmed feed and speed of the present cut.
+    pub programmed: FeedSpeed,
+    /// Feed and speed that the drives have reached.
+    pub actual: FeedSpeed,
+    /// The command under way.
+    pub sent: FeedSpeed,
+}
