@@ -3,6 +3,7 @@
 mod architecture;
 mod combined;
 mod commands;
+mod documents;
 mod planning;
 mod profilometer;
 mod recommending;

@@ -253,6 +253,16 @@ fn states_at_the_end(run: &Run) -> Vec<&'static str> {
 }
 
 /// Re-runs all simulations of a paper's table.
+///
+/// ```
+/// use steadycut_core::blocks::cutting::force_model::ForceModel;
+/// use steadycut_core::models::genetic::Calibration;
+/// use steadycut_study::{papers, published::PaperId};
+///
+/// let table = papers::table(PaperId::Sdnrp2007, Calibration::Identified, ForceModel::Formula);
+/// assert_eq!(table.rows.len(), 10);
+/// assert!(table.all_met(), "all cells of Table 3 lie within their bands");
+/// ```
 #[must_use]
 pub fn table(paper: PaperId, calibration: Calibration, force_model: ForceModel) -> PaperTable {
     let rows = paper.rows();

@@ -56,6 +56,20 @@ impl Edits {
 
     /// Adds a change; among changes of the same time the last one wins.
     ///
+    /// ```
+    /// use steadycut_core::base::settings::Value;
+    /// use steadycut_core::run::{edits::{Edit, Edits}, one_run::Run, presets};
+    ///
+    /// let scenario = presets::load("table3-5").unwrap();
+    /// let mut edits = Edits::none();
+    /// let finer = Edit { at_s: 8.0, path: "target.ra_um".into(), value: Value::Float(0.6) };
+    /// edits.push(&scenario, finer).unwrap();
+    ///
+    /// let run = Run::complete(&scenario, &edits);
+    /// let force_n = |time_s| run.recording().rows()[run.recording().index_at(time_s)].force_n;
+    /// assert!(force_n(14.0) < force_n(7.9), "a finer surface wants less force");
+    /// ```
+    ///
     /// # Errors
     /// The setting is unknown or belongs to the set-up, the time lies outside the run, the value is
     /// outside its range or breaks a rule with the edits of another setting, or there are too many.

@@ -21,6 +21,16 @@ use crate::base::units::{cm3_from_mm3, percent_from_ratio, ratio_from_percent};
 use crate::blocks::reference::Reference;
 
 /// The numbers that a run is judged by. Fields are named like the keys of `run --json`.
+///
+/// ```
+/// use steadycut_core::run::{edits::Edits, one_run::Run, presets};
+///
+/// let run = Run::complete(&presets::load("table3-5").unwrap(), &Edits::none());
+/// let metrics = run.metrics();
+/// // SDNRP 2007, Table 3, simulation 5: 177.7 N, 254.8 mm/min.
+/// assert!((metrics.force_final_n / 177.7 - 1.0).abs() < 0.005);
+/// assert!(metrics.settling_time_s.is_some_and(|settled_s| settled_s < 15.0));
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Metrics {
     /// Produced Ra, mean over the last second, um.

@@ -140,6 +140,16 @@ impl Run {
     }
 
     /// A run from start to end.
+    ///
+    /// ```
+    /// use steadycut_core::run::{edits::Edits, one_run::{End, Run}, presets};
+    ///
+    /// let run = Run::complete(&presets::load("first-cut").unwrap(), &Edits::none());
+    /// assert!(run.end().is_some());
+    /// let metrics = run.metrics();
+    /// println!("Ra {:.2} um at {:.0} N", metrics.ra_final_um, metrics.force_final_n);
+    /// # assert!(!matches!(run.end(), Some(End::Fault(_))));
+    /// ```
     #[must_use]
     pub fn complete(scenario: &Scenario, edits: &Edits) -> Self {
         let mut run = Self::new(scenario, edits);

@@ -63,6 +63,14 @@ presets![
 
 /// The scenario of a preset.
 ///
+/// ```
+/// use steadycut_core::run::presets;
+///
+/// assert_eq!(presets::load("table3-5").unwrap().target.ra_um, 0.81);
+/// let error = presets::load("table3-55").unwrap_err();
+/// assert!(error.to_string().contains("table3-5"), "{error}");
+/// ```
+///
 /// # Errors
 /// No preset has this name; the message lists all.
 pub fn load(name: &str) -> Result<Scenario, SettingError> {

@@ -7,6 +7,18 @@ use super::signals::{Row, flag};
 const RESERVED_ROWS: usize = 250_000;
 
 /// All recorded rows of one run.
+///
+/// ```
+/// use steadycut_core::run::{edits::Edits, one_run::Run, presets};
+///
+/// let run = Run::complete(&presets::load("table3-5").unwrap(), &Edits::none());
+/// let rows = run.recording().rows();
+/// let most = rows.iter().map(|row| row.force_n).fold(0.0, f64::max);
+/// assert_eq!(most, run.metrics().max_force_n);
+/// // The same scenario gives the same bits, so a digest says whether two runs are equal.
+/// let again = Run::complete(run.scenario(), &Edits::none());
+/// assert_eq!(run.recording().digest(), again.recording().digest());
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
     rows: Vec<Row>,

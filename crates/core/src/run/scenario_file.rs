@@ -16,6 +16,18 @@ const MAX_BYTES: usize = 4_000_000;
 
 /// Reads a scenario and its edits.
 ///
+/// ```
+/// use steadycut_core::run::scenario_file;
+///
+/// let text = "version = 1\n[target]\nra_um = 0.6\n";
+/// let (scenario, edits) = scenario_file::parse(text).unwrap();
+/// assert_eq!(scenario.target.ra_um, 0.6);
+/// assert!(edits.list().is_empty());
+///
+/// let error = scenario_file::parse("version = 1\n[target]\nra_mm = 0.6\n").unwrap_err();
+/// assert!(error.to_string().contains("target.ra_um"), "names the nearest field: {error}");
+/// ```
+///
 /// # Errors
 /// Not TOML (with line and column), a missing or unknown version, an unknown field (with the
 /// nearest known one), or a value outside its range.
@@ -161,6 +173,14 @@ fn literal(value: &Value) -> String {
 
 /// Writes a scenario with all its fields, each with its documentation, unit and range. Reading it
 /// back gives the same scenario and edits.
+///
+/// ```
+/// use steadycut_core::run::{edits::Edits, presets, scenario_file};
+///
+/// let scenario = presets::load("depth-step").unwrap();
+/// let text = scenario_file::write(&scenario, &Edits::none());
+/// assert_eq!(scenario_file::parse(&text).unwrap(), (scenario, Edits::none()));
+/// ```
 #[must_use]
 pub fn write(scenario: &Scenario, edits: &Edits) -> String {
     let mut text = format!("# SteadyCut scenario\nversion = {FORMAT_VERSION}\n");

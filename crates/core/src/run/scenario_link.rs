@@ -44,6 +44,14 @@ fn decode(text: &str) -> Result<String, SettingError> {
 
 /// Reads the part of a link after `#`.
 ///
+/// ```
+/// use steadycut_core::run::{edits::Edits, presets, scenario_link};
+///
+/// let scenario = presets::load("table3-5").unwrap();
+/// let link = scenario_link::write(&scenario, &Edits::none());
+/// assert_eq!(scenario_link::parse(&link).unwrap(), (scenario, Edits::none()));
+/// ```
+///
 /// # Errors
 /// A missing or unknown version, an unknown setting, or a value outside its range.
 pub fn parse(fragment: &str) -> Result<(Scenario, Edits), SettingError> {

@@ -8,6 +8,17 @@ use crate::run::signals::SIGNALS;
 
 /// Writes a recording; numbers in the shortest form that reads back to the same bits.
 ///
+/// ```
+/// use steadycut_core::run::{edits::Edits, one_run::Run, presets};
+/// use steadycut_study::export::csv;
+///
+/// let run = Run::complete(&presets::load("table3-5").unwrap(), &Edits::none());
+/// let mut table = Vec::new();
+/// csv::write(&mut table, run.recording()).unwrap();
+/// let header = std::str::from_utf8(&table).unwrap().lines().next().unwrap();
+/// assert!(header.contains("force_n [N]"));
+/// ```
+///
 /// # Errors
 /// Those of the writer.
 pub fn write(out: &mut impl Write, recording: &Recording) -> io::Result<()> {

@@ -94,6 +94,14 @@ impl PlanJob {
 
     /// The plan of a scenario, run to its end.
     ///
+    /// ```
+    /// use steadycut_core::run::presets;
+    /// use steadycut_study::plan::PlanJob;
+    ///
+    /// let plan = PlanJob::complete(&presets::load("strategy-2013").unwrap()).unwrap();
+    /// assert!(plan.optimum().feasible);
+    /// ```
+    ///
     /// # Errors
     /// See [`Problem::new`].
     pub fn complete(scenario: &Scenario) -> Result<Self, SettingError> {

@@ -149,6 +149,16 @@ pub struct GeneticModels {
 
 impl GeneticModels {
     /// The models of a set in a calibration.
+    ///
+    /// ```
+    /// use steadycut_core::models::genetic::{Calibration, GeneticModels, ModelSet};
+    ///
+    /// let models = GeneticModels::new(ModelSet::Sdnrp2007, Calibration::Identified);
+    /// let force_n = models.force_from_ra(0.81).value;
+    /// let feed_mm_min = models.feed_from_force(force_n).value;
+    /// let speed_rpm = models.speed_from_force(force_n).value;
+    /// assert!(models.force(feed_mm_min, speed_rpm).valid, "a point inside K4's range");
+    /// ```
     #[must_use]
     pub fn new(set: ModelSet, calibration: Calibration) -> Self {
         match (set, calibration) {

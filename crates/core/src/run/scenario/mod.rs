@@ -79,6 +79,19 @@ impl Scenario {
     /// Sets one setting; see [`Self::set_all`]. A long session replays thousands of edits, so this
     /// works in place.
     ///
+    /// ```
+    /// use steadycut_core::base::settings::Value;
+    /// use steadycut_core::run::presets;
+    ///
+    /// let mut scenario = presets::load("table3-5").unwrap();
+    /// scenario.set("belief.dead_time_s", Value::Float(0.16)).unwrap();
+    /// assert_eq!(scenario.belief.dead_time_s, 0.16);
+    ///
+    /// let error = scenario.set("target.ra_um", Value::Float(-1.0)).unwrap_err().to_string();
+    /// assert!(error.contains("target.ra_um") && error.contains("-1"), "{error}");
+    /// assert_eq!(scenario.target.ra_um, 0.81, "a refused value changes nothing");
+    /// ```
+    ///
     /// # Errors
     /// As [`Self::set_all`].
     pub fn set(&mut self, path: &str, value: Value) -> Result<(), SettingError> {
