@@ -14,7 +14,7 @@ pub mod panels;
 pub mod playback;
 pub mod scene;
 pub mod session;
-mod shortcuts;
+pub mod shortcuts;
 mod speaker;
 pub mod theme;
 mod timeline;
@@ -75,6 +75,16 @@ impl Console {
     /// The console at the start of a cut, playing.
     #[must_use]
     pub fn new(ctx: &egui::Context, start: Start) -> Self {
+        Self::with_screens(ctx, start, panels())
+    }
+
+    /// The console with these screens, of which there is at least one.
+    ///
+    /// # Panics
+    /// There is none.
+    #[must_use]
+    pub fn with_screens(ctx: &egui::Context, start: Start, panels: Vec<Box<dyn Panel>>) -> Self {
+        assert!(!panels.is_empty(), "a console has a screen");
         theme::install(ctx);
         let mut session = Session::new(start.scenario, start.edits);
         if let Some(notice) = start.notice {
@@ -82,7 +92,7 @@ impl Console {
         }
         Self {
             session,
-            panels: panels(),
+            panels,
             shown: 0,
             files: Files::default(),
             shortcuts: false,
@@ -116,7 +126,7 @@ impl Console {
             self.session.end_gesture();
         }
         self.draw(ui, &mut commands);
-        shortcuts::sheet(&ctx, &ids, &mut self.shortcuts);
+        shortcuts::sheet(&ctx, ids.len(), &mut self.shortcuts);
         let acted = !commands.is_empty();
         for command in commands {
             self.execute(command, &ctx);
@@ -169,11 +179,17 @@ impl Console {
         web::write_link(&self.fragment());
     }
 
-    /// What tests in a browser read: frames drawn, playhead, target and produced Ra, screen, the
+    /// What tests in a browser read: frames drawn, playhead, target and produced Ra, the screen
+    /// that is shown and the list of all with their keys (with Ctrl; null where there is none), the
     /// last message, and where the slider of the target is, in points.
     #[must_use]
     pub fn state_json(&self) -> String {
         let playback = self.session.playback();
+        let screen = |(place, panel): (usize, &Box<dyn Panel>)| {
+            let key = shortcuts::screen_key(place).map(egui::Key::symbol_or_name);
+            serde_json::json!({ "id": panel.id(), "title": panel.title(), "key": key })
+        };
+        let screens: Vec<_> = self.panels.iter().enumerate().map(screen).collect();
         let rect = self.target_slider.map_or_else(Vec::new, |rect| {
             vec![rect.left(), rect.top(), rect.right(), rect.bottom()]
         });
@@ -184,6 +200,7 @@ impl Console {
             "target_ra_um": self.session.current().target.ra_um,
             "ra_um": self.session.row().ra_um,
             "screen": self.panels[self.shown].id(),
+            "screens": screens,
             "error": self.session.notices().last().map(|notice| notice.text.as_str()),
             "rects": { "target_ra_slider": rect },
         })

@@ -1,4 +1,5 @@
-//! The keyboard: one table gives the keys and the sheet that lists them.
+//! The keyboard: one table gives the keys and the sheet that lists them. The first nine screens have
+//! a key each; there is no end to how many there may be.
 
 use egui::{Context, Key, KeyboardShortcut, Modifiers};
 
@@ -74,6 +75,7 @@ fn table() -> Vec<Shortcut> {
     ]
 }
 
+/// The keys of the screens, with Ctrl. Ctrl+0 is none of them: it resets the zoom.
 const DIGITS: [Key; 9] = [
     Key::Num1,
     Key::Num2,
@@ -85,6 +87,26 @@ const DIGITS: [Key; 9] = [
     Key::Num8,
     Key::Num9,
 ];
+
+/// The key that shows the screen at this place in the order of the tabs, with Ctrl; the tenth and
+/// those after it have none and are shown by their tabs.
+#[must_use]
+pub fn screen_key(place: usize) -> Option<Key> {
+    DIGITS.get(place).copied()
+}
+
+/// The line of the sheet that tells how the screens are shown, where there are `count` of them.
+fn screens_line(ctx: &Context, count: usize) -> Option<(String, &'static str)> {
+    let name = |key| ctx.format_shortcut(&KeyboardShortcut::new(Modifiers::COMMAND, key));
+    let last = *DIGITS.get(..count).unwrap_or(&DIGITS).last()?;
+    let keys = format!("{} … {}", name(DIGITS[0]), name(last));
+    let doing = if count > DIGITS.len() {
+        "The first screens; the others by their tabs"
+    } else {
+        "The screens"
+    };
+    Some((keys, doing))
+}
 
 /// The commands of the keys pressed in this frame. Keys without Ctrl belong to the widget that has
 /// the focus, all keys to a text that is being written.
@@ -111,8 +133,8 @@ pub fn read(ctx: &Context, screens: &[&'static str], commands: &mut Vec<Command>
     });
 }
 
-/// The sheet that lists all keys.
-pub fn sheet(ctx: &Context, screens: &[&'static str], open: &mut bool) {
+/// The sheet that lists all keys, where there are so many screens.
+pub fn sheet(ctx: &Context, screens: usize, open: &mut bool) {
     egui::Window::new("Keyboard")
         .open(open)
         .collapsible(false)
@@ -130,11 +152,9 @@ pub fn sheet(ctx: &Context, screens: &[&'static str], open: &mut bool) {
                 for shortcut in table() {
                     line(ctx.format_shortcut(&shortcut.keys), shortcut.doing);
                 }
-                let screens = KeyboardShortcut::new(Modifiers::COMMAND, DIGITS[screens.len() - 1]);
-                let first = KeyboardShortcut::new(Modifiers::COMMAND, DIGITS[0]);
-                let keys =
-                    format!("{} … {}", ctx.format_shortcut(&first), ctx.format_shortcut(&screens));
-                line(keys, "The screens");
+                if let Some((keys, doing)) = screens_line(ctx, screens) {
+                    line(keys, doing);
+                }
                 line("?".to_owned(), "This sheet");
                 line("Double-click on a plot".to_owned(), "Fit");
                 line("Drag on a plot".to_owned(), "Zoom");

@@ -5,7 +5,9 @@ use egui::{Key, Modifiers, Theme, Vec2, vec2};
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::{Harness, SnapshotOptions, SnapshotResults};
 use steadycut::app::Console;
-use steadycut::app::panels::panels;
+use steadycut::app::command::Command;
+use steadycut::app::panels::{Panel, View, panels};
+use steadycut::app::shortcuts::screen_key;
 use steadycut::run::edits::Edits;
 use steadycut::run::one_run::Run;
 use steadycut::run::{Start, presets};
@@ -16,9 +18,6 @@ mod hands;
 
 const DESKTOP: Vec2 = vec2(1280.0, 800.0);
 const PHONE: Vec2 = vec2(390.0, 844.0);
-/// The keys that show the screens, with Ctrl.
-const KEYS: [Key; 7] =
-    [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7];
 
 type Window<'a> = Harness<'a, Option<Console>>;
 
@@ -65,6 +64,19 @@ fn target_um(window: &Window) -> f64 {
 fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
     window.key_press_modifiers(modifiers, key);
     window.run_steps(2);
+}
+
+fn shown(window: &Window) -> String {
+    let state: serde_json::Value = serde_json::from_str(&console(window).state_json()).unwrap();
+    state["screen"].as_str().unwrap().to_owned()
+}
+
+/// Shows the screen at a place in the order of the tabs, by its key, or by its tab where it has none.
+fn show(window: &mut Window, place: usize, title: &str) {
+    match screen_key(place) {
+        Some(key) => press(window, Modifiers::COMMAND, key),
+        None => crate::screen::show(window, title),
+    }
 }
 
 fn click(window: &mut Window, name: &str) {
@@ -223,19 +235,78 @@ fn a_drag_on_a_plot_zooms_all_of_them_and_a_double_click_fits_again() {
 fn every_screen_opens_by_its_tab_and_by_its_key() {
     let mut window = window(DESKTOP);
     let screens: Vec<(&str, &str)> = panels().iter().map(|p| (p.id(), p.title())).collect();
-    assert!(screens.len() <= KEYS.len());
-    let shown = |window: &Window| {
-        let state: serde_json::Value = serde_json::from_str(&console(window).state_json()).unwrap();
-        state["screen"].as_str().unwrap().to_owned()
-    };
     for (id, title) in &screens {
         window.get_all_by_label(title).next().unwrap().click();
         window.run_steps(2);
         assert_eq!(shown(&window), *id);
     }
-    for ((id, _), key) in screens.iter().zip(KEYS) {
-        press(&mut window, Modifiers::COMMAND, key);
+    for (place, (id, title)) in screens.iter().enumerate() {
+        show(&mut window, place, title);
         assert_eq!(shown(&window), *id);
+    }
+    let state: serde_json::Value = serde_json::from_str(&console(&window).state_json()).unwrap();
+    let listed = state["screens"].as_array().unwrap();
+    let ids: Vec<&str> = listed.iter().map(|screen| screen["id"].as_str().unwrap()).collect();
+    assert_eq!(ids, screens.iter().map(|(id, _)| *id).collect::<Vec<&str>>());
+    assert_eq!((&listed[0]["title"], &listed[0]["key"]), (&"Console".into(), &"1".into()));
+}
+
+/// A screen beside those of the program.
+struct Dummy(&'static str);
+
+impl Panel for Dummy {
+    fn id(&self) -> &'static str {
+        self.0
+    }
+    fn title(&self) -> &'static str {
+        self.0
+    }
+    fn ui(&mut self, ui: &mut egui::Ui, _: &View<'_>, _: &mut Vec<Command>) {
+        ui.label(format!("This is {}", self.0));
+    }
+}
+
+/// Nine screens have a key. Those after them are shown by their tabs or from the list of narrow
+/// windows, and the sheet of keys says so.
+#[test]
+fn a_tenth_and_an_eleventh_screen_are_shown_and_have_no_key() {
+    for size in [DESKTOP, PHONE] {
+        let with_more = |ui: &mut egui::Ui, console: &mut Option<Console>| {
+            let start = || Start {
+                scenario: presets::load("first-cut").unwrap(),
+                edits: Edits::none(),
+                notice: None,
+            };
+            let screens = || {
+                let mut screens = panels();
+                let names = ["eighth", "ninth", "tenth", "eleventh"];
+                screens.extend(names.map(|name| Box::new(Dummy(name)) as Box<dyn Panel>));
+                screens
+            };
+            let new = || Console::with_screens(ui.ctx(), start(), screens());
+            console.get_or_insert_with(new).ui(ui);
+        };
+        let mut window = builder(size).build_ui_state(with_more, None);
+        window.run_steps(3);
+        let count = panels().len() + 4;
+        assert_eq!(count, 11, "the dummies are named after the places that they have");
+        press(&mut window, Modifiers::COMMAND, Key::Num9);
+        assert_eq!(shown(&window), "ninth");
+        for name in ["tenth", "eleventh"] {
+            crate::screen::show(&mut window, name);
+            assert_eq!(shown(&window), name);
+            assert!(window.query_by_label(&format!("This is {name}")).is_some());
+        }
+        let state: serde_json::Value =
+            serde_json::from_str(&console(&window).state_json()).unwrap();
+        let listed = state["screens"].as_array().unwrap();
+        assert_eq!(listed.len(), count);
+        let keys = listed.iter().filter(|screen| !screen["key"].is_null()).count();
+        assert_eq!(keys, 9);
+        press(&mut window, Modifiers::NONE, Key::Questionmark);
+        window.run_steps(10);
+        let text = "The first screens; the others by their tabs";
+        assert!(window.query_by_label(text).is_some());
     }
 }
 
@@ -283,8 +354,8 @@ fn a_text_that_is_being_written_keeps_its_keys() {
 fn every_widget_has_a_name() {
     for size in [DESKTOP, PHONE] {
         let mut window = window(size);
-        for key in KEYS {
-            press(&mut window, Modifiers::COMMAND, key);
+        for (place, panel) in panels().iter().enumerate() {
+            show(&mut window, place, panel.title());
             assert_eq!(window.unnamed_widgets(), Vec::<String>::new());
         }
     }
@@ -412,8 +483,8 @@ fn every_screen_looks_as_its_picture() {
             for _ in 0..26 {
                 press(&mut window, Modifiers::SHIFT, Key::ArrowRight);
             }
-            for (panel, key) in panels().iter().zip(KEYS) {
-                press(&mut window, Modifiers::COMMAND, key);
+            for (place, panel) in panels().iter().enumerate() {
+                show(&mut window, place, panel.title());
                 // Until what fades in has come.
                 window.run_steps(20);
                 let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(40);

@@ -1,16 +1,8 @@
-//! The screens. A new one is one file here and two lines in this one: its `pub mod` and its line
-//! in [`panels`], which drives the tabs, the keys and the snapshot tests.
+//! The screens. A new one is one file here and one line in the list of [`panels`], which drives
+//! the tabs, the keys, the state that pages and tests read, and the snapshot tests.
 
-// register: module
-pub mod block_diagram;
-pub mod compare;
-pub mod console;
 pub mod equation_cards;
 pub mod learning;
-pub mod machine;
-pub mod papers;
-pub mod plan;
-pub mod workpiece;
 
 use super::command::Command;
 use super::session::Session;
@@ -35,17 +27,25 @@ pub trait Panel {
     fn left(&mut self) {}
 }
 
-/// All screens in the order of the tabs, the first one shown first.
-#[must_use]
-pub fn panels() -> Vec<Box<dyn Panel>> {
-    vec![
-        // register: panel
-        Box::new(console::ConsolePanel::default()),
-        Box::new(block_diagram::BlockDiagramPanel::default()),
-        Box::new(workpiece::WorkpiecePanel::default()),
-        Box::new(plan::PlanPanel::default()),
-        Box::new(machine::MachinePanel::default()),
-        Box::new(compare::ComparePanel::default()),
-        Box::new(papers::PapersPanel::default()),
-    ]
+/// From the list of screens `module::Type` their modules and [`panels`].
+macro_rules! screens {
+    ($( $module:ident :: $panel:ident, )+) => {
+        $( pub mod $module; )+
+
+        /// All screens in the order of the tabs, the first one shown first.
+        #[must_use]
+        pub fn panels() -> Vec<Box<dyn Panel>> {
+            vec![ $( Box::new($module::$panel::default()), )+ ]
+        }
+    };
+}
+
+screens! {
+    console::ConsolePanel,
+    block_diagram::BlockDiagramPanel,
+    workpiece::WorkpiecePanel,
+    plan::PlanPanel,
+    machine::MachinePanel,
+    compare::ComparePanel,
+    papers::PapersPanel,
 }
