@@ -27,6 +27,10 @@ pub fn run(start: Start) -> Result<(), String> {
 }
 
 /// The failure in words that help.
+#[expect(
+    clippy::wildcard_enum_match_arm,
+    reason = "the library's variants differ with its features, and one of them needs other advice"
+)]
 fn explain(error: &eframe::Error) -> String {
     let advice = match error {
         eframe::Error::Wgpu(_) => {

@@ -6,6 +6,7 @@ mod answer;
 mod controls;
 mod convergence;
 mod layers;
+mod legend;
 mod map;
 mod marks;
 mod picture;
@@ -170,7 +171,7 @@ impl PlanPanel {
             true => "programmed now",
             false => "programmed now: outside the map",
         };
-        layers::legend(ui, &mut self.map.layers, found, name);
+        legend::show(ui, &mut self.map.layers, found, name);
         ui.horizontal_wrapped(|ui| {
             readout::scale(ui, &found.picture);
             let help = "The force as a surface in space, cut by the plane of its limit";

@@ -1,101 +1,24 @@
 //! A chart of signals of the run against time, with the constant-feed twin, the run before the last
 //! change, bands around references, and the playhead. Charts share their time axis and cursor.
 
-use std::collections::BTreeSet;
+mod content;
+mod curves;
+mod reading;
 
 use egui::Ui;
-use egui_plot::{GridInput, GridMark, HLine, HoverPosition, Plot, VLine};
+use egui_plot::{HLine, HoverPosition, VLine};
 
-use super::super::format::{self, log10};
+use super::super::format;
 use super::super::session::Session;
-use super::super::theme::{self, Look, Palette};
-use super::curves::{band, fit_values, lines};
+use super::super::theme::{Look, Palette};
 use super::legend;
-use super::reading::reading;
+use super::plot::{near, still, tick};
 use super::zoom::{by_touch, zoom};
 use crate::run::signals::SIGNALS;
-
-/// One signal in a chart.
-#[derive(Clone, Copy, Debug)]
-pub struct ChartCurve {
-    /// Its id in the table of signals.
-    pub signal: &'static str,
-    /// How it is drawn.
-    pub look: Look,
-    /// Whether the twin and the run before the last change are drawn with it.
-    pub compared: bool,
-}
-
-/// What a chart shows.
-#[derive(Clone, Debug)]
-pub struct Chart<'a> {
-    /// Its name for the program.
-    pub id: &'static str,
-    /// Its title.
-    pub title: &'static str,
-    /// Its signals, the first ones at the back; all of one unit.
-    pub curves: &'a [ChartCurve],
-    /// A signal with the half-width of the band around it, as a share of it.
-    pub band: Option<(&'static str, f64)>,
-    /// Levels that are marked, with their names.
-    pub levels: Vec<(&'static str, f64)>,
-    /// Values that are always in the picture.
-    pub include: &'static [f64],
-    /// How its values are written: the value and its unit as the tables have it.
-    pub write: fn(f64, &str) -> String,
-}
-
-impl<'a> Chart<'a> {
-    /// The curves that it is about: those compared with the twin, or else all.
-    fn foremost(&self) -> impl Iterator<Item = &'a ChartCurve> {
-        let any = self.curves.iter().any(|curve| curve.compared);
-        self.curves.iter().filter(move |curve| curve.compared || !any)
-    }
-}
-
-/// What charts with a common time axis share.
-#[derive(Clone, Debug, Default)]
-pub struct Axes {
-    /// Range of time that was zoomed to, s.
-    zoomed: Option<[f64; 2]>,
-    /// Where a drag over a range of time began, points.
-    drag: Option<f32>,
-    /// Legend entries switched off: chart and name.
-    pub(super) hidden: BTreeSet<(&'static str, &'static str)>,
-}
-
-/// The legend's name of the twin.
-pub(super) const TWIN: &str = "constant feed";
-/// The legend's name of the run before the last change.
-pub(super) const GHOST: &str = "before";
-
-impl Axes {
-    /// The range of time in the picture.
-    #[must_use]
-    pub fn range(&self, session: &Session) -> [f64; 2] {
-        if let Some(range) = self.zoomed {
-            return range;
-        }
-        let playback = session.playback();
-        let length_s = session.length_s();
-        if !playback.follow || length_s <= theme::FOLLOW_S {
-            return [0.0, length_s];
-        }
-        // The playhead stands near the right edge, with some room for what is to come.
-        let right = (playback.playhead_s + 0.1 * theme::FOLLOW_S).clamp(theme::FOLLOW_S, length_s);
-        [right - theme::FOLLOW_S, right]
-    }
-
-    /// Back to the automatic range.
-    pub fn fit(&mut self) {
-        self.zoomed = None;
-    }
-}
-
-/// Index of a signal in the table.
-pub(super) fn index(id: &str) -> usize {
-    SIGNALS.iter().position(|signal| signal.id == id).expect("charts name signals of the table")
-}
+pub use content::{Axes, Chart, ChartCurve};
+use content::{GHOST, TWIN, index};
+use curves::{band, fit_values, lines};
+use reading::reading;
 
 /// Draws the chart into `ui`, `height` points high with its title and legend; gives back where
 /// its time axis lies.
@@ -119,12 +42,14 @@ pub fn show(
     let drags = if by_touch(ui) { egui::Sense::click() } else { egui::Sense::click_and_drag() };
     let group = egui::Id::unique("time");
     let write = chart.write;
-    let label = move |hover: &HoverPosition<'_>| match hover {
-        HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
-            let value = write(position.y, unit);
-            Some(format!("{plot_name}: {value}\n{}", format::time(position.x)))
-        }
-        _ => None,
+    let label = move |hover: &HoverPosition<'_>| {
+        let (name, position) = near(hover)?;
+        Some(format!(
+            "{name}: {}
+{}",
+            write(position.y, unit),
+            format::time(position.x)
+        ))
     };
     let response = still(chart.id, palette, [width, height])
         .link_cursor(group, [true, false])
@@ -159,46 +84,6 @@ pub fn show(
         axes.fit();
     }
     response.transform.frame().x_range()
-}
-
-/// A plot as all of them look, which by itself is only looked at: nothing in it is dragged, scrolled or
-/// zoomed.
-#[must_use]
-pub fn still<'a>(title: &str, palette: &Palette, [width, height]: [f32; 2]) -> Plot<'a> {
-    Plot::new(title)
-        .height(height)
-        .allow_zoom(false)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .allow_axis_zoom_drag(false)
-        .sense(egui::Sense::hover())
-        .y_axis_min_width(44.0)
-        .grid_color(palette.grid)
-        .grid_fade(0.0)
-        .x_grid_spacer(move |input| grid(input, width / 80.0))
-        .y_grid_spacer(move |input| grid(input, height / 27.0))
-        .x_axis_formatter(|mark, _| tick(mark))
-        .y_axis_formatter(|mark, _| tick(mark))
-        .grid_spacing(egui::Rangef::new(16.0, 300.0))
-}
-
-/// Grid lines at round values, about as many as asked for.
-pub fn grid(input: GridInput, count: f32) -> Vec<GridMark> {
-    let (low, high) = input.bounds;
-    let Some(step) = format::round_step((high - low) / f64::from(count.max(1.0))) else {
-        return Vec::new();
-    };
-    let (first, last) = ((low / step).ceil() as i64, (high / step).floor() as i64);
-    (first..=last).map(|k| GridMark { value: k as f64 * step, step_size: step }).collect()
-}
-
-/// The label of a grid line, with the digits that its step needs.
-#[must_use]
-pub fn tick(mark: GridMark) -> String {
-    let decimals = (-(log10(mark.step_size) + 1e-9).floor()).clamp(0.0, 6.0) as usize;
-    format!("{:.decimals$}", mark.value + 0.0)
 }
 
 /// Title with unit, the values at the playhead, and the entries of the legend.

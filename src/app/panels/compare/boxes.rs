@@ -6,8 +6,8 @@ use egui_plot::{BoxElem, BoxPlot, BoxSpread, MarkerShape, Points};
 
 use super::table::{printed_of, title, value};
 use crate::app::theme::Palette;
-use crate::app::widgets::chart::{grid, still};
 use crate::app::widgets::legend;
+use crate::app::widgets::plot::{grid, still};
 use crate::study::compare::outcome::Measure;
 use crate::study::compare::tournament::{Compared, Tournament};
 

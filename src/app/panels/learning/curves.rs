@@ -7,7 +7,7 @@ use super::BESIDE_FROM;
 use crate::app::history::LearningSample;
 use crate::app::panels::View;
 use crate::app::theme::{Look, Palette};
-use crate::app::widgets::chart::still;
+use crate::app::widgets::plot::still;
 use crate::base::units::percent_from_ratio;
 use crate::models::unks::UnksStart;
 

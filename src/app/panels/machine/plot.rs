@@ -9,8 +9,8 @@ use egui_plot::{
 
 use crate::app::format::{self, log10};
 use crate::app::theme::{Look, Palette};
-use crate::app::widgets::chart::{grid, still, tick};
 use crate::app::widgets::legend;
+use crate::app::widgets::plot::{grid, near, still, tick};
 use crate::base::math::{extent, pow};
 
 /// A line of a plot.
@@ -140,13 +140,11 @@ impl Figure {
         let width = ui.available_width();
         let [across_unit, up_unit] = self.units;
         let logarithmic = self.logarithmic;
-        let label = move |hover: &HoverPosition<'_>| match hover {
-            HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
-                let value = if logarithmic { pow(10.0, position.y) } else { position.y };
-                let at = format::fine(position.x, across_unit);
-                Some(format!("{plot_name}: {}\n{at}", format::fine(value, up_unit)))
-            }
-            _ => None,
+        let label = move |hover: &HoverPosition<'_>| {
+            let (name, position) = near(hover)?;
+            let value = if logarithmic { pow(10.0, position.y) } else { position.y };
+            let at = format::fine(position.x, across_unit);
+            Some(format!("{name}: {}\n{at}", format::fine(value, up_unit)))
         };
         let response = still(self.title, palette, [width, height])
             .sense(sense)

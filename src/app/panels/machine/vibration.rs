@@ -124,7 +124,7 @@ impl VibrationView {
         };
         let what = match self.drive {
             Drive::Mode(i) => format!("Mode {}: {}", i + 1, format::fine(motion.f_hz, "Hz")),
-            _ => {
+            Drive::Frequency | Drive::Teeth(_) => {
                 let force = format::quantity(force_n, "N");
                 format!("{force} at {}", format::fine(motion.f_hz, "Hz"))
             }

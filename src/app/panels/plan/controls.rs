@@ -97,11 +97,12 @@ pub fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     ui.add_space(4.0);
     let note = "A plan is made before the cut: changes here hold from its start on.";
     ui.label(RichText::new(note).small().color(Palette::at(ui).weak));
-    commands.extend(changes.into_iter().map(|command| match command {
-        Command::Session(SessionCommand::Set { path, value }) => {
+    commands.extend(changes.into_iter().map(|command| {
+        if let Command::Session(SessionCommand::Set { path, value }) = command {
             Command::Session(SessionCommand::SetUp(vec![(path, value)]))
+        } else {
+            command
         }
-        other => other,
     }));
 }
 

@@ -5,8 +5,8 @@ use egui::{RichText, Ui};
 use egui_plot::{Line, PlotPoints};
 
 use crate::app::theme::{Look, Palette};
-use crate::app::widgets::chart::still;
 use crate::app::widgets::legend;
+use crate::app::widgets::plot::still;
 use crate::base::units::percent_from_ratio;
 use crate::study::plan::swarm::Iteration;
 

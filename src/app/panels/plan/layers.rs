@@ -1,16 +1,6 @@
-//! What can be shown and hidden on the map, and its legend.
+//! What can be shown and hidden on the map.
 
 use std::collections::BTreeSet;
-
-use egui::{Color32, Painter, Rect, RichText, Stroke, Ui, vec2};
-
-use super::marks;
-use super::search::Found;
-use crate::app::format;
-use crate::app::theme::{Look, Palette};
-use crate::app::widgets::legend;
-use crate::study::plan::constraints::{Checked, ORIGIN};
-use crate::study::plan::machine::Source;
 
 /// One thing on the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -42,114 +32,10 @@ impl Layers {
         !self.hidden.contains(&layer)
     }
 
-    fn toggle(&mut self, layer: MapLayer) {
+    /// Shows it if it is hidden, and hides it if it is shown.
+    pub fn toggle(&mut self, layer: MapLayer) {
         if !self.hidden.remove(&layer) {
             self.hidden.insert(layer);
         }
     }
-}
-
-/// The legend.
-pub fn legend(ui: &mut Ui, layers: &mut Layers, found: &Found, programmed_text: &str) {
-    let palette = Palette::at(ui);
-    let checked = &found.job.optimum().constraints;
-    let boundaries = |number: usize| found.picture.boundary(number);
-    let spacing = ui.spacing().clone();
-    ui.spacing_mut().item_spacing = vec2(12.0, 1.0);
-    ui.spacing_mut().interact_size.y = 14.0;
-    ui.horizontal_wrapped(|ui| {
-        for (number, one) in checked.iter().enumerate() {
-            let layer = MapLayer::Boundary(number);
-            if boundaries(number).lines.is_empty() {
-                continue;
-            }
-            let (label, look) = (one.constraint.label, Look::Constraint(number));
-            let response = legend::entry(ui, label, look, !layers.show(layer));
-            if response.on_hover_ui(|ui| explain(ui, one)).clicked() {
-                layers.toggle(layer);
-            }
-        }
-        let mut mark = |layer: MapLayer, name: &str, paint: &dyn Fn(&Painter, Rect, Color32)| {
-            let off = !layers.show(layer);
-            if legend::entry_of(ui, name, off, palette.text, paint).clicked() {
-                layers.toggle(layer);
-            }
-        };
-        mark(MapLayer::ForceLines, "equal force", &|painter, rect, color| {
-            let color = color.gamma_multiply(0.5);
-            painter.hline(rect.x_range(), rect.center().y, Stroke::new(1.0, color));
-        });
-        mark(MapLayer::Particles, "particles (full: allowed)", &|painter, rect, _| {
-            marks::particle(painter, rect.center() - vec2(4.0, 0.0), true, palette);
-            marks::particle(painter, rect.center() + vec2(5.0, 0.0), false, palette);
-        });
-        mark(MapLayer::OwnBests, "their own bests", &|painter, rect, _| {
-            marks::own_best(painter, rect.center(), palette);
-        });
-        mark(MapLayer::Best, "best of all", &|painter, rect, _| {
-            marks::best(painter, rect.center(), true, palette);
-        });
-        mark(MapLayer::Programmed, programmed_text, &|painter, rect, _| {
-            marks::programmed(painter, rect.center(), palette);
-        });
-        if found.fixed_speed_m_min().is_some() {
-            legend::sample(ui, "the speed searched", Look::Searched);
-        }
-    });
-    ui.horizontal_wrapped(|ui| {
-        let absent = checked.iter().enumerate();
-        let mut absent = absent.filter(|(i, _)| boundaries(*i).lines.is_empty()).peekable();
-        if absent.peek().is_some() {
-            ui.label(RichText::new("Outside the map:").small().color(palette.weak));
-        }
-        for (number, one) in absent {
-            let violated = if boundaries(number).kept_somewhere { "" } else { " (violated)" };
-            let name = format!("{}{violated}", one.constraint.label);
-            legend::sample(ui, &name, Look::Constraint(number)).on_hover_ui(|ui| explain(ui, one));
-        }
-    });
-    *ui.spacing_mut() = spacing;
-}
-
-/// A limit without digits that say nothing.
-fn plain(value: f64) -> String {
-    let text = format::fine(value, "");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
-    }
-}
-
-/// The limits of a constraint, without their unit.
-#[must_use]
-pub fn limits(checked: &Checked) -> String {
-    match (checked.low, checked.high) {
-        (Some(low), Some(high)) => format!("{} to {}", plain(low), plain(high)),
-        (Some(low), None) => format!("≥ {}", plain(low)),
-        (None, Some(high)) => format!("≤ {}", plain(high)),
-        (None, None) => "none".to_owned(),
-    }
-}
-
-/// Where the limits of a constraint come from, in words.
-#[must_use]
-pub fn source(source: Source) -> &'static str {
-    match source {
-        Source::Placeholder => "placeholder: no public data of this machine were found",
-        Source::Chosen => "a chosen limit of the process",
-        Source::Given => "given by the settings or a data sheet",
-    }
-}
-
-/// Formula, reason, limits and origin of a constraint.
-pub fn explain(ui: &mut Ui, checked: &Checked) {
-    let palette = Palette::at(ui);
-    let constraint = &checked.constraint;
-    ui.set_max_width(340.0);
-    ui.label(RichText::new(constraint.formula).monospace());
-    ui.label(constraint.why);
-    let unit = format::unit(constraint.unit);
-    ui.label(format!("Limit: {} {unit} ({}).", limits(checked), source(checked.source)));
-    ui.label(RichText::new(format!("The constraint is {ORIGIN}.")).color(palette.weak));
 }

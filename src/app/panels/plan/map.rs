@@ -10,7 +10,7 @@ use super::readout::readout;
 use super::search::Found;
 use crate::app::format;
 use crate::app::theme::{Look, Palette};
-use crate::app::widgets::chart::{grid, tick};
+use crate::app::widgets::plot::{grid, tick};
 use crate::app::widgets::zoom::by_touch;
 use crate::run::scenario::Scenario;
 use crate::study::plan::constraints::CONSTRAINTS;

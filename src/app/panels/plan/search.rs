@@ -150,7 +150,7 @@ impl Search {
                     found.iterate((due as u32).min(most));
                 }
             }
-            _ => found.iterate(most),
+            Speed::Times(_) | Speed::Max => found.iterate(most),
         }
         if found.job.progress().done {
             self.stop();
@@ -200,11 +200,15 @@ mod tests {
         let job = PlanJob::new(&scenario).unwrap();
         let mut tried = 0;
         for param in table() {
-            let (least, largest) = match param.spec.allowed {
-                Kind::Float { min, max } => (Value::Float(min), Value::Float(max)),
-                Kind::Int { min, max } => (Value::Int(min), Value::Int(max)),
-                Kind::Bool => (Value::Bool(false), Value::Bool(true)),
-                _ => continue,
+            let allowed = &param.spec.allowed;
+            let (least, largest) = if let Kind::Float { min, max } = allowed {
+                (Value::Float(*min), Value::Float(*max))
+            } else if let Kind::Int { min, max } = allowed {
+                (Value::Int(*min), Value::Int(*max))
+            } else if matches!(allowed, Kind::Bool) {
+                (Value::Bool(false), Value::Bool(true))
+            } else {
+                continue;
             };
             for value in [least, largest] {
                 let mut other = scenario.clone();

@@ -3,7 +3,7 @@
 
 use egui::{Button, Grid, RichText, Role, Ui, WidgetInfo};
 
-use super::layers::{explain, limits};
+use super::legend::{explain, limits};
 use crate::app::format;
 use crate::app::theme::{self, Look, Palette};
 use crate::study::plan::constraints::{Checked, ORIGIN};

@@ -5,8 +5,8 @@ use egui_plot::{HoverPosition, Line, PlotPoints};
 
 use crate::app::format;
 use crate::app::theme::{Look, Palette};
-use crate::app::widgets::chart::{grid, still, tick};
 use crate::app::widgets::legend;
+use crate::app::widgets::plot::{grid, near, still, tick};
 use crate::base::math::extent;
 use crate::study::profilometer::Measurement;
 
@@ -72,13 +72,11 @@ pub fn show(ui: &mut Ui, curves: &Curves) {
     let margin = 0.08 * (high - low).max(0.01);
     let [from, to] = curves.along_mm;
     let width = ui.available_width();
-    let label = |hover: &HoverPosition<'_>| match hover {
-        HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
-            let [height, along] =
-                [(position.y, "um"), (position.x, "mm")].map(|(x, u)| format::quantity(x, u));
-            Some(format!("{plot_name}: {height}\n{along} along the line"))
-        }
-        _ => None,
+    let label = |hover: &HoverPosition<'_>| {
+        let (name, position) = near(hover)?;
+        let [height, along] =
+            [(position.y, "um"), (position.x, "mm")].map(|(x, u)| format::quantity(x, u));
+        Some(format!("{name}: {height}\n{along} along the line"))
     };
     let response = still("profile", palette, [width, HEIGHT])
         .sense(Sense::click())

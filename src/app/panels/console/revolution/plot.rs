@@ -11,7 +11,7 @@ use super::{Axis, LINES, RevolutionWindow};
 use crate::app::format;
 use crate::app::panels::View;
 use crate::app::theme::{self, Look, Palette};
-use crate::app::widgets::chart::{grid, still, tick};
+use crate::app::widgets::plot::{grid, near, still, tick};
 use crate::app::widgets::zoom::{by_touch, zoom};
 use crate::base::units::ms_from_s;
 use crate::run::revolution::{Revolution, RevolutionSample};
@@ -100,12 +100,10 @@ impl RevolutionWindow {
             let marker = Points::new("Peak of the control period", PlotPoints::from(at));
             marker.shape(MarkerShape::Diamond).radius(6.0).color(palette.bad)
         });
-        let label = move |hover: &HoverPosition<'_>| match hover {
-            HoverPosition::NearDataPoint { plot_name, position, .. } if !plot_name.is_empty() => {
-                let at = format::quantity(scale(axis, position.x), unit);
-                Some(format!("{plot_name}: {}\n{at}", format::quantity(position.y, "N")))
-            }
-            _ => None,
+        let label = move |hover: &HoverPosition<'_>| {
+            let (name, position) = near(hover)?;
+            let at = format::quantity(scale(axis, position.x), unit);
+            Some(format!("{name}: {}\n{at}", format::quantity(position.y, "N")))
         };
         let size = egui::vec2(
             ui.available_width(),

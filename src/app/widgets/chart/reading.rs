@@ -2,8 +2,8 @@
 
 use egui::{Role, Sense, Ui, WidgetInfo, vec2};
 
-use super::super::theme::Palette;
-use super::chart::{ChartCurve, index};
+use super::content::{ChartCurve, index};
+use crate::app::theme::Palette;
 use crate::run::signals::{Row, SIGNALS, flag};
 
 const SIZE: f32 = 15.0;

@@ -2,10 +2,10 @@
 
 use egui_plot::{FilledArea, Line, PlotPoints};
 
-use super::super::cut::Cut;
-use super::super::session::Session;
-use super::super::theme::{Look, Palette};
-use super::chart::{Axes, Chart, GHOST, TWIN, index};
+use super::content::{Axes, Chart, GHOST, TWIN, index};
+use crate::app::cut::Cut;
+use crate::app::session::Session;
+use crate::app::theme::{Look, Palette};
 use crate::run::signals::SIGNALS;
 
 /// The range of values: of all of the run and its twin, so that it does not jump while playing; or

@@ -1,0 +1,89 @@
+//! What a chart shows, and the time axis that charts share.
+
+use std::collections::BTreeSet;
+
+use crate::app::session::Session;
+use crate::app::theme::{self, Look};
+use crate::run::signals::SIGNALS;
+
+/// One signal in a chart.
+#[derive(Clone, Copy, Debug)]
+pub struct ChartCurve {
+    /// Its id in the table of signals.
+    pub signal: &'static str,
+    /// How it is drawn.
+    pub look: Look,
+    /// Whether the twin and the run before the last change are drawn with it.
+    pub compared: bool,
+}
+
+/// What a chart shows.
+#[derive(Clone, Debug)]
+pub struct Chart<'a> {
+    /// Its name for the program.
+    pub id: &'static str,
+    /// Its title.
+    pub title: &'static str,
+    /// Its signals, the first ones at the back; all of one unit.
+    pub curves: &'a [ChartCurve],
+    /// A signal with the half-width of the band around it, as a share of it.
+    pub band: Option<(&'static str, f64)>,
+    /// Levels that are marked, with their names.
+    pub levels: Vec<(&'static str, f64)>,
+    /// Values that are always in the picture.
+    pub include: &'static [f64],
+    /// How its values are written: the value and its unit as the tables have it.
+    pub write: fn(f64, &str) -> String,
+}
+
+impl<'a> Chart<'a> {
+    /// The curves that it is about: those compared with the twin, or else all.
+    pub(super) fn foremost(&self) -> impl Iterator<Item = &'a ChartCurve> {
+        let any = self.curves.iter().any(|curve| curve.compared);
+        self.curves.iter().filter(move |curve| curve.compared || !any)
+    }
+}
+
+/// What charts with a common time axis share.
+#[derive(Clone, Debug, Default)]
+pub struct Axes {
+    /// Range of time that was zoomed to, s.
+    pub(super) zoomed: Option<[f64; 2]>,
+    /// Where a drag over a range of time began, points.
+    pub(super) drag: Option<f32>,
+    /// Legend entries switched off: chart and name.
+    pub(super) hidden: BTreeSet<(&'static str, &'static str)>,
+}
+
+/// The legend's name of the twin.
+pub(super) const TWIN: &str = "constant feed";
+/// The legend's name of the run before the last change.
+pub(super) const GHOST: &str = "before";
+
+impl Axes {
+    /// The range of time in the picture.
+    #[must_use]
+    pub fn range(&self, session: &Session) -> [f64; 2] {
+        if let Some(range) = self.zoomed {
+            return range;
+        }
+        let playback = session.playback();
+        let length_s = session.length_s();
+        if !playback.follow || length_s <= theme::FOLLOW_S {
+            return [0.0, length_s];
+        }
+        // The playhead stands near the right edge, with some room for what is to come.
+        let right = (playback.playhead_s + 0.1 * theme::FOLLOW_S).clamp(theme::FOLLOW_S, length_s);
+        [right - theme::FOLLOW_S, right]
+    }
+
+    /// Back to the automatic range.
+    pub fn fit(&mut self) {
+        self.zoomed = None;
+    }
+}
+
+/// Index of a signal in the table.
+pub(super) fn index(id: &str) -> usize {
+    SIGNALS.iter().position(|signal| signal.id == id).expect("charts name signals of the table")
+}
