@@ -14,7 +14,7 @@ use crate::blocks::cutting::process::ForceModel;
 use crate::models::feed_drive::FeedDriveKind;
 use crate::models::genetic::{Calibration, ModelSet};
 use crate::run::presets::{self, PRESETS};
-use crate::run::scenario::table;
+use crate::run::scenario::{COMPANIONS, RULES, table};
 
 const CHOICES: &[(&str, &[Choice])] = &[
     ("controllers", ControllerKind::OPTIONS),
@@ -51,6 +51,12 @@ pub fn execute(args: &ListArgs) -> Outcome {
             })
             .collect();
         object.insert("settings".to_owned(), settings?.into());
+        let rules = RULES.iter().map(|rule| json!({"paths": rule.paths, "rule": rule.words}));
+        object.insert("rules".to_owned(), rules.collect());
+        let companions = COMPANIONS.iter().map(|companion| {
+            json!({"of": companion.of, "brings": companion.brings, "rule": companion.words})
+        });
+        object.insert("companions".to_owned(), companions.collect());
         writeln!(out, "{}", serde_json::to_string_pretty(&object)?)?;
         return Ok(ExitCode::SUCCESS);
     }
@@ -83,6 +89,15 @@ pub fn execute(args: &ListArgs) -> Outcome {
             "  {}{mark}\n      default {default}; {allowed}\n      {}",
             param.path, spec.doc
         )?;
+    }
+    writeln!(out, "\nrules between settings (the first one named is what is refused)")?;
+    for rule in RULES {
+        writeln!(out, "  {}\n      {}", rule.paths.join(", "), rule.words)?;
+    }
+    writeln!(out, "\ncompanions: chosen alone, a setting brings another one with it")?;
+    for companion in COMPANIONS {
+        let words = companion.words;
+        writeln!(out, "  {} brings {}\n      {words}", companion.of, companion.brings)?;
     }
     Ok(ExitCode::SUCCESS)
 }

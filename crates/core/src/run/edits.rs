@@ -3,7 +3,7 @@
 
 use std::fmt;
 
-use super::scenario::{COMPANIONED, COMPANIONS, Scenario, param};
+use super::scenario::{Scenario, companion, joins, param};
 use crate::base::settings::{SettingError, Value};
 
 /// One change during a run.
@@ -36,8 +36,6 @@ impl fmt::Display for Unfit {
     }
 }
 
-/// Live settings that a rule joins: whether one is allowed depends on the other.
-const JOINED: [&str; 2] = ["noise.band_low_hz", "noise.band_high_hz"];
 /// Most edits in one run.
 pub const MAX_EDITS: usize = 100_000;
 
@@ -75,27 +73,16 @@ impl Edits {
     /// outside its range or breaks a rule with the edits of another setting, or there are too many.
     /// The edits are then unchanged.
     pub fn push(&mut self, base: &Scenario, mut edit: Edit) -> Result<(), SettingError> {
-        let found = param(&edit.path)?;
         // An edit of an earlier version may have a path of then.
-        edit.path.clone_from(&found.path);
-        let refused = |value: String, allowed: &str| {
-            let allowed = allowed.to_owned();
-            Err(SettingError::Refused { path: edit.path.clone(), value, allowed })
-        };
-        if !found.spec.live {
-            let allowed = "a change of the scenario itself: it belongs to the set-up";
-            return refused("changed during the run".to_owned(), allowed);
-        }
-        if !(edit.at_s >= 0.0 && edit.at_s < base.run.duration_s) {
-            let allowed = format!("a time from 0 to before {} s", base.run.duration_s);
-            return refused(format!("changed at {} s", edit.at_s), &allowed);
-        }
+        edit.path.clone_from(&param(&edit.path)?.path);
+        fits_alone(base, &edit)?;
         if self.0.len() >= MAX_EDITS {
-            return refused("changed again".to_owned(), "at most 100000 changes in a run");
+            let (value, allowed) = ("changed again", "at most 100000 changes in a run");
+            let [value, allowed] = [value, allowed].map(str::to_owned);
+            return Err(SettingError::Refused { path: edit.path, value, allowed });
         }
         Scenario::accepts(&edit.path, &edit.value)?;
-        let joined = JOINED.contains(&edit.path.as_str());
-        let before = joined.then(|| self.0.clone());
+        let before = joins(&edit.path).then(|| self.0.clone());
         self.insert(edit);
         if let Some(before) = before
             && let Err(error) = self.check(base)
@@ -109,8 +96,7 @@ impl Edits {
     fn insert(&mut self, edit: Edit) {
         let first = self.0.partition_point(|other| other.at_s < edit.at_s);
         let mut end = self.0.partition_point(|other| other.at_s <= edit.at_s);
-        let companion = COMPANIONED.iter().position(|path| *path == edit.path);
-        let companion = companion.map(|index| COMPANIONS[index]);
+        let companion = companion(&edit.path).map(|companion| companion.brings);
         for index in (first..end).rev() {
             let other = &self.0[index].path;
             if *other == edit.path || Some(other.as_str()) == companion {
@@ -128,7 +114,7 @@ impl Edits {
 
     fn check(&self, base: &Scenario) -> Result<(), SettingError> {
         let mut scenario = base.clone();
-        for edit in self.0.iter().filter(|edit| JOINED.contains(&edit.path.as_str())) {
+        for edit in self.0.iter().filter(|edit| joins(&edit.path)) {
             scenario.set(&edit.path, edit.value.clone())?;
         }
         Ok(())
@@ -144,13 +130,17 @@ impl Edits {
     /// Those of these edits that fit another base, and those that do not, with the reason.
     #[must_use]
     pub fn fitted(&self, base: &Scenario) -> (Self, Vec<Unfit>) {
-        let (mut fitting, mut unfit) = (Self::none(), Vec::new());
+        let (mut fitting, mut unfit) = (Vec::new(), Vec::new());
+        // They are in the order of time, so each meets the scenario that those before it have made.
+        let mut now = base.clone();
         for edit in &self.0 {
-            if let Err(reason) = fitting.push(base, edit.clone()) {
-                unfit.push(Unfit { edit: edit.clone(), reason });
+            let fits = fits_alone(base, edit);
+            match fits.and_then(|()| now.set(&edit.path, edit.value.clone())) {
+                Ok(()) => fitting.push(edit.clone()),
+                Err(reason) => unfit.push(Unfit { edit: edit.clone(), reason }),
             }
         }
-        (fitting, unfit)
+        (Self(fitting), unfit)
     }
 
     /// The scenario as it stands at a time in s, edits up to it applied.
@@ -164,4 +154,20 @@ impl Edits {
         }
         Ok(scenario)
     }
+}
+
+/// Whether an edit fits a base, other edits and its value aside: a live setting, a time in the run.
+fn fits_alone(base: &Scenario, edit: &Edit) -> Result<(), SettingError> {
+    let refused = |value: String, allowed: String| {
+        Err(SettingError::Refused { path: edit.path.clone(), value, allowed })
+    };
+    if !param(&edit.path)?.spec.live {
+        let allowed = "a change of the scenario itself: it belongs to the set-up";
+        return refused("changed during the run".to_owned(), allowed.to_owned());
+    }
+    if !(edit.at_s >= 0.0 && edit.at_s < base.run.duration_s) {
+        let allowed = format!("a time from 0 to before {} s", base.run.duration_s);
+        return refused(format!("changed at {} s", edit.at_s), allowed);
+    }
+    Ok(())
 }

@@ -2,7 +2,7 @@
 //! `#`: `v=1&target.ra_um=0.9&at.3.5.plant.wear_factor=1.2` (the last is an edit at 3.5 s).
 
 use super::edits::{Edit, Edits};
-use super::scenario::{COMPANIONED, FORMAT_VERSION, Scenario, parse_value};
+use super::scenario::{FORMAT_VERSION, Scenario, companion, parse_value};
 use crate::base::settings::SettingError;
 
 /// Longest link text that is read, bytes.
@@ -125,7 +125,7 @@ pub fn write(scenario: &Scenario, edits: &Edits) -> String {
     // Reading a material or a drive brings its companion, so those are left out by that value.
     let choices = scenario.default_for_choices();
     let chosen = choices.difference(&Scenario::default()).into_iter();
-    let chosen = chosen.filter(|(param, _)| COMPANIONED.contains(&param.path.as_str()));
+    let chosen = chosen.filter(|(param, _)| companion(&param.path).is_some());
     for (param, value) in chosen.chain(scenario.difference(&choices)) {
         parts.push(format!("{}={}", param.path, encode(&value.to_string())));
     }

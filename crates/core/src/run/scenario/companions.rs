@@ -1,52 +1,83 @@
-//! Settings that bring a companion with them: a material its hardness, a feed drive its published
-//! dead time, a model of the plant the controller's model that was built for it.
+//! Settings that bring a companion with them, unless it is set together with them: a table, one row a
+//! companion.
 
 use super::groups::Settings;
 use super::table::param;
 use crate::models::genetic::ModelSet;
 
-/// Settings that bring a companion with them.
-pub(in crate::run) const COMPANIONED: [&str; 4] =
-    ["plant.model_set", "plant.force_model", "plant.material", "feed_drive.kind"];
-/// Their companions, in the same order.
-pub(in crate::run) const COMPANIONS: [&str; 4] =
-    ["belief.model_set", "belief.model_set", "plant.hardness_hb", "cnc.dead_time_s"];
+/// A setting that brings another one with it.
+pub struct Companion {
+    /// The setting that is chosen.
+    pub of: &'static str,
+    /// What comes with it.
+    pub brings: &'static str,
+    /// In words.
+    pub words: &'static str,
+    /// Sets what comes with it.
+    set: fn(&mut Settings),
+}
+
+/// All companions.
+pub const COMPANIONS: &[Companion] = &[
+    Companion {
+        of: "plant.model_set",
+        brings: "belief.model_set",
+        words: "the controller has the models that were built for the plant's",
+        set: |s| s.belief.model_set = s.plant.model_set,
+    },
+    Companion {
+        of: "plant.force_model",
+        brings: "belief.model_set",
+        words: "tooth by tooth the controller has the models identified on it: the papers' formulas \
+                know nothing of the milling simulator's cut",
+        set: |s| match s.plant.force_model.identified_set() {
+            Some(set) => s.belief.model_set = set,
+            None if s.belief.model_set == ModelSet::Milling2005 => {
+                s.belief.model_set = s.plant.model_set;
+            }
+            None => {}
+        },
+    },
+    Companion {
+        of: "plant.material",
+        brings: "plant.hardness_hb",
+        words: "a material comes with its hardness",
+        set: |s| s.plant.hardness_hb = s.plant.material.hardness_hb(),
+    },
+    Companion {
+        of: "feed_drive.kind",
+        brings: "cnc.dead_time_s",
+        words: "a feed drive comes with the dead time published with it",
+        set: |s| s.cnc.dead_time_s = s.feed_drive.kind.published_dead_time_s(),
+    },
+];
+
+/// The companion that the setting at `path` brings.
+pub(in crate::run) fn companion(path: &str) -> Option<&'static Companion> {
+    COMPANIONS.iter().find(|companion| companion.of == path)
+}
 
 impl Settings {
     /// The choices of these settings, all else at its default, companions included: what a link
     /// leaves out.
     pub(in crate::run) fn default_for_choices(&self) -> Self {
         let mut base = Self::default();
-        for path in COMPANIONED {
-            let param = param(path).expect("a known path");
+        for companion in COMPANIONS {
+            let param = param(companion.of).expect("a known path");
             let value = self.get_param(param);
             if base.get_param(param) != value {
                 // Rules between settings do not matter to a base.
                 base.set_param(param, &value).expect("it is allowed here, so it is there");
-                base.set_companion(path);
+                (companion.set)(&mut base);
             }
         }
         base
     }
 
-    /// A material comes with its hardness, a feed drive with its published dead time, a model set
-    /// with the controller that was built for it.
+    /// Sets what the setting at `path` brings with it.
     pub(super) fn set_companion(&mut self, path: &str) {
-        match path {
-            "plant.model_set" => self.belief.model_set = self.plant.model_set,
-            // The papers' formulas know nothing of the milling simulator's cut.
-            "plant.force_model" => match self.plant.force_model.identified_set() {
-                Some(set) => self.belief.model_set = set,
-                None if self.belief.model_set == ModelSet::Milling2005 => {
-                    self.belief.model_set = self.plant.model_set;
-                }
-                None => {}
-            },
-            "plant.material" => self.plant.hardness_hb = self.plant.material.hardness_hb(),
-            "feed_drive.kind" => {
-                self.cnc.dead_time_s = self.feed_drive.kind.published_dead_time_s();
-            }
-            _ => {}
+        if let Some(companion) = companion(path) {
+            (companion.set)(self);
         }
     }
 }

@@ -16,16 +16,19 @@ mod tests;
 use std::ops::Deref;
 use std::sync::Arc;
 
-pub(super) use companions::{COMPANIONED, COMPANIONS};
+pub(super) use companions::companion;
+pub use companions::{COMPANIONS, Companion};
 pub use groups::{Info, RunSettings, Settings};
 pub use renamed::RENAMED;
-pub use rules::MAX_ROWS;
+pub(super) use rules::joins;
+pub use rules::{MAX_ROWS, RULES, Rule};
 pub(super) use table::is_group;
 pub use table::{Param, param, parse_value, table};
 
 use crate::base::settings::{SettingError, Value};
 use crate::models::structure::FiveMass;
 use crate::models::structure::reduction::Reduction;
+use rules::Candidate;
 use table::{TABLE, index_of, refused};
 
 /// Version of the scenario format, in files and links.
@@ -96,13 +99,12 @@ impl Scenario {
     /// As [`Self::set_all`].
     pub fn set(&mut self, path: &str, value: Value) -> Result<(), SettingError> {
         let param = param(path)?;
-        if COMPANIONED.contains(&param.path.as_str()) {
+        if companion(&param.path).is_some() {
             return self.set_all(&[(path.to_owned(), value)]);
         }
         let before = self.settings.get_param(param);
         self.settings.set_param(param, &value).ok_or_else(|| refused(param, &value))?;
-        let machine = self.settings.check().and_then(|()| self.machine_for(&self.settings));
-        match machine {
+        match self.approve(&self.settings) {
             Ok(machine) => self.machine = machine,
             Err(error) => {
                 self.settings.set_param(param, &before).expect("it was allowed before");
@@ -134,8 +136,7 @@ impl Scenario {
                 next.set_companion(&param.path);
             }
         }
-        next.check()?;
-        self.machine = self.machine_for(&next)?;
+        self.machine = self.approve(&next)?;
         self.settings = next;
         Ok(())
     }
@@ -170,10 +171,16 @@ impl Scenario {
                 next.set_param(param, &value).ok_or_else(|| refused(param, &value))?;
             }
         }
-        next.check()?;
-        self.machine = self.machine_for(&next)?;
+        self.machine = self.approve(&next)?;
         self.settings = next;
         Ok(())
+    }
+
+    /// Checks the rules between settings; gives what the running cut needs of the machine.
+    fn approve(&self, next: &Settings) -> Result<Option<Arc<CoupledMachine>>, SettingError> {
+        let machine = self.machine_for(next);
+        Candidate { settings: next, overdamped: machine.is_err() }.check()?;
+        machine
     }
 
     /// What the running cut needs of the machine; the eigenproblem is solved only for another machine
@@ -186,14 +193,7 @@ impl Scenario {
         if let Some(known) = self.machine.as_ref().filter(|known| known.of == of) {
             return Ok(Some(known.clone()));
         }
-        let reduction = Reduction::new(&of).map_err(|_| SettingError::Refused {
-            path: "machine.parameters".to_owned(),
-            value: format!(
-                "{} with `machine.coupled` = true (overdamped modes)",
-                next.machine.parameters.id()
-            ),
-            allowed: "D or T in a coupled run".to_owned(),
-        })?;
+        let reduction = Reduction::new(&of)?;
         Ok(Some(Arc::new(CoupledMachine { of, reduction })))
     }
 

@@ -1,76 +1,160 @@
-//! Rules between settings.
+//! Rules between settings: a table, one row a rule. From it come the checks, what an edit must be
+//! checked with, and `steadycut list`.
 
-use super::groups::{RunSettings, Settings};
+use super::groups::Settings;
 use crate::base::settings::SettingError;
 
 /// Most rows that a run may record: a row takes 184 bytes, a console holds up to four recordings,
 /// and a page in the browser has 4 GiB at most.
 pub const MAX_ROWS: f64 = if cfg!(target_arch = "wasm32") { 1_000_000.0 } else { 4_000_000.0 };
 
-impl Settings {
-    /// Rules between settings.
+/// Settings on the way to a scenario.
+pub struct Candidate<'a> {
+    pub(super) settings: &'a Settings,
+    /// Whether the machine is to stand in the running cut and cannot be reduced for it.
+    pub(super) overdamped: bool,
+}
+
+/// A rule between settings.
+pub struct Rule {
+    /// The settings that it joins; the first one is what is refused.
+    pub paths: &'static [&'static str],
+    /// The rule in words.
+    pub words: &'static str,
+    /// Whether the settings keep it.
+    keeps: fn(&Candidate<'_>) -> bool,
+    /// The value that breaks it, and what is allowed.
+    broken: fn(&Settings) -> [String; 2],
+}
+
+/// All rules, in the order in which they are checked.
+pub const RULES: &[Rule] = &[
+    Rule {
+        paths: &["plant.force_model", "run.control_period_ms", "run.steps_per_control"],
+        words: "tooth by tooth the plant step is short enough to meet every tooth",
+        keeps: |c| c.settings.dt_s() <= c.settings.plant.force_model.longest_step_s(),
+        broken: |s| {
+            let (model, longest_s) = (s.plant.force_model, s.plant.force_model.longest_step_s());
+            let steps = (s.control_period_s() / longest_s).ceil();
+            [
+                format!("{} with plant steps of {} s", model.id(), s.dt_s()),
+                format!(
+                    "plant steps of at most {longest_s} s: `run.steps_per_control` from {steps} on \
+                     (576 give 28.8 kHz)"
+                ),
+            ]
+        },
+    },
+    Rule {
+        paths: &[
+            "machine.parameters",
+            "machine.coupled",
+            "machine.variant",
+            "machine.spindle_quality",
+        ],
+        words: "a machine in the running cut has no overdamped modes",
+        keeps: |c| !c.overdamped,
+        broken: |s| {
+            let parameters = s.machine.parameters.id();
+            [
+                format!("{parameters} with `machine.coupled` = true (overdamped modes)"),
+                "D or T in a coupled run".to_owned(),
+            ]
+        },
+    },
+    Rule {
+        paths: &["wear.adjust_speed", "machine.coupled"],
+        words: "the speed is adjusted by the sound of a machine in the cut",
+        keeps: |c| !c.settings.wear.adjust_speed || c.settings.machine.coupled,
+        broken: |_| {
+            [
+                "true without the machine's sound".to_owned(),
+                "true with `machine.coupled` = true".to_owned(),
+            ]
+        },
+    },
+    Rule {
+        paths: &["controller.unks.networks", "controller.unks.start"],
+        words: "networks belong to the start, and so to the law, that they were learned with",
+        keeps: |c| {
+            let unks = &c.settings.controller.unks;
+            unks.networks.get().is_none_or(|stored| stored.start == unks.start)
+        },
+        broken: |s| {
+            let unks = &s.controller.unks;
+            let start = unks.networks.get().map_or("none", |stored| stored.start.id());
+            let wanted = unks.start.id();
+            [
+                format!("networks of the start `{start}`"),
+                format!(
+                    "networks of `controller.unks.start`, {wanted}, or none; set both together"
+                ),
+            ]
+        },
+    },
+    Rule {
+        paths: &["noise.band_low_hz", "noise.band_high_hz"],
+        words: "the band begins below its end",
+        keeps: |c| c.settings.noise.band_low_hz < c.settings.noise.band_high_hz,
+        broken: |s| {
+            [
+                format!("{} Hz", s.noise.band_low_hz),
+                format!("below `noise.band_high_hz`, {} Hz", s.noise.band_high_hz),
+            ]
+        },
+    },
+    Rule {
+        paths: &["run.record_every", "run.steps_per_control"],
+        words: "every control sample is recorded",
+        keeps: |c| c.settings.run.steps_per_control.is_multiple_of(c.settings.run.record_every),
+        broken: |s| {
+            let steps = s.run.steps_per_control;
+            [
+                s.run.record_every.to_string(),
+                format!(
+                    "a divisor of `run.steps_per_control`, {steps}: every control sample is recorded"
+                ),
+            ]
+        },
+    },
+    Rule {
+        paths: &[
+            "run.duration_s",
+            "run.control_period_ms",
+            "run.steps_per_control",
+            "run.record_every",
+        ],
+        words: "the rows of a run fit into memory",
+        keeps: |c| c.settings.run.duration_s / row_s(c.settings) <= MAX_ROWS,
+        broken: |s| {
+            let (row_s, longest_s) = (row_s(s), MAX_ROWS * row_s(s));
+            [
+                format!("{} s", s.run.duration_s),
+                format!(
+                    "at most {longest_s} s with a row every {row_s} s ({MAX_ROWS} rows); record \
+                     less often with `run.record_every`"
+                ),
+            ]
+        },
+    },
+];
+
+/// Time between two rows, s.
+fn row_s(settings: &Settings) -> f64 {
+    settings.dt_s() * f64::from(settings.run.record_every)
+}
+
+impl Candidate<'_> {
+    /// Checks all rules.
     pub(super) fn check(&self) -> Result<(), SettingError> {
-        let longest_s = self.plant.force_model.longest_step_s();
-        if self.dt_s() > longest_s {
-            let steps = (self.control_period_s() / longest_s).ceil();
-            return Err(SettingError::Refused {
-                path: "plant.force_model".to_owned(),
-                value: format!(
-                    "{} with plant steps of {} s",
-                    self.plant.force_model.id(),
-                    self.dt_s()
-                ),
-                allowed: format!(
-                    "plant steps of at most {longest_s} s: `run.steps_per_control` from \
-                     {steps} on (576 give 28.8 kHz)"
-                ),
-            });
-        }
-        if self.wear.adjust_speed && !self.machine.coupled {
-            return Err(SettingError::Refused {
-                path: "wear.adjust_speed".to_owned(),
-                value: "true without the machine's sound".to_owned(),
-                allowed: "true with `machine.coupled` = true".to_owned(),
-            });
-        }
-        if let Some(stored) = self.controller.unks.networks.get()
-            && stored.start != self.controller.unks.start
-        {
-            return Err(SettingError::Refused {
-                path: "controller.unks.networks".to_owned(),
-                value: format!("networks of the start `{}`", stored.start.id()),
-                allowed: format!(
-                    "networks of `controller.unks.start`, {}, or none; set both together",
-                    self.controller.unks.start.id()
-                ),
-            });
-        }
-        let refuse = |path: &str, value: f64, unit: &str, allowed: String| {
-            let value = format!("{value}{unit}");
-            Err(SettingError::Refused { path: path.to_owned(), value, allowed })
-        };
-        if self.noise.band_low_hz >= self.noise.band_high_hz {
-            let high = self.noise.band_high_hz;
-            let allowed = format!("below `noise.band_high_hz`, {high} Hz");
-            return refuse("noise.band_low_hz", self.noise.band_low_hz, " Hz", allowed);
-        }
-        let RunSettings { record_every, steps_per_control, .. } = self.run;
-        if !steps_per_control.is_multiple_of(record_every) {
-            let allowed = format!(
-                "a divisor of `run.steps_per_control`, {steps_per_control}: every control sample \
-                 is recorded"
-            );
-            return refuse("run.record_every", f64::from(record_every), "", allowed);
-        }
-        let row_s = self.dt_s() * f64::from(self.run.record_every);
-        if self.run.duration_s / row_s > MAX_ROWS {
-            let longest = MAX_ROWS * row_s;
-            let allowed = format!(
-                "at most {longest} s with a row every {row_s} s ({MAX_ROWS} rows); record less \
-                 often with `run.record_every`"
-            );
-            return refuse("run.duration_s", self.run.duration_s, " s", allowed);
-        }
-        Ok(())
+        let Some(rule) = RULES.iter().find(|rule| !(rule.keeps)(self)) else { return Ok(()) };
+        let [value, allowed] = (rule.broken)(self.settings);
+        Err(SettingError::Refused { path: rule.paths[0].to_owned(), value, allowed })
     }
+}
+
+/// Whether a rule joins this setting with others: whether an edit of it is allowed then depends
+/// on the base and on other edits.
+pub(in crate::run) fn joins(path: &str) -> bool {
+    RULES.iter().any(|rule| rule.paths.contains(&path))
 }

@@ -1,7 +1,9 @@
 //! A scenario stays checked, and what was expensive to check is kept.
 
 use super::*;
+use crate::blocks::cutting::force_model::ForceModel;
 use crate::models::structure::parameters::Parameters;
+use crate::models::unks::{Stored, UnksNetworks, UnksStart};
 use crate::run::edits::{Edit, Edits};
 use crate::run::one_run::{End, Run};
 
@@ -91,4 +93,83 @@ fn edits_that_do_not_fit_another_base_are_told_and_never_dropped_in_a_run() {
     assert!(matches!(run.end(), Some(End::Refused(_))), "{:?}", run.end());
     let end_s = run.recording().rows().last().unwrap().time_s;
     assert!((1.9..=2.0).contains(&end_s), "{end_s}");
+}
+
+/// Settings that break a rule and no other one.
+fn breaking(rule: &Rule) -> Settings {
+    let mut s = Settings::default();
+    match rule.paths[0] {
+        "plant.force_model" => s.plant.force_model = ForceModel::Mechanistic,
+        "machine.parameters" => {
+            (s.machine.parameters, s.machine.coupled) = (Parameters::Printed, true);
+        }
+        "wear.adjust_speed" => s.wear.adjust_speed = true,
+        "controller.unks.networks" => {
+            let origin = |i| crate::base::network::parse(crate::models::unks::FILES[i]).unwrap().1;
+            let origins = [origin(0), origin(1), origin(2)];
+            let stored = Stored::new(UnksStart::Cold, UnksNetworks::shipped(), origins);
+            s.controller.unks.networks = stored.into();
+        }
+        "noise.band_low_hz" => s.noise.band_low_hz = 50.0,
+        "run.record_every" => s.run.record_every = 3,
+        "run.duration_s" => (s.run.duration_s, s.run.steps_per_control) = (3600.0, 1000),
+        other => panic!("no settings here break the rule on {other}"),
+    }
+    s
+}
+
+#[test]
+fn every_rule_can_be_broken_and_names_field_value_and_what_is_allowed() {
+    for rule in RULES {
+        rule.paths.iter().for_each(|path| assert_eq!(param(path).unwrap().path, *path));
+        let settings = breaking(rule);
+        let error = Scenario::try_from(settings.clone()).unwrap_err();
+        let SettingError::Refused { path, value, allowed } = &error else { panic!("{error}") };
+        assert_eq!(path, rule.paths[0], "{error}");
+        assert!(!value.is_empty() && !allowed.is_empty(), "{error}");
+        let text = error.to_string();
+        let others = &rule.paths[1..];
+        assert!(others.iter().any(|path| text.contains(path)), "{text}");
+        // The rule joins what breaks it.
+        let changed = settings.difference(&Settings::default());
+        assert!(changed.iter().all(|(param, _)| rule.paths.contains(&param.path.as_str())));
+    }
+}
+
+#[test]
+fn every_companion_comes_with_its_setting_unless_it_is_set_too() {
+    let text = |id: &str| Value::Text(id.to_owned());
+    for companion in COMPANIONS {
+        let chosen = match companion.of {
+            "plant.model_set" => "strategy_2013",
+            "plant.force_model" => "mechanistic",
+            "plant.material" => "ti6al4v",
+            "feed_drive.kind" => "measured_3hz",
+            other => panic!("nothing is chosen here for {other}"),
+        };
+        let mut scenario = Scenario::default();
+        scenario.set("run.steps_per_control", Value::Int(200)).unwrap();
+        let before = scenario.get(companion.brings).unwrap();
+        let mut alone = scenario.clone();
+        alone.set(companion.of, text(chosen)).unwrap();
+        assert_ne!(alone.get(companion.brings).unwrap(), before, "{}", companion.of);
+        let both = [(companion.of, text(chosen)), (companion.brings, before.clone())];
+        let both = both.map(|(path, value)| (path.to_owned(), value));
+        scenario.set_all(&both).unwrap();
+        assert_eq!(scenario.get(companion.brings).unwrap(), before, "{}", companion.of);
+    }
+}
+
+#[test]
+fn an_edit_that_a_rule_forbids_is_refused_when_it_is_made() {
+    let base = Scenario::default();
+    let mut edits = Edits::none();
+    for (path, value) in [
+        ("plant.force_model", Value::Text("mechanistic".to_owned())),
+        ("wear.adjust_speed", Value::Bool(true)),
+    ] {
+        let refused = edits.push(&base, edit(1.0, path, value)).unwrap_err().to_string();
+        assert!(refused.contains(path), "{refused}");
+    }
+    assert_eq!(edits, Edits::none());
 }
