@@ -8,7 +8,7 @@ pub fn unit(unit: &str) -> String {
     unit.replace("um", "µm").replace("cm^3", "cm³").replace("cm3", "cm³").replace("deg", "°")
 }
 
-/// A value with as many digits as its unit deserves, without the unit.
+/// A value with the number of digits that suits its unit, without the unit.
 #[must_use]
 pub fn number(value: f64, unit: &str) -> String {
     let decimals = match unit {

@@ -34,7 +34,7 @@ use panels::{Panel, View, panels};
 use session::Session;
 use widgets::setting;
 
-/// Most real time that one frame stands for, s: after a pause of the machine the cut goes on where
+/// Longest real time that one frame advances by, s: after a pause of the machine the cut goes on where
 /// it was.
 const LONGEST_FRAME_S: f64 = 0.25;
 /// A drag counts as over after so much time without a change, s.

@@ -3,7 +3,7 @@
 /// How fast the playhead moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Speed {
-    /// So many seconds of the run in one second.
+    /// Seconds of the run per second of real time.
     Times(f64),
     /// As far as the run is simulated, at once.
     Max,

@@ -198,7 +198,7 @@ impl Session {
         self.chosen.run().end().filter(|_| self.playback.at_end)
     }
 
-    /// Share of both runs that is simulated, from 0 to 1.
+    /// Fraction of both runs that is simulated, from 0 to 1.
     #[must_use]
     pub fn progress(&self) -> f64 {
         let share = |cut: &Cut| {
@@ -208,7 +208,7 @@ impl Session {
         0.5 * (share(&self.chosen) + share(&self.twin))
     }
 
-    /// Goes on by `dt_s` seconds of real time: simulates ahead and moves the playhead.
+    /// Advances by `dt_s` seconds of real time: simulates ahead and moves the playhead.
     pub fn advance(&mut self, dt_s: f64) {
         let by_teeth = self.current.plant.force_model.tooth_by_tooth();
         let ticks = if by_teeth { TOOTH_TICKS_PER_FRAME } else { TICKS_PER_FRAME };

@@ -1,5 +1,5 @@
 //! The one place for colours, sizes and line styles. The palette is that of Okabe
-//! and Ito, which people with colour-blind eyes can tell apart; lines differ in style as well.
+//! and Ito, which people with colour-blind eyes can distinguish; lines differ in style as well.
 
 use egui::{Color32, CornerRadius, Stroke, Theme};
 use egui_plot::LineStyle;
@@ -24,9 +24,9 @@ pub const CARD_WIDTH: f32 = 172.0;
 pub const CARD_WIDTH_NARROW: f32 = 116.0;
 /// Width of the content of a window over a screen at first, points; on a phone it takes the screen.
 pub const OVERLAY_WIDTH: f32 = 640.0;
-/// Height of such a window that is as high as the screen allows, points, and of a lower one.
+/// Largest height of such a window where the screen allows it, and that of a low one, points.
 pub const OVERLAY_HEIGHTS: [f32; 2] = [620.0, 420.0];
-/// Share of its reference within which a force counts as held.
+/// Fraction of its reference within which a force counts as held.
 pub const FORCE_BAND: f64 = 0.02;
 /// Length of the window that follow mode shows, s.
 pub const FOLLOW_S: f64 = 20.0;

@@ -35,7 +35,7 @@ impl Trace {
         }
     }
 
-    /// Brings the levels above the first up to date with it, for so many rows.
+    /// Updates the coarser levels from the first one after rows were added; `rows` is their number now.
     fn grow(&mut self, rows: usize) {
         for depth in 1.. {
             let full = rows / rows_in_bucket(depth + 1);

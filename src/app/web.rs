@@ -27,7 +27,7 @@ pub async fn start(canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
     eframe::WebRunner::new().start(canvas, options, create).await
 }
 
-/// Tells the page, which shows the message and offers to reload.
+/// Reports to the page, which shows the message and offers to reload.
 fn report_panic(message: &str) {
     let Some(window) = web_sys::window() else { return };
     let report = js_sys::Reflect::get(&window, &JsValue::from_str("steadycutPanic"));

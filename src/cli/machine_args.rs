@@ -28,7 +28,7 @@ pub enum MachineWhat {
     Wear(MachineModel),
     /// Tool life predicted from the sound: many tools, and a speed adjusted to the desired tool life.
     Life(LifeArgs),
-    /// Random share of the contact force, calibrated on Table 3 of 2007, with its residuals.
+    /// Random fraction of the contact force, calibrated on Table 3 of 2007, with its residuals.
     Roughness(MachineModel),
 }
 

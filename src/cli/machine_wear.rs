@@ -24,9 +24,9 @@ use crate::study::machine_life::{CLAIMS, LifeFindings, LifeJob};
 
 /// Points of time between two reports of progress.
 const SLICE: usize = 200;
-/// Shares of the life at which the trends are printed.
+/// Fractions of the life at which the trends are printed.
 const PRINTED: [f64; 10] = [0.0, 0.02, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 1.0];
-/// Shares of the life at which a profile is measured.
+/// Fractions of the life at which a profile is measured.
 const MEASURED: [f64; 3] = [0.0, 0.5, 1.0];
 
 #[derive(Serialize)]

@@ -53,7 +53,7 @@ pub fn execute(args: &RobustArgs) -> Outcome {
     Ok(if findings.passed { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
-/// All runs, spread over the machine's cores: every run stands for itself, so how they are spread changes
+/// All runs, spread over the machine's cores: runs are independent, so how they are spread changes
 /// nothing.
 #[expect(clippy::disallowed_methods, reason = "threads come from the front end")]
 fn all(

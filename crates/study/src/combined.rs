@@ -82,7 +82,7 @@ pub struct Adjusted {
     pub measured_mean_n: f64,
     /// Largest measured force, N.
     pub measured_max_n: f64,
-    /// Share of periods with the force within 10 % of its reference, percent.
+    /// Fraction of periods with the force within 10 % of its reference, percent.
     pub within_ten_percent: f64,
     /// Least, mean and largest feed override, percent.
     pub override_percent: [f64; 3],

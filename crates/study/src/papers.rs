@@ -29,7 +29,7 @@ pub enum CellVerdict {
     Missed,
     /// A start value: given, not reproduced.
     Given,
-    /// Told as it is, without a band.
+    /// Reported without a band.
     Reported,
 }
 

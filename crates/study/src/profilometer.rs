@@ -3,8 +3,8 @@
 //!
 //! The form that the turning cutter would leave without feed is taken off before, as a measuring
 //! instrument takes off the nominal form. The filters need a run-up on each side
-//! ([`roughness_profile::run_up_mm`]); as many whole sampling lengths as the rest holds are
-//! evaluated. The standards take five; fewer are measured, and said.
+//! ([`roughness_profile::run_up_mm`]); the whole sampling lengths that fit between them
+//! are evaluated. The standards take five; fewer are measured, and said.
 
 use std::fmt;
 

@@ -1,7 +1,7 @@
 //! How robust a controller is: many runs of a scenario whose plant is drawn at random, while what the
-//! controller believes is not told of it.
+//! controller believes does not change with it.
 //!
-//! DrawnPlant for every run, before any of them begins: seed of the noise, hardness (uniform in +-20 %), wear
+//! Drawn for every run, before any of them begins: seed of the noise, hardness (uniform in +-20 %), wear
 //! factor (1 to 1.3), dead time of the machine (0 to 80 ms), errors of the believed depth (+-10 %) and
 //! place (+-1 mm). The believed dead time stays that of the scenario: 40 ms in Experiment 2, the middle
 //! of the range. The result is the 95th percentile of the largest force against 1.15 kN, and that no run
@@ -91,7 +91,7 @@ pub struct RobustFindings {
     pub normalized_standard_error: Percentiles,
     /// Time of the cut, s.
     pub time_of_cut_s: Percentiles,
-    /// Runs that did not reach the end of the path: stopped by an extreme force, or out of time.
+    /// Runs that did not reach the end of the path: stopped by an overload, or out of time.
     pub unfinished: usize,
     /// Whether the 95th percentile of the largest force keeps [`LIMIT_KN`] and every run is finished.
     pub passed: bool,
@@ -169,7 +169,7 @@ impl Robustness {
         }
     }
 
-    /// Goes on by at most `ticks` plant steps, not beyond the end of the present run; `true` when all runs
+    /// Advances by at most `ticks` plant steps, not beyond the end of the present run; `true` when all runs
     /// are done.
     ///
     /// # Errors

@@ -26,7 +26,7 @@ const LEVEL: f64 = 0.5;
 /// Angle over which a tooth cuts, in radians: the papers' cut.
 const ENGAGEMENT: f64 = 51.3 / 180.0 * math::PI;
 /// Share by which run-out makes every other tooth stronger and weaker (chosen).
-const RUNOUT_SHARE: f64 = 0.1;
+const RUNOUT_RATIO: f64 = 0.1;
 
 /// integral of sin(phi) e^{-i m phi} over the engagement, over a turn.
 fn pulse(m: f64) -> Complex {
@@ -73,24 +73,24 @@ impl CutSound {
         self.spindle_lines as f64 * self.line_hz
     }
 
-    /// Force in shares of the peak on line `j`, without the random part.
+    /// Force as fractions of the peak on line `j`, without the random part.
     fn periodic(&self, j: usize) -> Complex {
         if self.spindle_lines == 0 || !j.is_multiple_of(self.spindle_lines) {
             return Complex::new(0.0, 0.0);
         }
         let harmonic = j / self.spindle_lines;
         let teeth = R216_16B20_040.teeth;
-        let weight = if harmonic.is_multiple_of(teeth as usize) { 1.0 } else { RUNOUT_SHARE };
+        let weight = if harmonic.is_multiple_of(teeth as usize) { 1.0 } else { RUNOUT_RATIO };
         // Both signs of the frequency in one line.
         pulse(harmonic as f64) * (2.0 * teeth * weight)
     }
 
     /// The sound before the gain, in the real parts.
-    fn raw(&self, x: f64, force_share: f64) -> Vec<Complex> {
+    fn raw(&self, x: f64, force_ratio: f64) -> Vec<Complex> {
         let model = &self.model;
         let w = model.wear.wear(x);
         let (worn, damping) = (model.worn(w), model.damping_n_s_m(w));
-        let force_n = model.life.contact_force_n * model.wear.force_factor(w) * force_share;
+        let force_n = model.life.contact_force_n * model.wear.force_factor(w) * force_ratio;
         let last = ((f64::from(LAST_HZ) / self.line_hz) as usize).min(SAMPLES / 2 - 1);
         let random = model.life.random_ratio * (2.0 / last.max(1) as f64).sqrt();
         let mut lines = vec![Complex::new(0.0, 0.0); SAMPLES];
@@ -111,11 +111,11 @@ impl CutSound {
         lines
     }
 
-    /// [`SAMPLES`] samples in -1..1 at the share `x` of the life, for a force in shares of the
+    /// [`SAMPLES`] samples in -1..1 at the fraction `x` of the life, for a force as fractions of the
     /// model's contact force (0 in the air: silence).
     #[must_use]
-    pub fn block(&self, x: f64, force_share: f64) -> Vec<f32> {
-        let raw = self.raw(x, math::limit(force_share, 0.0, 10.0));
+    pub fn block(&self, x: f64, force_ratio: f64) -> Vec<f32> {
+        let raw = self.raw(x, math::limit(force_ratio, 0.0, 10.0));
         raw.iter().map(|z| math::limit(self.gain * z.re, -1.0, 1.0) as f32).collect()
     }
 }

@@ -192,7 +192,7 @@ impl Passes {
         self.learned.as_ref()
     }
 
-    /// Share of the work that is done, 0 to 1.
+    /// Fraction of the work that is done, 0 to 1.
     #[must_use]
     pub fn progress(&self) -> f64 {
         if self.is_done() {
@@ -229,7 +229,7 @@ pub struct PassesVerdict {
     pub feedback_falls: bool,
     /// Its mean in the first and the last pass.
     pub feedback: [f64; 2],
-    /// By what share the normalised standard error is smaller in the last pass than in the first.
+    /// By what fraction the normalised standard error is smaller in the last pass than in the first.
     pub error_gain: f64,
     /// Whether that is at least [`BETTER`].
     pub error_better: bool,

@@ -18,8 +18,8 @@ use crate::app::command::Command;
 use moment::Now;
 use wires::{RA, Wire};
 
-/// Share of the height that plot and card take.
-const DETAILS_SHARE: f32 = 0.33;
+/// Fraction of the height that plot and card take.
+const DETAILS_FRACTION: f32 = 0.33;
 /// Least and largest height of plot and card, points.
 const DETAILS_HEIGHT: (f32, f32) = (180.0, 460.0);
 const GAP: f32 = 8.0;
@@ -94,7 +94,7 @@ impl BlockDiagramPanel {
     fn screen(&mut self, ui: &mut egui::Ui, view: &View<'_>) {
         let now = Now::of(view.session);
         let area = ui.available_rect_before_wrap();
-        let details = (area.height() * DETAILS_SHARE).clamp(DETAILS_HEIGHT.0, DETAILS_HEIGHT.1);
+        let details = (area.height() * DETAILS_FRACTION).clamp(DETAILS_HEIGHT.0, DETAILS_HEIGHT.1);
         let split = (area.bottom() - details).max(area.top() + 0.3 * area.height());
         let above = Rect::from_min_max(area.min, pos2(area.right(), split - GAP));
         let below = Rect::from_min_max(pos2(area.left(), split), area.max);

@@ -34,14 +34,14 @@ use recommended::RecommendedCard;
 use relief::Relief;
 use search::Search;
 
-/// Most real time that one frame stands for, s.
+/// Longest real time that one frame advances by, s.
 const LONGEST_FRAME_S: f64 = 0.25;
 /// Width of the column with the answer, points.
 const ANSWER_WIDTH: f32 = 392.0;
 /// From this width on, points, the map stands between settings and answer.
 const WIDE_FROM: f32 = 1080.0;
-/// Height of the map where it is scrolled, as a share of the width, and at most, points.
-const MAP_SHARE: f32 = 0.86;
+/// Height of the map where it is scrolled, as a fraction of the width, and at most, points.
+const MAP_FRACTION: f32 = 0.86;
 const MAP_HEIGHT_SCROLLED: f32 = 460.0;
 /// Room for the legend above it, and for the buttons above that, points.
 const LEGEND_HEIGHT: f32 = 110.0;
@@ -132,7 +132,7 @@ impl PlanPanel {
         area.auto_shrink([false, false]).show(ui, |ui| {
             margin.show(ui, |ui| {
                 self.transport(ui, view, commands);
-                let height = MAP_SHARE * ui.available_width();
+                let height = MAP_FRACTION * ui.available_width();
                 // All of it is in sight at once, its legend and what moves the swarm with it.
                 let most = room.clamp(MAP_HEIGHT_MIN, MAP_HEIGHT_SCROLLED);
                 let height = height.clamp(MAP_HEIGHT_MIN, most);

@@ -29,8 +29,8 @@ use view::Looking;
 
 /// Width of the column beside the picture, points.
 const BESIDE_WIDTH: f32 = 360.0;
-/// Height of the picture where everything stands in one column, as a share of the width.
-const NARROW_SHARE: f32 = 0.85;
+/// Height of the picture where everything stands in one column, as a fraction of the width.
+const NARROW_FRACTION: f32 = 0.85;
 
 /// The screen.
 #[derive(Default)]
@@ -79,7 +79,7 @@ impl Panel for WorkpiecePanel {
             let margin = Frame::new().inner_margin(Margin::symmetric(8, 4));
             ScrollArea::vertical().id_salt("workpiece").auto_shrink(false).show(ui, |ui| {
                 margin.show(ui, |ui| {
-                    let height = NARROW_SHARE * ui.available_width();
+                    let height = NARROW_FRACTION * ui.available_width();
                     self.picture(ui, view.session, height, true);
                     self.beside(ui, view, commands);
                 });

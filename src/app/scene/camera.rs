@@ -12,7 +12,7 @@ pub type Matrix = [[f32; 4]; 4];
 const VIEW_RAD: f32 = 0.6;
 /// Turn and tilt per point of a drag, rad.
 const PER_POINT: f32 = 0.008;
-/// Share of the picture that what is fitted takes at most.
+/// Fraction of the picture that what is fitted takes at most.
 const FITTED: f32 = 0.9;
 /// The tilts allowed, rad: from just above the ground to nearly from above.
 const TILT: [f32; 2] = [0.06, 1.5];
@@ -120,8 +120,8 @@ impl Camera {
             .then(|| [eye[0] + times * ray[0], eye[1] + times * ray[1]])
     }
 
-    /// Looks at the middle of a box, from as near as shows all of `points` in a picture of so many
-    /// times its height in width.
+    /// Looks at the middle of a box from the nearest place that shows all of `points` in a picture of
+    /// width over height `aspect`.
     pub fn fit(&mut self, [low, high]: [Point; 2], points: &[Point], aspect: f32) {
         self.target = [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]));
         let mut range = [1.0, 1e6_f32];
@@ -138,7 +138,7 @@ impl Camera {
         self.distance = range[1];
     }
 
-    /// Turns it by a drag of so many points.
+    /// Turns it by a drag, points.
     pub fn orbit(&mut self, drag: Vec2) {
         self.turn_rad -= PER_POINT * drag.x;
         self.tilt_rad = (self.tilt_rad + PER_POINT * drag.y).clamp(TILT[0], TILT[1]);

@@ -19,8 +19,8 @@ fn format_id() -> Id {
     Id::unique("format of the screen")
 }
 
-/// Tells the pictures what format the screen of a new window or page has; without it they take
-/// that of a test without a window.
+/// Gives the pictures the format of the screen of a new window or page; without it they take that of
+/// a test without a window.
 pub fn prepare(cc: &eframe::CreationContext<'_>) {
     if let Some(state) = &cc.wgpu_render_state {
         cc.egui_ctx.data_mut(|data| data.insert_temp(format_id(), state.target_format));

@@ -46,7 +46,7 @@ impl Mesh {
         self.triangle(a, c, d);
     }
 
-    /// Joins two rows of corners, as many in each, to a strip.
+    /// Joins two rows of corners of equal length to a strip.
     pub fn strip(&mut self, first: &[u32], second: &[u32]) {
         for (a, b) in first.windows(2).zip(second.windows(2)) {
             self.triangle(a[0], a[1], b[1]);

@@ -180,7 +180,7 @@ impl Session {
         let tick = ((self.playback.playhead_s + HAIR_S) / dt_s).floor();
         let at_s = (tick * dt_s * 1e6).round() / 1e6;
         edits.truncate(at_s + 0.5 * dt_s);
-        // A drag sends a value every frame: within a short time the last one stands for all.
+        // A drag sends a value every frame: within a short time only the last one is kept.
         let dragged = |edit: &&Edit| {
             self.gesture.as_deref() == Some(path) && edit.path == path && at_s - edit.at_s < DRAG_S
         };

@@ -12,7 +12,7 @@ pub struct Looped {
     place: usize,
     before: Vec<f32>,
     before_place: usize,
-    /// Share of the block that sounds against the one before.
+    /// Fraction of the block that sounds against the one before.
     share: f32,
     volume: f32,
     wanted_volume: f32,
@@ -59,7 +59,7 @@ pub struct Shared {
 }
 
 impl Shared {
-    /// Silence at so many samples per second.
+    /// Silence at `rate_hz` samples per second.
     #[must_use]
     pub fn new(rate_hz: u32) -> Self {
         let looped = Looped::new((FADE_S * f64::from(rate_hz)) as usize);

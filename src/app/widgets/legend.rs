@@ -1,5 +1,5 @@
 //! Entries of a legend: a sample of the line in its colour and style, and its name. A click shows
-//! or hides what the entry stands for.
+//! or hides the entry's curve.
 
 use egui::{Color32, Painter, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo};
 use egui_plot::LineStyle;

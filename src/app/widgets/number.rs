@@ -52,7 +52,7 @@ impl NumberField<'_> {
         response
     }
 
-    /// The number within the range that a text stands for, with a message where it was limited.
+    /// The number given by a text, limited to the range, with a message where it was limited.
     fn read(&self, text: &str) -> Result<(f64, Option<String>), String> {
         // More would fill the window.
         const MOST_CHARS: usize = 40;
@@ -91,7 +91,7 @@ fn plain(text: &str) -> String {
     letters.collect()
 }
 
-/// The number that a text stands for: with point or comma, with or without the unit.
+/// The number given by a text: with point or comma, with or without the unit.
 #[must_use]
 pub fn parse(text: &str, unit: &str) -> Option<f64> {
     let text = plain(text);

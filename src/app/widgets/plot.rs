@@ -28,7 +28,7 @@ pub fn still<'a>(title: &str, palette: &Palette, [width, height]: [f32; 2]) -> P
         .grid_spacing(egui::Rangef::new(16.0, 300.0))
 }
 
-/// Grid lines at round values, about as many as asked for.
+/// Grid lines at round values, about `count` of them.
 pub fn grid(input: GridInput, count: f32) -> Vec<GridMark> {
     let (low, high) = input.bounds;
     let Some(step) = round_step((high - low) / f64::from(count.max(1.0))) else {

@@ -53,7 +53,7 @@ fn print(
         }
         match row.found.force_stops {
             0 => writeln!(out)?,
-            stops => writeln!(out, "  {stops} of {} stopped by extreme force", row.found.runs)?,
+            stops => writeln!(out, "  {stops} of {} stopped by overload", row.found.runs)?,
         }
     }
     writeln!(out, "\nverdicts")?;

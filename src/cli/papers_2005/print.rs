@@ -63,7 +63,7 @@ fn table(out: &mut impl Write, table: &[Compared], printed: &[Table1Printed]) ->
         }
         match method.force_stops {
             0 => writeln!(out)?,
-            stops => writeln!(out, "  {stops} of {} stopped by extreme force", method.runs)?,
+            stops => writeln!(out, "  {stops} of {} stopped by overload", method.runs)?,
         }
     }
     Ok(())

@@ -55,7 +55,7 @@ fn print(out: &mut impl Write, seeds: u32, rows: &[RobustnessRow]) -> std::io::R
         }
         match row.found.force_stops {
             0 => writeln!(out)?,
-            stops => writeln!(out, "  {stops} of {} stopped by extreme force", row.found.runs)?,
+            stops => writeln!(out, "  {stops} of {} stopped by overload", row.found.runs)?,
         }
     }
     if let Some(ControlClaim { paper, holds, found }) = material_claim(rows) {

@@ -1,4 +1,4 @@
-//! Sound and roughness of the five-mass machine at a share x of the tool's life (2019, section 3).
+//! Sound and roughness of the five-mass machine at a fraction x of the tool's life (2019, section 3).
 //!
 //! ```text
 //! P(x), k3(x)                          see the wear model; P on every line of 10, 20, .. 3000 Hz
@@ -20,7 +20,7 @@ use super::wear::{WearCut, WearSettings};
 use crate::base::math::TAU;
 
 crate::settings! {
-    /// Sound, its measurement, and what is foretold from it.
+    /// Sound, its measurement, and the prediction of tool life from it.
     pub struct LifeSettings {
         /// Contact force of the sharp tool, as printed in 2019.
         contact_force_n: f64 = 107.0, [1.0, 5000.0], "N", live, "Contact force";
@@ -42,7 +42,7 @@ crate::settings! {
         sigma_percent: f64 = 1.2, [0.1, 20.0], "%", live, "Expected noise";
         /// Minutes that the prediction counts as one, since neighbours err alike.
         correlated_min: f64 = 5.0, [1.0, 60.0], "min", live, "Expected memory";
-        /// Spread of the logarithm of the tool life before anything is heard.
+        /// Spread of the logarithm of the tool life before the first observation.
         prior_spread: f64 = 0.3, [0.05, 0.6], "", live, "Spread of tool lives";
     }
 }
@@ -50,10 +50,10 @@ crate::settings! {
 /// Mean number of engaged teeth of the papers' cut: two, 51.3 degrees each.
 pub const ENGAGED: f64 = 0.285;
 
-/// Sound and roughness at one share of the life.
+/// Sound and roughness at one fraction of the life.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct TrendPoint {
-    /// Share of the life.
+    /// Fraction of the life.
     pub x: f64,
     /// Wear, 1 at the end of life.
     pub wear: f64,
@@ -134,7 +134,7 @@ impl MachineTrend {
         TrendLine { f_hz, vibration_m, sound: power * vibration_m }
     }
 
-    /// The lines of 10, 20, .. 3000 Hz at the share `x` of the life.
+    /// The lines of 10, 20, .. 3000 Hz at the fraction `x` of the life.
     pub fn spectrum(&self, x: f64) -> impl Iterator<Item = TrendLine> {
         let w = self.wear.wear(x);
         let (worn, damping_n_s_m) = (self.worn(w), self.damping_n_s_m(w));
@@ -143,7 +143,7 @@ impl MachineTrend {
         lines.map(move |f_hz| self.line(&worn, damping_n_s_m, force_n, f_hz))
     }
 
-    /// Sound and roughness at the share `x` of the life.
+    /// Sound and roughness at the fraction `x` of the life.
     #[must_use]
     pub fn at(&self, x: f64) -> TrendPoint {
         let (mut sound, mut squares, mut lines) = (0.0, 0.0, 0.0);

@@ -96,8 +96,8 @@ impl CutPath {
         }
     }
 
-    /// The sections between two places along the cut: axial depth and wall position in mm, and where
-    /// each of them begins and ends within the two, mm. Air is none of them.
+    /// Sections overlapping [low, high], clipped to it: ([axial depth, wall], [from, to]), all in mm.
+    /// Air yields no entry.
     pub fn sections_within(
         &self,
         [low_mm, high_mm]: [f64; 2],

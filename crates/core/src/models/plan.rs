@@ -60,7 +60,7 @@ crate::settings! {
         particles: u32 = 30, [2.0, 500.0], "", setup, "Particles";
         /// Most iterations of the swarm.
         iterations: u32 = 100, [1.0, 1000.0], "", setup, "Iterations";
-        /// The swarm stops after so many iterations without a gain of one part in ten thousand, once
+        /// Iterations without a gain of one part in ten thousand after which the swarm stops, once
         /// its particles have gathered.
         stop_after: u32 = 12, [1.0, 1000.0], "", setup, "Stop after";
         /// Seed of the swarm's random numbers.

@@ -41,7 +41,7 @@ impl Growth {
     #[must_use]
     pub fn calibrated(model: &MachineTrend) -> Self {
         let mut by_wear = model.clone();
-        // Wear itself in place of the share of life: w(x) = x.
+        // Wear itself in place of the fraction of life: w(x) = x.
         by_wear.wear.break_in_share = 0.0;
         by_wear.wear.failure_share = 0.0;
         let sharp = by_wear.at(0.0).sound;

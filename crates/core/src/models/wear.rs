@@ -1,7 +1,7 @@
 //! Wear over the tool's life: flank wear in three stages, and what it does to force and tooth.
 //!
 //! ```text
-//! dx/dt = 1/T(vc, fz, ap)                                      share x of the life used
+//! dx/dt = 1/T(vc, fz, ap)                                      fraction x of the life used
 //! T     = T15 (vc/vc15)^(-1/n) (fz/fz0)^(-pf) (ap/ap0)^(-pa)   Taylor, extended
 //! r(x)  = a_b (1 - exp(-x/x_b)) + a_s x + a_f (exp((x-1)/x_f) - exp(-1/x_f))
 //! w(x)  = r(x)/r(1),  VB = VB_T w                              break-in, steady, accelerated
@@ -30,7 +30,7 @@ crate::settings! {
     pub struct WearSettings {
         /// Whether the tool wears in the run.
         model: WearModel = WearModel::Fixed, [], "", live, "Wear in the run";
-        /// Share of its life that the tool has behind it when the run begins.
+        /// Fraction of its life that the tool has behind it when the run begins.
         used_life: f64 = 0.0, [0.0, 1.0], "", setup, "Life used at the start";
         /// The life passes this many times as fast as the run.
         time_scale: f64 = 1.0, [1.0, 100_000.0], "", live, "Wear speed-up";
@@ -52,13 +52,13 @@ crate::settings! {
         tool_life_factor: f64 = 1.0, [0.2, 5.0], "", live, "Tool-life factor";
         /// Break-in: its part of the wear, before scaling.
         break_in_share: f64 = 0.25, [0.0, 2.0], "", live, "Break-in wear";
-        /// Break-in: share of the life in which it fades.
+        /// Break-in: fraction of the life in which it fades.
         break_in_span: f64 = 0.04, [0.005, 0.5], "", live, "Break-in span";
         /// Steady wear: its part of the wear, before scaling.
         steady_share: f64 = 0.40, [0.01, 2.0], "", live, "Steady wear";
         /// Accelerated wear: its part of the wear, before scaling.
         failure_share: f64 = 0.35, [0.0, 2.0], "", live, "Accelerated wear";
-        /// Accelerated wear: share of the life in which it grows by e.
+        /// Accelerated wear: fraction of the life in which it grows by e.
         failure_span: f64 = 0.06, [0.01, 0.5], "", live, "Accelerated span";
         /// Width of the flank wear land at the end of life.
         flank_end_mm: f64 = 0.3, [0.05, 1.0], "mm", live, "Wear land at the end";
@@ -69,7 +69,7 @@ crate::settings! {
         /// Indentation force of the wear land per volume, for process damping; 0 switches it off.
         indentation_n_mm3: f64 = 0.0, [0.0, 200_000.0], "N/mm3", live, "Process damping";
         /// Adjusts the programmed speed, feed per tooth held, so that the tool reaches `life.tool_life_min`;
-        /// the tool's life is foretold from the sound of the coupled machine.
+        /// the tool's life is predicted from the sound of the coupled machine.
         adjust_speed: bool = false, [], "", live, "Speed for the tool life";
     }
 }
@@ -97,7 +97,7 @@ impl WearSettings {
                 * (math::exp((x - 1.0) / self.failure_span) - math::exp(-1.0 / self.failure_span))
     }
 
-    /// Wear w at the share `x` of the life: 0 for a new tool, 1 at its end, at most [`WEAR_MAX`].
+    /// Wear w at the fraction `x` of the life: 0 for a new tool, 1 at its end, at most [`WEAR_MAX`].
     #[must_use]
     pub fn wear(&self, x: f64) -> f64 {
         math::limit(self.raw(math::positive(x)) / self.raw(1.0), 0.0, WEAR_MAX)

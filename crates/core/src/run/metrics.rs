@@ -1,7 +1,7 @@
 //! Metrics of a run, defined once.
 //!
 //! - Final values: means over the last second in contact.
-//! - In tolerance: share of the path in contact on which the produced Ra (K5) lies within the
+//! - In tolerance: fraction of the path in contact on which the produced Ra (K5) lies within the
 //!   tolerance band of its target.
 //! - Settling time: from the last change (start of the run, target, depth, edit) until the force
 //!   stays within 2 % of its reference for good; none if it does not at the end.
@@ -37,7 +37,7 @@ pub struct Metrics {
     pub ra_final_um: f64,
     /// Deviation of the final Ra from its target, percent.
     pub ra_deviation_percent: f64,
-    /// Share of the cut length with Ra in tolerance, percent; none without contact.
+    /// Fraction of the cut length with Ra in tolerance, percent; none without contact.
     pub in_tolerance_percent: Option<f64>,
     /// Force, mean over the last second, N.
     pub force_final_n: f64,
@@ -66,13 +66,13 @@ pub struct Metrics {
     pub max_force_n: f64,
     /// Metal removed, cm^3.
     pub metal_removed_cm3: f64,
-    /// Share of rows with a command at a limit, percent.
+    /// Fraction of rows with a command at a limit, percent.
     pub saturated_percent: f64,
-    /// Share of rows with a model outside its range, percent.
+    /// Fraction of rows with a model outside its range, percent.
     pub outside_percent: f64,
 }
 
-/// Force counts as settled within this share of its reference.
+/// Force counts as settled within this fraction of its reference.
 const SETTLED: f64 = 0.02;
 
 fn relative_error(row: &Row) -> f64 {

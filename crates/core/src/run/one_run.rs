@@ -16,7 +16,7 @@ pub enum End {
     PathDone,
     /// The time limit came first.
     TimeLimit,
-    /// An extreme force stopped the feed.
+    /// An overload stopped the feed.
     ForceStop(ForceStop),
     /// A signal stopped being finite.
     Fault(Fault),
@@ -272,7 +272,7 @@ impl Run {
         self.last_tick
     }
 
-    /// Share of the way that is done, 0 to 1; of the time limit where that is more, and 1 at the end.
+    /// Fraction of the way that is done, 0 to 1; of the time limit where that is more, and 1 at the end.
     #[must_use]
     pub fn share_done(&self) -> f64 {
         if self.end.is_some() {

@@ -6,7 +6,7 @@ use super::closed_loop::ClosedLoop;
 use super::one_run::{Repeat, Run};
 use crate::base::units::rev_s_from_rpm;
 
-/// Slowest spindle that a turn is counted of, 1/min; a slower one shows a part of its turn.
+/// Lowest speed for which a whole revolution is shown, 1/min; below it the window covers only part of one.
 const SLOWEST_RPM: f64 = 400.0;
 /// Most turns at once.
 pub const MAX_TURNS: u32 = 8;

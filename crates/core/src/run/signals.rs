@@ -87,7 +87,7 @@ signals! {
     spindle_override_percent, "%", "Spindle override";
     /// The controller's estimate of true over modelled force.
     gain_estimate, "-", "Gain estimate";
-    /// Share of the tool's life that is used.
+    /// Fraction of the tool's life that is used.
     used_life, "-", "Tool life used";
     /// Displacement of the tooth off the work as the last tooth made the surface; coupled machine only.
     vibration_um, "um", "Vibration";

@@ -91,7 +91,7 @@ impl MarkedPart {
             self.cut += usize::from(to.position_mm >= next_mm - APPROACH_MM);
         }
         let cut = &mut self.cuts[self.cut];
-        // Vibration is in the marks themselves; without it, Ra with dynamics stands for it.
+        // Vibration is in the marks themselves; without it, Ra with dynamics is used.
         let ra_um = if self.vibrates { to.ra_um } else { to.ra_dyn_um };
         self.passing.advance(turned, |tooth, share| {
             if to.has(flag::AIR) {

@@ -1,7 +1,7 @@
 //! Beyond the paper: a programmed feed for every cut, as the plan finds them, and the product's own
 //! controller Preview, on the part of Table 1 beside UNKS and adjustable PI.
 //!
-//! What was chosen looking at these runs is told beside them ([`CHOSEN`]).
+//! What was chosen looking at these runs is shown beside them ([`CHOSEN`]).
 
 use serde::Serialize;
 
@@ -20,7 +20,7 @@ pub const CHOSEN: &str = "Preview: its aim of 102 % in the experiments, since th
 /// What feeds per cut can reach with UNKS, by an independent prototype: Nsn, s, kN.
 pub const REACHABLE: [(Measure, f64); 3] =
     [(Measure::Nsn, 0.12), (Measure::Time, 82.0), (Measure::Force, 0.99)];
-/// How near counts as reached, as a share.
+/// How near counts as reached, as a fraction.
 const NEAR: f64 = 1.03;
 
 /// Who takes part in each condition.

@@ -1,4 +1,4 @@
-//! The 2005 paper's claims against runs: each told as found, true or not.
+//! The 2005 paper's claims against runs: each reported as found, true or not.
 
 use serde::Serialize;
 

@@ -21,7 +21,7 @@ const SECTIONS: [[f64; 2]; 2] = [[2.6, 2.0], [3.5, 1.5]];
 /// How far ahead of its axis the tool meets a step or leaves the part, mm: its largest contact
 /// radius at these depths.
 const AHEAD_MM: f64 = 6.7;
-/// Half width of the band, as a share of the desired force.
+/// Half width of the band, as a fraction of the desired force.
 const BAND: f64 = 0.1;
 /// Means at the end that must lie in the band, a second of them: what still leaves it then is
 /// never steady.

@@ -9,7 +9,7 @@ use crate::run::signals::{Row, flag};
 /// Samples of the running mean that is judged for recovery: run-out makes one peak high and the
 /// next one low, four control periods hold two revolutions.
 const MEAN_OF: usize = 4;
-/// Half width of the band around the desired force, as a share of it (2005: within 10 %).
+/// Half width of the band around the desired force, as a fraction of it (2005: within 10 %).
 const BAND: f64 = 0.1;
 
 steadycut_core::choice! {
@@ -23,9 +23,9 @@ steadycut_core::choice! {
         Time = "time_of_cut_s", "Time of cut";
         /// Largest force.
         Force = "max_force_kn", "Largest force";
-        /// Share of the length in contact with the target in tolerance.
+        /// Fraction of the length in contact with the target in tolerance.
         InTolerance = "in_tolerance_percent", "In tolerance";
-        /// Share of the control samples in contact, and not at a limit of the feed, whose force lies
+        /// Fraction of the control samples in contact, and not at a limit of the feed, whose force lies
         /// within 10 % of the desired one.
         Held = "held_percent", "Held within 10 %";
         /// Longest time that the mean of four samples stayed more than 10 % above the desired
@@ -68,15 +68,15 @@ pub struct Outcome {
     pub time_s: Option<f64>,
     /// Largest force, kN.
     pub force_kn: f64,
-    /// Share of the length in contact with the target in tolerance, percent.
+    /// Fraction of the length in contact with the target in tolerance, percent.
     pub in_tolerance_percent: Option<f64>,
-    /// Share of the samples that a controller can hold within 10 %, percent; see [`Measure::Held`].
+    /// Fraction of the samples that a controller can hold within 10 %, percent; see [`Measure::Held`].
     pub held_percent: Option<f64>,
     /// Longest overload, control periods; see [`Measure::Recovery`].
     pub recovery_periods: f64,
     /// Travel of the feed override, percent per second.
     pub override_travel_percent_s: f64,
-    /// Whether extreme force stopped the machine.
+    /// Whether an overload stopped the machine.
     pub force_stop: bool,
 }
 

@@ -17,7 +17,7 @@ use crate::base::units::percent_from_ratio;
 /// Table 1 as printed.
 pub const TABLE_1: &str = include_str!("../../../../assets/data/table1_2005.csv");
 
-/// What was chosen with the table in view, to be told beside every agreement.
+/// What was chosen with the table in view; shown beside every agreement.
 pub const DISCLOSED: &[&str] = &[
     "the part: eight candidates were tried; conventional milling's row is calibrated by it, not \
      predicted, and so is a best possible time near 88 s; the path of 488 mm follows from 115 s",
@@ -49,7 +49,7 @@ pub const NOT_REACHED: &[&str] = &[
     "PI 94 s: any integrating controller runs the light sections at the cap of 150 % and needs no \
      more than some 89 s here; 6 s between PI and UNKS at nearly equal Nsn cannot come from \
      holding the force alone",
-    "MRAC's time in every run: with five parameters it bursts, and with some seeds extreme force \
+    "MRAC's time in every run: with five parameters it bursts, and with some seeds an overload \
      stops it; with one gain it does not burst",
     "P 0.20: Kp = 1.1 is all that the dead time leaves; with the Smith predictor and 1.6 it comes \
      near",
@@ -60,7 +60,7 @@ pub const NOT_REACHED: &[&str] = &[
     "MRAC's response 8 % longer, constant roughness, the learning curves: the paper has no data",
 ];
 
-/// What the winner is worth, to be told with the verdicts.
+/// What the winner is worth; shown with the verdicts.
 pub const BY_A_HAIR: &str = "UNKS wins by a hair: adjustable PI, one-gain MRAC and a division \
      controller that integrates are equal to it in error and time; what it buys is the transient \
      after a load step and lower peaks";
@@ -131,7 +131,7 @@ pub struct Table1Verdict {
 }
 
 impl Table1Verdict {
-    /// What `figure` stands for is told as missing where it is not finite: no run has given it yet.
+    /// Where `figure` is not finite the text says so: no run has given it yet.
     fn new(band: String, found: String, figure: f64, ok: bool) -> Self {
         let found = if figure.is_finite() { found } else { "no run has given it".to_owned() };
         Self { band, found, ok }

@@ -21,7 +21,7 @@ pub struct Compared {
     pub name: String,
     /// Runs that are done.
     pub runs: usize,
-    /// Runs of them that extreme force stopped.
+    /// Runs of them that an overload stopped.
     pub force_stops: usize,
     /// Runs of them that came to the end of the part.
     pub finished: usize,
@@ -108,7 +108,7 @@ impl Tournament {
         self.outcomes.len() >= self.runs()
     }
 
-    /// Runs done, the present one by its share of the way, and all runs.
+    /// Runs done, the present one by its fraction of the way, and all runs.
     #[must_use]
     pub fn progress(&self) -> (f64, usize) {
         let part = self.running.as_ref().map_or(0.0, |run| run.share_done());

@@ -1,4 +1,4 @@
-//! What the presets themselves do not show, over a handful of them that stand for every model set,
+//! What the presets themselves do not show, over a handful of them that cover every model set,
 //! every kind of plant and every machine: short runs of every controller, drive and calibration,
 //! changed in the cut; the coefficients of drives and machine; a tool's life; a plan.
 
@@ -156,7 +156,7 @@ fn choices(base: &Scenario, kind: ControllerKind) -> Vec<(&'static Param, Value)
     found
 }
 
-/// A tool that wears out while it is heard, at the programmed speed or at an adjusted one; a
+/// A tool that wears out while its sound is observed, at the programmed speed or at an adjusted one; a
 /// controller that works out the speed itself would hide the adjustment.
 fn worn(base: &Scenario, adjust_speed: bool) -> String {
     let scenario = base.with(|settings| {

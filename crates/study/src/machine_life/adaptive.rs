@@ -22,7 +22,7 @@ use crate::run::scenario::Scenario;
 
 /// Minutes between two adjustments (chosen).
 const PERIOD_MIN: u64 = 10;
-/// The speed stays between these shares of the programmed one (chosen: the range of the overrides).
+/// The speed stays between these fractions of the programmed one (chosen: the range of the overrides).
 const SPEED_RATIOS: [f64; 2] = [0.5, 1.5];
 /// No adjustment in the last minutes: the remaining life wanted is too short to divide by.
 const LAST_MIN: f64 = 10.0;
@@ -34,7 +34,7 @@ const LONGEST: f64 = 10.0;
 pub struct Minute {
     /// Time in cut, min.
     pub time_min: f64,
-    /// True share of the life.
+    /// True fraction of the life.
     pub x: f64,
     /// Cutting speed, m/min.
     pub cutting_speed_m_min: f64,

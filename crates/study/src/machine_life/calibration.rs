@@ -1,4 +1,4 @@
-//! The random share r_d of the contact force, calibrated on Table 3 of 2007: the one number by which the
+//! The random fraction r_d of the contact force, calibrated on Table 3 of 2007: the one number by which the
 //! vibration alone would give the produced Ra.
 //!
 //! ```text
@@ -118,7 +118,7 @@ mod tests {
         let (vibration, printed) = (mean(|row| row.ra_vibration_um), mean(|row| row.ra_printed_um));
         assert!((vibration / printed - 1.0).abs() < 0.1, "{vibration} {printed}");
         assert!(found.rms_k5_um < 0.03 && found.rms_vibration_um > 5.0 * found.rms_k5_um);
-        // A softer machine needs a smaller share for the same vibration.
+        // A softer machine needs a smaller fraction for the same vibration.
         scenario.change(|s| s.machine.spindle_quality = 17.0).unwrap();
         assert!(calibrate(&scenario).random_ratio < found.random_ratio);
     }

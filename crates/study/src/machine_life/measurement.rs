@@ -21,7 +21,7 @@ pub struct MeasuredTrend {
 }
 
 /// Measures a life second by second: white noise on the trend in percent of the sharp tool's sound,
-/// and on the lines of its spectrum in shares of their deviation.
+/// and on the lines of its spectrum as fractions of their deviation.
 #[must_use]
 pub fn measure(
     points: &[TrendPoint],

@@ -13,8 +13,8 @@ use crate::models::wear::WearSettings;
 
 /// Fractions of the true life at which the prediction is judged.
 pub const SHARES: [f64; 6] = [0.3, 0.5, 0.7, 0.8, 0.9, 0.95];
-/// True lives are clipped to these shares of the prior: 100 to 560 min at 240.
-const LIFE_SHARES: [f64; 2] = [100.0 / 240.0, 560.0 / 240.0];
+/// True lives are clipped to these fractions of the prior: 100 to 560 min at 240.
+const LIFE_RATIOS: [f64; 2] = [100.0 / 240.0, 560.0 / 240.0];
 
 /// Median errors of the life in percent that an independent implementation found for 200 tools, at
 /// [`SHARES`]: for tools of the believed shape, and for tools of other shapes.
@@ -96,7 +96,7 @@ pub struct LifeMonteCarlo {
 /// The predictions at one fraction of the life.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Judgement {
-    /// Share of the true life.
+    /// Fraction of the true life.
     pub x: f64,
     /// Median error of the predicted life, percent of the true one.
     pub life_error_percent: f64,
@@ -130,7 +130,7 @@ impl LifeMonteCarlo {
     fn tool(&mut self, number: u64) {
         let Tools { life, believed, truth, prior_min, seed, .. } = &self.tools;
         let draw = Stream::new(*seed, "life.tools");
-        let [low, high] = LIFE_SHARES.map(|share| share * prior_min);
+        let [low, high] = LIFE_RATIOS.map(|share| share * prior_min);
         let spread = life.prior_spread * draw.normal(16 * number);
         let life_min = (prior_min * math::exp(spread)).clamp(low, high);
         self.prior_errors.push((prior_min / life_min - 1.0).abs());

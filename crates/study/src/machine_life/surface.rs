@@ -1,4 +1,4 @@
-//! The surface that the machine leaves at a share of the tool's life: the paper's profile Y.
+//! The surface that the machine leaves at a fraction of the tool's life: the paper's profile Y.
 //!
 //! Marks at the programmed feed with the random part of the vibration and the run-out; the periodic
 //! vibration of the teeth is the same for all of them and leaves no roughness.
@@ -14,7 +14,7 @@ use crate::models::roughness_profile::{
 /// Millimetres per metre.
 const MM_PER_M: f64 = 1000.0;
 
-/// The marks of a straight cut at the share `x` of the life, long enough to be measured from 0 on.
+/// The marks of a straight cut at the fraction `x` of the life, long enough to be measured from 0 on.
 #[must_use]
 pub fn marks(
     model: &MachineTrend,
@@ -43,7 +43,7 @@ pub fn marks(
     marks
 }
 
-/// The measured roughness at the share `x` of the life.
+/// The measured roughness at the fraction `x` of the life.
 #[must_use]
 pub fn surface(
     model: &MachineTrend,

@@ -10,8 +10,8 @@ use crate::base::units::percent_from_ratio;
 
 /// What is said of every one of them.
 pub const ORIGIN: &str = "chosen: the papers cite their list of seven without giving it";
-/// A constraint binds where its value lies within this share of its limit (chosen).
-pub const BINDING_SHARE: f64 = 0.005;
+/// A constraint binds where its value lies within this fraction of its limit (chosen).
+pub const BINDING_FRACTION: f64 = 0.005;
 
 /// One of the seven, in words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -189,7 +189,7 @@ pub fn check(bounds: &[Bounds; 7], values: &[f64; 7]) -> [Checked; 7] {
             source: bounds.source,
             violation: bounds.violation(value),
             margin_percent: percent_from_ratio(-excess),
-            binding: excess > -BINDING_SHARE,
+            binding: excess > -BINDING_FRACTION,
         }
     })
 }

@@ -29,11 +29,11 @@ use crate::base::rng::Stream;
 const INERTIA: [f64; 2] = [0.9, 0.4];
 /// Pull towards the own best and towards the swarm's best, c1 and c2.
 const PULL: f64 = 2.0;
-/// Largest step of an iteration as a share of the range.
+/// Largest step of an iteration as a fraction of the range.
 const LARGEST_STEP: f64 = 0.2;
-/// Share of its velocity with which a particle comes back from an edge (chosen: see above).
+/// Fraction of its velocity with which a particle comes back from an edge (chosen: see above).
 const REBOUND: f64 = 0.25;
-/// The swarm has gathered when its particles' own bests lie, on the mean, within this share of the
+/// The swarm has gathered when its particles' own bests lie, on the mean, within this fraction of the
 /// best (chosen).
 const GATHERED: f64 = 5e-3;
 
@@ -61,7 +61,7 @@ pub struct Iteration {
     pub best: Score,
     /// Mean of the particles' present values.
     pub mean_value: f64,
-    /// Share of the particles that are at a feasible place now.
+    /// Fraction of the particles that are at a feasible place now.
     pub feasible_share: f64,
 }
 
@@ -74,7 +74,7 @@ pub struct SwarmSetup {
     pub particles: u32,
     /// Most iterations.
     pub iterations: u32,
-    /// Ends after so many iterations without a relative gain of 1e-4, once gathered.
+    /// Iterations without a relative gain of 1e-4 after which it ends, once gathered.
     pub stop_after: u32,
     /// Least position; equal to `high` in a dimension that is not searched.
     pub low: [f64; 2],

@@ -75,7 +75,7 @@ pub struct Learned {
 }
 
 impl Learned {
-    /// Learns the entries, with as many memberships of each input; `input` names the first.
+    /// Learns the entries with `counts` memberships of the two inputs; `input` names the first.
     #[must_use]
     pub(super) fn new(input: &'static str, counts: [usize; 2], entries: &[Entry]) -> Self {
         let range = [0, 1].map(|axis: usize| extent(entries.iter().map(|(x, _)| x[axis])));
@@ -116,7 +116,7 @@ impl Learned {
         RecommendErrors::of(&errors.collect::<Vec<f64>>())
     }
 
-    /// RecommendErrors on rows that it did not learn: as many trainings as there are rows.
+    /// Errors of leave-one-out: each row is predicted by a training on all others.
     #[must_use]
     pub fn left_out_errors(&self) -> RecommendErrors {
         RecommendErrors::of(&leave_one_out(&self.recipe, &self.patterns))
@@ -147,7 +147,7 @@ fn scaled([first, second]: [[f64; 2]; 2], x: [f64; 2]) -> [f64; 2] {
     [math::ln(x[0] / first[0]) / span, (x[1] - second[0]) / (second[1] - second[0])]
 }
 
-/// A membership's name by its place among so many.
+/// A membership's name by its place among `count`.
 fn word(member: usize, count: usize) -> &'static str {
     match (member, count) {
         (0, _) => "low",

@@ -72,7 +72,7 @@ pub struct Recommendation {
     pub feed_per_tooth_mm: Answer,
     /// Spindle speed, 1/min.
     pub speed_rpm: f64,
-    /// Feed of a cutter with as many teeth as the papers' (two), mm/min.
+    /// Feed of a cutter with the papers' two teeth, mm/min.
     pub feed_mm_min: f64,
 }
 

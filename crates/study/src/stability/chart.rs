@@ -48,7 +48,7 @@ pub struct LobePoint {
     pub interrupted_beside_mm: Option<f64>,
 }
 
-/// Distance in speed at which a jump of the limit is looked for, as a share.
+/// Distance in speed at which a jump of the limit is looked for, as a fraction.
 const BESIDE: f64 = 0.005;
 
 fn percent(simulated: Option<f64>, chart: Option<f64>) -> Option<f64> {

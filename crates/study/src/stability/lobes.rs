@@ -15,7 +15,7 @@ use crate::models::structure::frf::Tree;
 
 /// Highest chatter frequency that is looked for, Hz: above it Re G_rel is positive.
 const HIGHEST_HZ: f64 = 1500.0;
-/// Step of the search as a share of 1/T.
+/// Step of the search as a fraction of 1/T.
 const STEP: f64 = 1.0 / 64.0;
 
 /// A limit of the mean cut.

@@ -15,7 +15,7 @@ use crate::base::network::Activation;
 
 /// Epochs of every network (chosen: all 40 in some minutes).
 pub const EPOCHS: u32 = 1000;
-/// The hold-out error is taken every so many epochs.
+/// Epochs from one hold-out error to the next.
 const CHECK_EVERY: u32 = 10;
 /// A network's error is the mean over this many last checks: a constant rate leaves it restless.
 const LAST_CHECKS: usize = 10;

@@ -21,14 +21,14 @@ use crate::base::rng::Stream;
 use data::TrainingRow;
 use recipe::TrainingRecipe;
 
-/// Share of the measured rows that is trained on; the others are held out, to choose recipes by.
-pub const TRAINING_SHARE: f64 = 0.8;
+/// Fraction of the measured rows that is trained on; the others are held out, to choose recipes by.
+pub const TRAINING_FRACTION: f64 = 0.8;
 
 /// Measured rows split into those trained on and those held out. The rows of a Latin hypercube are
 /// in random order already.
 #[must_use]
 pub fn split(measured: &[TrainingRow]) -> (&[TrainingRow], &[TrainingRow]) {
-    measured.split_at((measured.len() as f64 * TRAINING_SHARE) as usize)
+    measured.split_at((measured.len() as f64 * TRAINING_FRACTION) as usize)
 }
 
 /// A training under way.

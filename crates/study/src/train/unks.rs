@@ -43,7 +43,7 @@ const AIR: f64 = 0.06;
 /// How NM-1 and NM-2 learn, and for how many epochs.
 const PROCESS: LearningParameters = LearningParameters { rate: 0.01, momentum: 0.3, decay: 0.05 };
 const PROCESS_EPOCHS: u32 = 60;
-/// How NM-R learns, until its error is below the level or for so many epochs.
+/// How NM-R learns: until its error is below the level, for RATIO_EPOCHS at most.
 const RATIO: LearningParameters = LearningParameters { rate: 0.05, momentum: 0.5, decay: 0.0 };
 const RATIO_EPOCHS: u32 = 3000;
 const RATIO_LEVEL: f64 = 0.02;
@@ -145,7 +145,7 @@ fn patterns(periods: &[Period]) -> Vec<[Pattern; 2]> {
     found
 }
 
-/// All patterns of the random workpieces; `advance` is told after every cut.
+/// All patterns of the random workpieces; `advance` is called after every cut.
 #[must_use]
 pub fn process_patterns(mut advance: impl FnMut()) -> Vec<[Pattern; 2]> {
     let mut draws = Draws::new("unks.workpieces");

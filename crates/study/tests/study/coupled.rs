@@ -259,7 +259,7 @@ fn wear_sound_and_roughness_tell_one_story() {
         let error = then.prediction.life_min / truth_min - 1.0;
         println!("x = {share}: {:?}, error {:.2} %", then.prediction, 100.0 * error);
         assert!(error.abs() < band, "{share}: {error}");
-        // The loop's sound is the closed form's; the force model is told the depth of 2 mm twice.
+        // The loop's sound is the closed form's; the force model gets the depth of 2 mm twice.
         assert!((2.0 * then.prediction.first_sound - 1.0).abs() < 0.02, "{:?}", then.prediction);
     }
 }

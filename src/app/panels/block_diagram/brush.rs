@@ -230,7 +230,7 @@ impl Brush {
             let at = pos2(inner.right() - width, y);
             let drawn = self.text(at, Align2::RIGHT_CENTER, text, f32::INFINITY, 1);
             let center = pos2(drawn.left() - radius - self.s(3.0), at.y);
-            // Dark and hollow, or lit and full: the shape tells as well as the colour.
+            // Dark and hollow, or lit and full: the shape shows it as well as the colour.
             if lit {
                 self.painter.circle_filled(center, radius + self.s(1.0), color);
             } else {

@@ -86,7 +86,7 @@ impl Layout {
     }
 }
 
-/// A point of a rectangle given as shares of its width and height.
+/// A point of a rectangle given as fractions of its width and height.
 fn at(rect: Rect, x: f32, y: f32) -> Pos2 {
     pos2(rect.left() + x * rect.width(), rect.top() + y * rect.height())
 }

@@ -14,7 +14,7 @@ use crate::study::compare::tournament::{Compared, Tournament};
 /// Height of a box with its gap, and of the axis, points.
 const ROW: f32 = 34.0;
 const AXIS: f32 = 34.0;
-/// Width of a box as a share of its row.
+/// Width of a box as a fraction of its row.
 const WIDTH: f64 = 0.5;
 
 /// The choice of the measure and the plot.

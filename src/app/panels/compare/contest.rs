@@ -150,7 +150,7 @@ impl Contest {
         !self.base.workpiece.cuts.is_empty()
     }
 
-    /// Goes on by so many steps of the plant; `true` when all is done.
+    /// Advances by `ticks` steps of the plant; `true` when all is done.
     fn advance(&mut self, ticks: u64) -> bool {
         let entrants = self.tournament.entrants();
         let next = entrants.get(self.transients.len()).filter(|_| self.has_load_step());

@@ -113,7 +113,7 @@ fn trouble(one: &Compared) -> Option<String> {
     match (one.force_stops, unfinished) {
         (0, 0) => None,
         (0, n) => Some(format!("{n} of {} not finished", one.runs)),
-        (n, _) => Some(format!("{n} of {} stopped by extreme force", one.runs)),
+        (n, _) => Some(format!("{n} of {} stopped by overload", one.runs)),
     }
 }
 

@@ -23,7 +23,7 @@ struct Item {
 
 /// Deviations of the force up to the first count as good, beyond the second as bad, %.
 const FORCE_LEVELS: [f64; 2] = [5.0, 15.0];
-/// Shares of the length in tolerance from the first on count as good, below the second as bad, %.
+/// Fractions of the length in tolerance from the first on count as good, below the second as bad, %.
 const TOLERANCE_LEVELS: [f64; 2] = [90.0, 50.0];
 /// The worst deviation leaves the time before out, s: so long there is none.
 const WORST_FROM_S: f64 = 1.0;
@@ -202,7 +202,7 @@ fn signed(value: Option<f64>) -> String {
     if value > 0.0 && !text.starts_with("0.0 ") { format!("+{text}") } else { text }
 }
 
-/// The strip: as many cards beside each other as have room for their numbers.
+/// The strip: cards beside each other, as long as their numbers have room.
 pub fn show(ui: &mut Ui, view: &View<'_>) {
     let palette = Palette::at(ui);
     let items = items(view, palette);

@@ -1,5 +1,5 @@
 //! The window "Within a revolution": the forces on the tool at every plant step of the last turns
-//! before the playhead, with the peak that stands for the control period.
+//! before the playhead, with the peak of each control period.
 
 mod plot;
 

@@ -17,7 +17,7 @@ fn exact(x: f64) -> String {
     if digits == "1" { format!("10^{{{power}}}") } else { format!("{digits}·10^{{{power}}}") }
 }
 
-/// A coefficient with so many digits behind the point, without useless zeros.
+/// A coefficient with `decimals` digits behind the point, without trailing zeros.
 fn rounded(x: f64, decimals: usize) -> String {
     let text = format!("{x:.decimals$}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()

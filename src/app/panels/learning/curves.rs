@@ -12,7 +12,7 @@ use crate::base::units::percent_from_ratio;
 use crate::models::unks::UnksStart;
 
 /// Least and largest height of the range of values, in percent: the first moments of a cut are
-/// foretold so badly that they would flatten all that follows.
+/// predicted so badly that they would flatten all that follows.
 const SPAN: [f64; 2] = [5.0, 50.0];
 
 /// The curves, each `height` points high with its title.

@@ -21,7 +21,7 @@ const THINNEST: f32 = 0.15;
 const NAME_WIDTH: f32 = 64.0;
 const FONT: f32 = 11.0;
 
-/// What the links stand for.
+/// The meaning of the links.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Shown {
     /// The weights as they are.

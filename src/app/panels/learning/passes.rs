@@ -23,7 +23,7 @@ pub struct PassesView {
 }
 
 impl PassesView {
-    /// Goes on by a slice.
+    /// Advances by one slice.
     pub fn advance(&mut self, ui: &Ui, scenario: &Scenario) {
         let Some((begun, job)) = &mut self.job else { return };
         if self.stopped || job.is_done() {

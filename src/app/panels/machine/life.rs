@@ -96,7 +96,7 @@ impl Life {
         self.trends.model()
     }
 
-    /// Share of the trends that is done.
+    /// Fraction of the trends that is done.
     #[must_use]
     pub fn progress(&self) -> f64 {
         let (done, all) = self.trends.progress();

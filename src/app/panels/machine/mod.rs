@@ -31,7 +31,7 @@ use state::MachineState;
 use vibration::VibrationView;
 use wear::WearView;
 
-/// Most real time that one frame stands for, s.
+/// Longest real time that one frame advances by, s.
 const LONGEST_FRAME_S: f64 = 0.25;
 /// Room at the right for the last number of an axis, points.
 const AXIS_END: i8 = 16;

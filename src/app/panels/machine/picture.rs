@@ -19,7 +19,7 @@ const MASS: f32 = 40.0;
 const ENDS: [f32; 2] = [14.0, 26.0];
 /// Least width of the tooth with its words, points.
 const TOOTH: f32 = 118.0;
-/// Largest movement as a share of a spring.
+/// Largest movement as a fraction of a spring.
 const REACH: f32 = 0.38;
 
 /// Draws the machine moving at `phase` (in turns), `height` points high.

@@ -21,8 +21,8 @@ const UM_KN: f64 = 1e9;
 const NEAR_HZ: f64 = 600.0;
 /// Decades of the vertical axis at most.
 const DECADES: f64 = 5.0;
-/// Height of the phase, as a share of the whole.
-const PHASE_SHARE: f32 = 0.32;
+/// Height of the phase, as a fraction of the whole.
+const PHASE_FRACTION: f32 = 0.32;
 
 type Part = fn(&FrequencyResponse) -> Complex;
 
@@ -62,7 +62,7 @@ impl ResponseView {
         let mut moved = self.cursor(ui, machine);
         let last_hz = if self.near { NEAR_HZ } else { f64::from(LAST_HZ) };
         let height = (height - (ui.cursor().top() - top)).max(theme::PLOT_HEIGHT_MIN);
-        let phase_height = if self.phase { PHASE_SHARE * height } else { 0.0 };
+        let phase_height = if self.phase { PHASE_FRACTION * height } else { 0.0 };
         let sizes = self.sizes(ui, machine, tooth_hz, last_hz);
         // Fingers that drag scroll the page; a tap sets the cursor.
         let sense = if by_touch(ui) { Sense::click() } else { Sense::click_and_drag() };

@@ -24,7 +24,7 @@ struct Key {
     model: MachineTrend,
     /// Line of the block on which the spindle turns.
     spindle_line: u64,
-    /// Share of the tool's life.
+    /// Fraction of the tool's life.
     x: f64,
 }
 
@@ -101,7 +101,7 @@ impl SoundControl {
         self.since_change_s = f64::INFINITY;
     }
 
-    /// Lets the loudspeaker play what the cut at the playhead sounds like at the share `x` of the
+    /// Lets the loudspeaker play what the cut at the playhead sounds like at the fraction `x` of the
     /// tool's life.
     pub fn advance(&mut self, session: &Session, x: f64, dt_s: f64) {
         if !self.on {
@@ -123,7 +123,7 @@ impl SoundControl {
         let row = session.row();
         let rate_hz = speaker.rate_hz();
         let line_hz = f64::from(rate_hz.max(1)) / SAMPLES as f64;
-        // Finer steps than these are not heard.
+        // Finer steps than these are inaudible.
         let x = (x * X_STEPS).round() / X_STEPS;
         let cuts = session.playback().playing && !row.has(flag::AIR) && row.spindle_rpm > 0.0;
         let wanted = cuts.then(|| Key {

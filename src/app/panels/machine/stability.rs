@@ -60,7 +60,7 @@ fn begin(scenario: &Scenario) -> Result<ChartJob, String> {
 }
 
 impl StabilityView {
-    /// Keeps up with the scenario and goes on by a slice; `true` while there is more to do.
+    /// Follows the scenario and advances by one slice; `true` while there is more to do.
     pub fn follow(&mut self, scenario: &Scenario) -> bool {
         let settings = &scenario.machine;
         if self.charted.as_ref().is_none_or(|charted| charted.settings != *settings) {

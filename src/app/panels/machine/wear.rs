@@ -1,4 +1,4 @@
-//! The tool's life: wear, sound and roughness at a share of it, the sound's spectrum, the trends
+//! The tool's life: wear, sound and roughness at a fraction of it, the sound's spectrum, the trends
 //! side by side, and the life predicted from the sound.
 
 use egui::{ProgressBar, RichText, Role, Sense, Slider, Ui, WidgetInfo};
@@ -298,7 +298,7 @@ fn prediction_in_cut(life: &Life, estimates: &[ConditionEstimate]) -> Figure {
     figure.curves =
         vec![PlotCurve { name: "from the sound", look: Look::Produced, points: points.collect() }];
     figure.levels.push(("desired", Look::Reference, wanted_min));
-    // What really is: the age over the share of the life used so far.
+    // What really is: the age over the fraction of the life used so far.
     let worn = estimates.last().filter(|estimate| estimate.used_life > 0.0);
     if let Some(worn) = worn {
         figure.levels.push(("true", Look::Ghost, worn.prediction.age_min / worn.used_life));

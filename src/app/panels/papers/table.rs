@@ -27,7 +27,7 @@ struct Column {
 }
 
 impl Column {
-    /// Whether the residual is told in the unit; otherwise in percent.
+    /// Whether the residual is shown in the unit; otherwise in percent.
     fn absolute(&self) -> bool {
         self.unit == "um"
     }

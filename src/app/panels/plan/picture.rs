@@ -15,7 +15,7 @@ use crate::study::plan::problem::{CUTTING_SPEED_M_MIN, FEED_PER_TOOTH_MM, Proble
 pub const SAMPLES: [usize; 2] = [89, 67];
 /// Pixels of the image for one step of the samples.
 const FINER: usize = 4;
-/// About so many lines of equal force.
+/// Approximate number of lines of equal force.
 const FORCE_LINES: f64 = 9.0;
 
 /// A line over cutting speed in m/min and feed per tooth in mm.

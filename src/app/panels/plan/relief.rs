@@ -194,7 +194,7 @@ fn frame(painter: &Painter, space: &Space, palette: &Palette, top_n: f64) {
     title(space.at([x_near, 0.5 * (y[0] + y[1])], 0.0), "feed per tooth [mm]");
 }
 
-/// Round values in a range, about as many as asked for.
+/// Round values in a range, about `count` of them.
 fn steps([low, high]: [f64; 2], count: f64) -> Vec<f64> {
     let Some(step) = round_step((high - low) / count) else { return Vec::new() };
     let (first, last) = ((low / step).ceil() as i64, (high / step).floor() as i64);

@@ -134,7 +134,7 @@ impl Search {
         self.found.as_mut().map(|found| found.as_mut().map_err(|error| &*error))
     }
 
-    /// Goes on by `dt_s` seconds of real time, some milliseconds of work at most.
+    /// Advances by `dt_s` seconds of real time, with some milliseconds of work at most.
     pub fn advance(&mut self, dt_s: f64) {
         let Some(Ok(found)) = &mut self.found else { return };
         if !self.playing {
@@ -157,7 +157,7 @@ impl Search {
         }
     }
 
-    /// On to the end, as many iterations in a frame as it may cost.
+    /// On to the end, each frame as many iterations as its time allows.
     pub fn rush(&mut self) {
         (self.playing, self.rushing) = (true, true);
     }

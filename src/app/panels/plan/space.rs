@@ -7,7 +7,7 @@ use crate::app::theme::Palette;
 use crate::base::math::{cos, sin};
 use crate::study::plan::problem::{CUTTING_SPEED_M_MIN, FEED_PER_TOOTH_MM};
 
-/// Height of the body as a share of its width.
+/// Height of the body as a fraction of its width.
 const HEIGHT: f64 = 0.62;
 
 /// From cutting speed, feed per tooth and force to the screen: seen from far away, turned about

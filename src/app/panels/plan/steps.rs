@@ -15,7 +15,7 @@ struct Step {
     values: String,
 }
 
-/// A programmed value counts as the optimum's within this share of it.
+/// A programmed value counts as the optimum's within this fraction of it.
 const SAME: f64 = 5e-4;
 
 fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {

@@ -16,7 +16,7 @@ use crate::app::theme::{self, Palette};
 use crate::app::widgets::zoom::by_touch;
 use crate::study::profilometer::ProfileLine;
 
-/// The cutter is drawn turning so many times slower: its turns could not be seen.
+/// Factor by which the drawn cutter turns slower: its true turns could not be seen.
 pub const SLOWER: f64 = 25.0;
 /// About the Ra of feed marks alone, um: at 0.2 mm per tooth it is 0.16.
 const FEED_MARKS_UM: f64 = 0.15;

@@ -10,7 +10,7 @@ use crate::app::widgets::plot::{grid, near, still, tick};
 use crate::base::math::extent;
 use crate::study::profilometer::Measurement;
 
-/// Extremes of so many pieces are drawn: more than there are pixels.
+/// Number of pieces whose extremes are drawn: more than there are pixels.
 const PIECES: usize = 480;
 const HEIGHT: f32 = 148.0;
 /// Names and looks of the two profiles.

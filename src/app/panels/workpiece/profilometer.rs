@@ -21,7 +21,7 @@ const BEHIND_MM: f64 = 1.0;
 const STEP_MM: f64 = 0.5;
 /// How far from the borders of the surface a drawn line stays, mm.
 const BORDER_MM: f64 = 0.02;
-/// Pieces of the line in space, and its half-width as a share of the distance of the eye.
+/// Pieces of the line in space, and its half-width as a fraction of the distance of the eye.
 const PIECES: usize = 160;
 const WIDTH: f32 = 0.0025;
 

@@ -19,7 +19,7 @@ const ZOOM: f32 = 1.35;
 const ZOOM_PER_POINT: f32 = 0.003;
 /// Turn and tilt of a button, as a drag in points.
 const PUSH: f32 = 25.0;
-/// Target Ra as a share of the height of the picture when heights are drawn by themselves.
+/// Target Ra as a fraction of the height of the picture when heights are drawn by themselves.
 const SHOWN: f64 = 0.003;
 /// Largest factor of the heights that comes by itself.
 const TIMES_BY_ITSELF: f64 = 200.0;

@@ -26,7 +26,7 @@ pub struct Chart<'a> {
     pub title: &'static str,
     /// Its signals, the first ones at the back; all of one unit.
     pub curves: &'a [ChartCurve],
-    /// A signal with the half-width of the band around it, as a share of it.
+    /// A signal with the half-width of the band around it, as a fraction of it.
     pub band: Option<(&'static str, f64)>,
     /// Levels that are marked, with their names.
     pub levels: Vec<(&'static str, f64)>,

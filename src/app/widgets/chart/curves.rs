@@ -66,7 +66,7 @@ fn visible(cut: &Cut, signal: &str, range: [f64; 2], end: usize, width: f32) -> 
 /// otherwise be made of pieces too short to draw, and the line of a value that settles would have
 /// gaps. `span` is the height of the picture in the values' unit.
 fn without_flats(points: Vec<[f64; 2]>, span: f64) -> Vec<[f64; 2]> {
-    /// Difference that nobody sees, as a share of the picture's height.
+    /// Difference that nobody sees, as a fraction of the picture's height.
     const SAME: f64 = 1e-4;
     let same = |a: [f64; 2], b: [f64; 2]| (a[1] - b[1]).abs() <= SAME * span;
     let mut kept: Vec<[f64; 2]> = Vec::with_capacity(points.len());

@@ -7,7 +7,7 @@ use crate::app::theme::Palette;
 use crate::run::signals::{Row, SIGNALS, flag};
 
 const SIZE: f32 = 15.0;
-/// Its width comes in such steps, points: what stands beside it rests while digits change.
+/// Its width grows in these steps, points, so that its neighbours do not move while digits change.
 const WIDTH_STEP: f32 = 24.0;
 
 /// The value of a curve in a row, in the curve's colour.

@@ -24,8 +24,8 @@ crate::settings! {
         override_rate_limited: bool = false, [], "", live, "Limit override rate";
         /// Fastest change of an override (chosen: no paper gives it).
         override_rate_percent_s: f64 = 500.0, [10.0, 10000.0], "%/s", live, "Override rate";
-        /// Whether extreme force stops the feed at once, past the dead time, for good.
-        force_stop: bool = false, [], "", live, "Stop on extreme force";
+        /// Whether an overload stops the feed at once, past the dead time, for good.
+        force_stop: bool = false, [], "", live, "Stop on overload";
         /// The force that stops the feed; 2000 N is three times the reference of Experiment 2 (chosen).
         force_stop_n: f64 = 2000.0, [50.0, 20000.0], "N", live, "Stopping force";
         /// Dead time of the command channel (the PLC): a whole number of plant steps. Choosing a

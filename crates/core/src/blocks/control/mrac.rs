@@ -56,7 +56,7 @@ const N: usize = 5;
 /// Delay of the five-parameter form in control periods: 40 ms of dead time and one more.
 const DELAY: usize = 3;
 /// How far the override may fall and rise in a control period, five-parameter form. Rising as fast
-/// as it falls, a burst now and then meets a heavy section with so much feed that extreme force
+/// as it falls, a burst now and then meets a heavy section with so much feed that an overload
 /// stops the machine (chosen: with 0.3 upwards, 3 of 20 runs of Experiment 2).
 const STEP: [f64; 2] = [0.3, 0.1];
 const COVARIANCE_START: f64 = 5.0;

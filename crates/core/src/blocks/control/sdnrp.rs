@@ -7,7 +7,7 @@
 //! ```
 //!
 //! The paper's figures are lost; this reading fits its text and its Table 3. Kp is chosen: the
-//! table cannot tell it. Proportional feedback leaves a steady-state error, which is the paper's
+//! table does not determine it. Proportional feedback leaves a steady-state error, which is the paper's
 //! own result (Ra off by up to 31.6 % in its Table 3).
 
 use super::law::{AtRest, ControlLaw, ControlMoment, Explained, Held};

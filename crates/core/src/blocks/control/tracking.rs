@@ -84,7 +84,7 @@ pub struct Tracking {
     started: bool,
     /// Whether the first command must equal the one that is being sent.
     bumpless: bool,
-    /// The request of the period before, with what rounding owed to it.
+    /// Last request, including the quantisation error carried over from the period before it.
     asked: FeedSpeed,
 }
 

@@ -61,7 +61,7 @@ pub struct DynamicForce {
 }
 
 impl NoiseSettings {
-    /// Standard deviation of the inhomogeneity as a share of the force, all levels counted.
+    /// Standard deviation of the inhomogeneity as a fraction of the force, all levels counted.
     #[must_use]
     pub fn inhomogeneity(&self) -> f64 {
         self.level * ratio_from_percent(self.inhomogeneity_percent)
@@ -116,7 +116,7 @@ impl DynamicForce {
         self.turn_per_rpm = rev_s_from_rpm(1.0) * TEETH * dt_s;
     }
 
-    /// The factor 1 + dynamic share at tick `tick`, position in mm and speed in 1/min.
+    /// The factor 1 + relative dynamic component at tick `tick`, position in mm and speed in 1/min.
     #[inline]
     pub fn update(&mut self, tick: u64, position_mm: f64, speed_rpm: f64) -> f64 {
         self.fast = self.pole_high * self.fast + self.drive_high * self.band.normal(tick);

@@ -1,7 +1,7 @@
 //! Workpiece materials: specific cutting force after Kienzle, k_c = k_c1.1 h^-m_c, with hardness.
 //!
 //! The constants of Ck45 and 16MnCrSi5 are those of the 2005 simulator; the others are textbook
-//! values of Kienzle tables (Tschätsch/Dietrich; König/Klocke), rounded, and stand for the class
+//! values of Kienzle tables (Tschätsch/Dietrich; König/Klocke), rounded, and represent the class
 //! of material, not for a charge. The force of K4 belongs to Ck45 at 200 HB; any other material
 //! scales it by its k_c at a chip thickness of 0.1 mm, times (HB / HB_ref)^0.4 (chosen).
 

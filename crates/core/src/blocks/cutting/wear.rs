@@ -1,4 +1,4 @@
-//! The tool wears while it cuts: the share of its life that is used, a state.
+//! The tool wears while it cuts: the fraction of its life that is used, a state.
 //!
 //! ```text
 //! x += time_scale dt / T(vc, fz, ap)      in the cut;  factor on the force = 1 + kappa w(x)
@@ -9,10 +9,10 @@ use crate::base::math;
 use crate::base::units::s_from_min;
 use crate::models::wear::{WearCut, WearModel, WearSettings};
 
-/// Largest share of the life that is counted: far beyond it nothing is left to wear.
+/// Largest fraction of the life that is counted: far beyond it nothing is left to wear.
 const LIFE_MAX: f64 = 2.0;
 
-/// The tool with the share of its life that is used.
+/// The tool with the fraction of its life that is used.
 #[derive(Clone, Debug)]
 pub struct ToolWear {
     settings: WearSettings,
@@ -31,7 +31,7 @@ impl ToolWear {
         self.settings = settings.clone();
     }
 
-    /// Share of the life that is used: 1 at its end.
+    /// Fraction of the life that is used: 1 at its end.
     #[must_use]
     pub fn used_life(&self) -> f64 {
         self.used_life

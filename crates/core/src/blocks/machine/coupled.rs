@@ -24,9 +24,9 @@ use crate::models::structure::reduction::Reduction;
 pub const STEP_MAX_S: f64 = 1e-4;
 /// Slowest spindle whose tooth period is remembered, 1/min; slower ones count as it.
 const SLOWEST_RPM: f64 = 400.0;
-/// A tooth that is out of contact counts as such where it should carry this share of the peak force
+/// A tooth that is out of contact counts as such where it should carry this fraction of the peak force
 /// (chosen): at the very start of the chip the least vibration parts tooth and work.
-const LOST_SHARE: f64 = 0.1;
+const LOST_FRACTION: f64 = 0.1;
 /// Parts of the second over which the sound is averaged.
 const SOUND_PARTS: usize = 100;
 
@@ -159,7 +159,7 @@ impl Coupled {
             damping_n_s_m: self.damping_n_s_m * teeth,
             delay_s: 60.0 / (count * cut.speed_rpm.max(SLOWEST_RPM)),
         });
-        self.lost_contact |= motion.lost_contact && static_n > LOST_SHARE * peak_n;
+        self.lost_contact |= motion.lost_contact && static_n > LOST_FRACTION * peak_n;
         let [with, without] = &mut self.peaks_n[0];
         *with = with.max(motion.force_n);
         *without = without.max(static_n);

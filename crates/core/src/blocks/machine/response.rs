@@ -131,7 +131,7 @@ impl ModalResponse {
         response
     }
 
-    /// The same machine in a cut that never loses contact: a negative force counts as a share of a
+    /// The same machine in a cut that never loses contact: a negative force counts as a fraction of a
     /// larger one. For the growth of small disturbances.
     #[must_use]
     pub fn holding_contact(mut self) -> Self {

@@ -1,4 +1,4 @@
-//! Sensing: the force sensors, and what the sound tells of the tool.
+//! Sensing: the force sensors, and the tool-condition estimator that evaluates the sound.
 
 pub mod dynamometer;
 pub mod peak;

@@ -6,7 +6,8 @@
 //!
 //! over the last evaluation length, measured again each time the tool has cut a sampling length more.
 //! Both profiles have the same places of the teeth; in the second one every tooth leaves the ideal
-//! surface. Random is what the dynamic component of the force does to u_k: no further noise is added.
+//! surface. The only random part is the dynamic component of the force, which acts on u_k: no further
+//! noise is added.
 
 use super::profile::{CutStep, ToothMarks};
 use crate::models::roughness_profile::{

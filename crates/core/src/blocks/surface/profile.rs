@@ -14,13 +14,13 @@ use crate::models::roughness_profile::ProfileMark;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Passing {
     tooth: u64,
-    /// Share of the way to the next tooth's instant.
+    /// Fraction of the way to the next tooth's instant.
     phase: f64,
 }
 
 impl Passing {
-    /// Lets `teeth` teeth pass in a step; `each` is told the number of every one whose instant lies in
-    /// it, counted from 0, and the share of the step that is over then.
+    /// Advances by `teeth` tooth passings in a step; `each` gets, for every tooth whose instant lies in
+    /// it, its number from 0 and the fraction of the step that has passed by then.
     pub fn advance(&mut self, teeth: f64, mut each: impl FnMut(u64, f64)) {
         let before = self.phase;
         self.phase += teeth;
@@ -33,7 +33,7 @@ impl Passing {
         self.phase -= at - 1.0;
     }
 
-    /// Teeth so far, with the share of the next one.
+    /// Teeth so far, with the fraction of the next one.
     #[must_use]
     pub fn teeth(&self) -> f64 {
         self.tooth as f64 + self.phase

@@ -11,9 +11,10 @@
 //! Heights are counted from the shape that the turning cutter would leave without feed: x along the
 //! cut, y across it from the tool's axis, R the ball's radius. z_k is what run-out and vibration
 //! add at the moment at which tooth k generates the surface. g is a random field of unit variance
-//! on a grid of 20 um along the cut and of 0.4 mm across it: marks lie across the feed. Ra of the run is that of the papers' formulas, which is several times what
-//! feed marks alone give (4 R_t / (9 3^1/2) with R_t = f_z^2 / (8 R)): the texture stands for the
-//! difference (chosen), so that a measured profile has the run's Ra.
+//! on a grid of 20 um along the cut and of 0.4 mm across it: marks lie across the feed. Ra of the run
+//! is that of the papers' formulas, which is several times what feed marks alone give
+//! (4 R_t / (9 3^1/2) with R_t = f_z^2 / (8 R)): the texture makes up the difference (chosen), so that a
+//! measured profile has the run's Ra.
 
 use crate::base::math;
 use crate::base::rng::Stream;
@@ -24,7 +25,7 @@ use crate::models::roughness_trend::CUSP_RATIO;
 const DEVIATION_OVER_RA: f64 = 1.253_314_137_315_5;
 /// Grid of the texture along and across the cut, mm.
 const GRID_MM: [f64; 2] = [0.02, 0.4];
-/// Marks farther from a point than so many feeds per tooth, and those within, do not show there.
+/// Half width, in feeds per tooth, of the window searched for the mark that is lowest at a point.
 const REACH_TEETH: f64 = 3.0;
 
 /// What a tooth has left.

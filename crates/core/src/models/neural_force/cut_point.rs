@@ -59,8 +59,8 @@ pub struct CutPoint {
     pub hardness_hb: f64,
     /// Cutter diameter D, mm.
     pub diameter_mm: f64,
-    /// Tool geometry: 1, 2, 3 for a rake of 6, 9, 12 deg. It stands for the papers' 8-digit code,
-    /// which was not published.
+    /// Tool geometry: 1, 2, 3 for a rake of 6, 9, 12 deg. It replaces the papers' 8-digit
+    /// code, which was not published.
     pub geometry_code: f64,
 }
 

@@ -23,7 +23,7 @@ crate::settings! {
         /// Cut-off of the filter against long waves, one sampling length; five are evaluated. 0.25 mm
         /// for Ra up to 0.1 um, 0.8 mm up to 2 um, 2.5 mm up to 10 um.
         long_mm: f64 = 0.8, [0.08, 8.0], "mm", live, "Long-wave cut-off";
-        /// Share of the vibration between tooth and work that is normal to the surface.
+        /// Fraction of the vibration between tooth and work that is normal to the surface.
         normal_share: f64 = 1.0, [0.0, 1.0], "", live, "Share normal to the surface";
     }
 }

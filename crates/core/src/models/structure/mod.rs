@@ -60,7 +60,7 @@ crate::settings! {
         spindle_quality: f64 = parameters::SPINDLE_QUALITY, [1.0, 100.0], "", setup, "Spindle quality";
         /// Specific cutting force K_s of the regenerative force, per depth of cut and chip thickness: 6.1e6 N/m at the 2 mm of the papers.
         specific_cutting_force_n_mm2: f64 = 3050.0, [100.0, 20000.0], "N/mm2", setup, "Specific cutting force";
-        /// Directional factor: share of a displacement between tooth and work that changes the chip thickness; chosen.
+        /// Directional factor: fraction of a displacement between tooth and work that changes the chip thickness; chosen.
         directional_factor: f64 = 0.5, [0.0, 1.0], "", setup, "Directional factor";
         /// Whether the machine vibrates in the running cut, chatter included; wants the parameters D or T.
         coupled: bool = false, [], "", setup, "Machine in the cut";

@@ -1,5 +1,5 @@
-//! The part of the loop's step that only runs with a coupled machine have: force in, vibration, force
-//! with vibration and surface out. The blocks meet here, as in [`super`].
+//! The extra stage of the step when the machine is coupled: takes the cutting force, returns it with
+//! vibration and what vibration adds to Ra. The blocks meet here, as in [`super`].
 
 use crate::base::math;
 use crate::base::units::mm_from_um;
@@ -142,7 +142,7 @@ impl Coupling {
         self.machine.lost_contact()
     }
 
-    /// Writes what is felt and heard of the machine.
+    /// Writes the machine's vibration and sound.
     #[inline]
     pub fn record(&self, row: &mut Row) {
         row.vibration_um = UM_PER_M * self.machine.at_tooth_m();

@@ -14,7 +14,7 @@
 //!
 //! Order of events in tick k (from t = k dt to (k + 1) dt):
 //! 0. Every `steps_per_control` ticks the tool wears by what it cut since the last time; where the speed
-//!    is adjusted to the tool's life ([`super::durability`]), its sound is heard.
+//!    is adjusted to the tool's life ([`super::durability`]), its sound observed.
 //! 1. Every `steps_per_control` ticks the controller sees the force sensed at the end of tick
 //!    k - 1 and sends a command, limited by the overrides; it is held until the next sample.
 //! 2. The command enters the dead-time queue; what leaves it is what the drives get.
@@ -70,7 +70,7 @@ impl std::fmt::Display for Fault {
     }
 }
 
-/// An extreme force has stopped the feed: to save the tool, for good.
+/// An overload has stopped the feed: to save the tool, for good.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForceStop {
     /// The force, N.
@@ -121,7 +121,7 @@ pub struct ClosedLoop {
     peak: PeakWindow,
     /// The machine, where it is coupled to the cut.
     coupling: Option<Box<Coupling>>,
-    /// Adjusts the programmed speed by what is heard of the tool, where that is wanted.
+    /// Adjusts the programmed speed by the predicted tool life, where that is wanted.
     durability: Option<Box<Durability>>,
     // State.
     tick: u64,
@@ -258,7 +258,7 @@ impl ClosedLoop {
         self.stop
     }
 
-    /// Share of the tool's life that is used: 1 at its end.
+    /// Fraction of the tool's life that is used: 1 at its end.
     #[must_use]
     pub fn used_life(&self) -> f64 {
         self.wear.used_life()
@@ -409,8 +409,8 @@ impl ClosedLoop {
             // Between two teeth the force is zero as well: the air shows in the last row.
             *forces_n = coupling.instant(*forces_n, &moved(!self.row.has(flag::AIR)));
         }
-        // Tooth by tooth, the force is the peak of a control period; what a sensor reads of it
-        // stands for the force with dynamics.
+        // Mechanistic plant: force_n is the peak of the last control period, force_dyn_n the
+        // force now, and K6 is fed with the sensor's peak.
         let (force, mut force_dyn_n, mut sensed_n, in_air) = if let Some([x, y, _]) = milled {
             let peak = self.peak.push(self.tick, [x, y]);
             let air = peak.true_n < AIR_SHARE * self.desired_force.value;

@@ -22,7 +22,7 @@ const GRID: [f32; 2] = [70.0, 30.0];
 /// Distances between lines of angle, degrees: whole parts of a turn.
 const ANGLES_DEG: [f64; 8] = [1.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0];
 
-/// Grid lines of the horizontal axis, about as many as asked for.
+/// Grid lines of the horizontal axis, about `count` of them.
 fn lines_along(axis: Axis, input: GridInput, count: f32) -> Vec<GridMark> {
     if axis == Axis::Time {
         return grid(input, count);

@@ -24,7 +24,7 @@ fn near(live: &Live, value: f64) {
     assert!((shown - value).abs() <= 2e-3 * value.abs() + 5.1e-4, "{live:?}: {value}");
 }
 
-/// The result is what the written calculation gives, as far as its rounded numbers tell it.
+/// The result is what the written calculation gives, to the accuracy of its rounded numbers.
 fn follows(live: &Live) {
     let middle = live.values.split(" = ").nth(1).unwrap_or_default();
     let (repeated, shown) = (repeated(middle), result(live));

@@ -30,7 +30,8 @@ const FEED_PER_TOOTH_MM: f64 = 0.08;
 const ANGLES: usize = 36;
 /// Cross-section A_D R_D at which the formula's force holds, mm^2.
 const SECTION_MM2: f64 = 6.0;
-/// Grid of a cut: from so far before the part on, in such steps, in at most so many points.
+/// Sampling grid along a cut: starts BEFORE_MM before the part, spacing STEP_MM, coarser where
+/// MAX_POINTS would be exceeded.
 const BEFORE_MM: f64 = 10.0;
 const STEP_MM: f64 = 0.5;
 const MAX_POINTS: f64 = 2000.0;

@@ -64,17 +64,18 @@ const HOLD: u32 = 2;
 const LEAST: f64 = 0.02;
 /// Most change of the override in a control period.
 const STEP: f64 = 0.25;
-/// Where the internal loop is content.
+/// Relative error below which the internal loop stops iterating.
 const CONTENT: f64 = 0.02;
-/// Bounds of the logarithms that the networks are asked with.
+/// Bounds of the logarithms that enter the networks: the wanted change of the force, and the change of
+/// the override.
 const WANTED: f64 = 1.2;
 const CANDIDATE: f64 = 1.5;
-/// Largest normalised error that one sample may teach.
+/// Largest normalised error that one sample may train with.
 const LESSON: f64 = 0.2;
-/// Overrides from the first on and up to the second teach nothing: the limits act there.
+/// Only overrides between these two train the networks: outside, the limits act.
 const TEACHES: [f64; 2] = [0.05, 1.49];
 
-/// Whether an override is so far from its limits that what the feedback asks for can teach.
+/// Whether an override is far enough from its limits that the feedback's request may train.
 fn free(u: f64, most: f64) -> bool {
     u > TEACHES[0] && u < TEACHES[1].min(most)
 }
@@ -86,14 +87,14 @@ struct Moment {
     actual: f64,
 }
 
-/// What the scheme did last, for those who watch it; nothing of it acts back.
+/// What the scheme did last, for display; nothing of it acts back.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LearningTrace {
     /// Samples in contact so far, without those in which the override was held.
     pub samples: u32,
     /// Override that NM-2 asked for.
     pub feed_forward: f64,
-    /// What the feedback added to it, as a share of the programmed feed: all loops of the trained
+    /// What the feedback added to it, as a fraction of the programmed feed: all loops of the trained
     /// scheme, u_fb from a cold start.
     pub feedback: f64,
     /// Whether the override stood between its limits, so that the feedback could act and teach.
@@ -105,19 +106,19 @@ pub struct LearningTrace {
     /// Mean of |feedback| over about 50 samples between the limits, a second of the papers' control
     /// period.
     pub feedback_mean: f64,
-    /// Mean of |prediction_error| over as many.
+    /// Mean of |prediction_error| over about 50 samples.
     pub error_mean: f64,
     /// Samples in the two means.
     counts: [u32; 2],
 }
 
-/// Share of a new sample in the means, once there are as many as that makes.
-const SHARE: f64 = 0.02;
+/// Weight of a new sample in the running means after 1/WEIGHT = 50 samples; before that, their plain mean.
+const WEIGHT: f64 = 0.02;
 
-/// Takes the size of a value into a mean of so many.
+/// Updates the running mean of |value|; `count` is the number of samples so far.
 fn average(mean: &mut f64, count: &mut u32, value: f64) {
     *count = count.saturating_add(1);
-    *mean += SHARE.max(1.0 / f64::from(*count)) * (value.abs() - *mean);
+    *mean += WEIGHT.max(1.0 / f64::from(*count)) * (value.abs() - *mean);
 }
 
 impl LearningTrace {
