@@ -3,6 +3,7 @@
 mod architecture;
 mod combined;
 mod commands;
+mod contributing;
 mod documents;
 mod planning;
 mod profilometer;
