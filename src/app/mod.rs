@@ -37,7 +37,7 @@ use widgets::setting;
 /// Longest real time that one frame advances by, s: after a pause of the machine the cut goes on where
 /// it was.
 const LONGEST_FRAME_S: f64 = 0.25;
-/// A drag counts as over after so much time without a change, s.
+/// Time without a change after which a drag counts as over, s.
 const GESTURE_PAUSE_S: f64 = 0.6;
 /// The link is brought up to date at most this often, s: browsers refuse more.
 const LINK_EVERY_S: f64 = 0.5;

@@ -77,7 +77,7 @@ pub struct ExactDrive {
     order: usize,
     /// e^{A dt}, row by row.
     phi: [[f64; 3]; 3],
-    /// The input's share.
+    /// The input's coefficients, (integral of e^{A s}) B.
     gamma: [f64; 3],
 }
 

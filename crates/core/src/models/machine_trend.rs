@@ -116,7 +116,7 @@ impl MachineTrend {
         free / (Complex::new(1.0, 0.0) + s * free * damping_n_s_m)
     }
 
-    /// Process damping at wear `w`, N s/m.
+    /// Process damping at wear `w`, N s/m; see [`WearSettings::process_damping_n_s_m`].
     #[must_use]
     pub fn damping_n_s_m(&self, w: f64) -> f64 {
         let WearCut { cutting_speed_m_min, axial_depth_mm, .. } = self.cut;
@@ -143,7 +143,7 @@ impl MachineTrend {
         lines.map(move |f_hz| self.line(&worn, damping_n_s_m, force_n, f_hz))
     }
 
-    /// Sound and roughness at the fraction `x` of the life.
+    /// Sound and roughness at the fraction `x` of the life (2019, section 3; the equations at the head).
     #[must_use]
     pub fn at(&self, x: f64) -> TrendPoint {
         let (mut sound, mut squares, mut lines) = (0.0, 0.0, 0.0);

@@ -15,13 +15,14 @@ use crate::base::math;
 /// Ra over the height of a parabolic cusp, 4/(9 sqrt 3).
 pub const CUSP_RATIO: f64 = 0.256_600_119_639_833_7;
 
-/// Height of the cusps in mm for a feed per tooth and a radius of the ball in mm.
+/// Height h = fz^2/(8 R) of the cusps in mm for a feed per tooth and a radius of the ball in mm.
 #[must_use]
 pub fn cusp_mm(feed_per_tooth_mm: f64, radius_mm: f64) -> f64 {
     feed_per_tooth_mm * feed_per_tooth_mm / (8.0 * radius_mm)
 }
 
-/// Ra in um of cusps of `cusp_um` (greater than 0) whose teeth deviate by `sigma_um`.
+/// Ra in um of cusps of `cusp_um` (greater than 0) whose teeth deviate by `sigma_um`: the formula at the
+/// head, exact without deviations and fitted with them.
 #[must_use]
 pub fn ra_um(cusp_um: f64, sigma_um: f64) -> f64 {
     let s = sigma_um / cusp_um;

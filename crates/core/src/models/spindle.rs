@@ -22,7 +22,8 @@ impl ExactSpindle {
         Self { tau_s, rate_rpm_s, dt_s, rise: 1.0 - math::exp(-dt_s / tau_s) }
     }
 
-    /// The speed in 1/min one step later with the command in 1/min held over it.
+    /// The speed in 1/min one step later with the command in 1/min held over it: the exact solution of
+    /// n' = limit((n_c - n)/tau, -rate, rate).
     #[must_use]
     #[inline]
     pub fn advance(&self, speed_rpm: f64, command_rpm: f64) -> f64 {

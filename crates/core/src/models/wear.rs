@@ -89,7 +89,7 @@ pub struct WearCut {
 }
 
 impl WearSettings {
-    /// Wear before scaling; rises with x.
+    /// Wear before scaling, r(x); rises with x. Three stages after Zhu and Zhang (2019).
     fn raw(&self, x: f64) -> f64 {
         self.break_in_share * (1.0 - math::exp(-x / self.break_in_span))
             + self.steady_share * x
@@ -103,19 +103,19 @@ impl WearSettings {
         math::limit(self.raw(math::positive(x)) / self.raw(1.0), 0.0, WEAR_MAX)
     }
 
-    /// Width VB of the flank wear land in mm at wear `w`.
+    /// Width of the flank wear land in mm at wear `w`: VB = VB_T w (chosen).
     #[must_use]
     pub fn flank_mm(&self, w: f64) -> f64 {
         self.flank_end_mm * w
     }
 
-    /// Factor of wear `w` on the force.
+    /// Factor of wear `w` on the force: 1 + kappa w (chosen; 2019 gives no law).
     #[must_use]
     pub fn force_factor(&self, w: f64) -> f64 {
         1.0 + self.force_growth * w
     }
 
-    /// Factor of wear `w` on the stiffness of the tooth; at least 0.01.
+    /// Factor of wear `w` on the stiffness of the tooth: 1 - alpha w, at least 0.01 (chosen).
     #[must_use]
     pub fn stiffness_factor(&self, w: f64) -> f64 {
         (1.0 - self.tooth_softening * w).max(0.01)
@@ -137,7 +137,8 @@ impl WearSettings {
         engaged * self.indentation_n_mm3 * volume_mm2 / (2.0 * speed_m_s)
     }
 
-    /// Life T in min that Taylor's equation promises at `cut`; infinite where nothing is cut.
+    /// Life T in min by Taylor's equation, extended by feed and depth, at `cut`; infinite where nothing
+    /// is cut.
     #[must_use]
     pub fn taylor_min(&self, cut: &WearCut) -> f64 {
         let speed = math::positive(cut.cutting_speed_m_min) / self.taylor_speed_m_min;

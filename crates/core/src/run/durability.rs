@@ -6,7 +6,7 @@
 //! ```
 //!
 //! every ten minutes of the tool's life, which pass `wear.time_scale` times as fast as the run. The feed
-//! per tooth stays, so the programmed feed goes with the speed. It is felt where a controller holds
+//! per tooth stays, so the programmed feed goes with the speed. It takes effect where a controller holds
 //! the programmed speed: at constant feed and under the force controllers.
 
 use super::scenario::Scenario;

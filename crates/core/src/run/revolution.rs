@@ -1,6 +1,6 @@
 //! The force within a revolution: the last turns of the spindle before a moment at the rate of the
-//! plant steps (28.8 kHz in the papers' set-up). A recording keeps fewer rows; these samples are had
-//! by repeating the run from its last snapshot, so they are the very forces that the run met.
+//! plant steps (28.8 kHz in the papers' set-up). A recording keeps fewer rows; these samples come
+//! from repeating the run from its last snapshot, so they are exactly the forces of the run.
 
 use super::closed_loop::ClosedLoop;
 use super::one_run::{Repeat, Run};

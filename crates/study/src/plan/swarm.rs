@@ -33,7 +33,7 @@ const PULL: f64 = 2.0;
 const LARGEST_STEP: f64 = 0.2;
 /// Fraction of its velocity with which a particle comes back from an edge (chosen: see above).
 const REBOUND: f64 = 0.25;
-/// The swarm has gathered when its particles' own bests lie, on the mean, within this fraction of the
+/// The swarm has gathered when its particles' own bests lie, on average, within this fraction of the
 /// best (chosen).
 const GATHERED: f64 = 5e-3;
 

@@ -53,7 +53,7 @@ pub struct BandPlace {
     pub beside: bool,
 }
 
-/// A stretch of time with its text.
+/// An interval of time with its text.
 struct Stretch {
     from_s: f64,
     to_s: f64,

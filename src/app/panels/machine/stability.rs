@@ -23,7 +23,7 @@ const SPEEDS: u32 = 65;
 /// every speed.
 const HIGHEST: f64 = 25.0;
 const SHOWN: f64 = 4.0;
-/// The verdict is made anew when speed or depth have changed by so much, 1/min and mm.
+/// Changes of speed and depth after which the verdict is made again, 1/min and mm.
 const VERDICT_STEP: [f64; 2] = [5.0, 0.01];
 
 /// Speed and depth of a cut.

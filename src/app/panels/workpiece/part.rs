@@ -41,7 +41,7 @@ pub struct Part<'a> {
     pub color: &'a dyn Fn(f32) -> Color32,
 }
 
-/// A stretch of constant depth and wall.
+/// A section of constant depth and wall.
 #[derive(Clone, Copy)]
 struct Section {
     from: f32,

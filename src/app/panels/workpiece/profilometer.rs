@@ -16,7 +16,7 @@ use crate::models::part::CutPath;
 use crate::models::roughness_profile::{ProfileSettings, evaluation_mm, run_up_mm};
 use crate::study::profilometer::{Measurement, ProfileLine, measure};
 
-/// The line that comes by itself ends so far behind the tool's axis, in steps of this, mm.
+/// Distance from the end of the automatic line to the tool's axis, and its step, mm.
 const BEHIND_MM: f64 = 1.0;
 const STEP_MM: f64 = 0.5;
 /// How far from the borders of the surface a drawn line stays, mm.

@@ -21,7 +21,7 @@ const ZOOM_PER_POINT: f32 = 0.003;
 const PUSH: f32 = 25.0;
 /// Target Ra as a fraction of the height of the picture when heights are drawn by themselves.
 const SHOWN: f64 = 0.003;
-/// Largest factor of the heights that comes by itself.
+/// Largest factor of the heights that is chosen automatically.
 const TIMES_BY_ITSELF: f64 = 200.0;
 /// Factors of the heights that can be chosen.
 const TIMES: [f64; 2] = [1.0, 5000.0];

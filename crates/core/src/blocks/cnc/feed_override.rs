@@ -107,7 +107,7 @@ impl Override {
         self.ramp_percent = 100.0;
     }
 
-    /// Takes over changed settings; the override goes on from where it stands.
+    /// Takes over changed settings; the override keeps its present value.
     pub fn reconfigure(&mut self, cnc: &Cnc, period_s: f64) {
         self.quantised = cnc.override_quantised;
         self.step_percent = if cnc.override_rate_limited {

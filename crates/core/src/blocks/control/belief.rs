@@ -1,4 +1,4 @@
-//! What a controller takes for true.
+//! Beliefs: what a controller takes for true of machine and cut.
 
 use crate::models::feed_drive::FeedDriveKind;
 use crate::models::genetic::{Calibration, ModelSet};
@@ -18,10 +18,10 @@ crate::settings! {
         spindle_time_constant_s: f64 = 0.2, [0.01, 5.0], "s", live, "Assumed spindle lag";
         /// Spindle rate limit that the controller's predictor assumes.
         spindle_rate_rpm_s: f64 = 1000.0, [50.0, 100000.0], "rpm/s", live, "Assumed spindle rate";
-        /// Error of the depths that a controller with preview believes in: it takes the programmed
-        /// part for so much deeper.
+        /// Error of the depths that a controller with preview believes in: by this the believed part is
+        /// deeper than the programmed one.
         depth_error_percent: f64 = 0.0, [-30.0, 30.0], "%", live, "Depth error";
-        /// Error of the place where it believes the part to be: so much further along the cut.
+        /// Error of the place where it believes the part to be; positive is further along the cut.
         position_error_mm: f64 = 0.0, [-5.0, 5.0], "mm", live, "Position error";
     }
 }

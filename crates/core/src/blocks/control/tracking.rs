@@ -67,7 +67,8 @@ pub struct Tracking {
     weight: f64,
     /// Whole control periods in the assumed dead time.
     whole_periods: usize,
-    /// The share of a period that still follows the older command, then the rest.
+    /// The parts of a control period under the older and under the newer command: the assumed dead time
+    /// need not be whole periods.
     older: SubStep,
     newer: SubStep,
     whole: ExactSpindle,

@@ -98,7 +98,7 @@ impl DynamicForce {
         this
     }
 
-    /// Takes over changed settings and keeps the state: the noise itself goes on.
+    /// Takes over changed settings and keeps the state, so the noise continues without a jump.
     pub fn reconfigure(&mut self, settings: &NoiseSettings, dt_s: f64) {
         let p = math::exp(-TAU * settings.band_high_hz * dt_s);
         let q = math::exp(-TAU * settings.band_low_hz * dt_s);

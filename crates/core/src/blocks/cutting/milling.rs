@@ -88,7 +88,7 @@ impl Milling {
         self.speed_factor = self.setup.factor * math::pow(LAW_SPEED_M_MIN / speed_m_min, 0.153);
     }
 
-    /// Goes on where another cutter was: its angle and its last forces.
+    /// Takes over the angle and the last forces of another cutter.
     pub fn take_over(&mut self, before: &Self) {
         (self.turn, self.sampled_turn) = (before.turn, before.sampled_turn);
         if self.history.len() == before.history.len() {

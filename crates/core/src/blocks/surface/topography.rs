@@ -125,7 +125,7 @@ impl Topography {
         let (column, row) = (x.floor(), y.floor());
         let (u, v) = (x - column, y - row);
         let node = |i: i64, j: i64| {
-            // Two numbers of 32 bits make the counter; they wrap where nobody looks.
+            // Two numbers of 32 bits make the counter; they wrap far outside any part.
             let word = |n: i64| (n as u64) & 0xffff_ffff;
             self.texture.normal((word(column as i64 + i) << 32) | word(row as i64 + j))
         };

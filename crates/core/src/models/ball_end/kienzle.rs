@@ -50,7 +50,7 @@ impl Kienzle {
         Self { k_n_mm2: laws.map(|[k, _]| k * factor), exponents: laws.map(|[_, m]| 1.0 - m) }
     }
 
-    /// Forces per mm of edge width, N/mm: tangential, radial, axial.
+    /// Forces per mm of edge width, N/mm: tangential, radial, axial; Kienzle, F/b = k_1.1 h^(1 - m).
     #[inline]
     pub(super) fn per_width(&self, thickness_mm: f64) -> [f64; 3] {
         let log = math::ln(thickness_mm);

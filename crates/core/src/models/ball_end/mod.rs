@@ -129,7 +129,8 @@ impl Sliced {
         }
     }
 
-    /// Forces on the tool in N, [Fx, Fy, Fz], at the spindle angle `spindle_rad`.
+    /// Forces on the tool in N, [Fx, Fy, Fz], at the spindle angle `spindle_rad`: the equations at the
+    /// head of this module (Lee and Altintas 1996; 2005 eq. 1).
     ///
     /// `deflection_mm` is the regenerative deflection X, Y; `depth_at(x_mm, y_mm)` is the axial
     /// depth of the material in mm at a contact point relative to the tool's axis, 0 where there

@@ -196,7 +196,7 @@ impl GeneticModels {
         }
     }
 
-    /// Model 1: the desired force F_d in N for a target Ra in um (positive). At least
+    /// Model 1 (2007 eq. 4; 2013 eq. 2): the desired force F_d in N for a target Ra in um (positive). At least
     /// [`FORCE_REF_MIN_N`]; invalid where that floor or a continuation was used.
     #[must_use]
     pub fn force_from_ra(&self, ra_um: f64) -> Valued {
@@ -208,7 +208,7 @@ impl GeneticModels {
         if force.value >= FORCE_REF_MIN_N { force } else { Valued::new(FORCE_REF_MIN_N, false) }
     }
 
-    /// Model 5 = 6: the produced Ra in um of a cut with the force in N. Never negative.
+    /// Model 5 = 6 (2007 eq. 8; 2013 eq. 6): the produced Ra in um of a cut with the force in N. Never negative.
     #[must_use]
     #[inline]
     pub fn ra_from_force(&self, force_n: f64) -> Valued {
@@ -220,7 +220,7 @@ impl GeneticModels {
         if ra.value >= 0.0 { ra } else { Valued::new(0.0, false) }
     }
 
-    /// Model 2: the feed command in mm/min for a force in N. May be negative outside its range, as
+    /// Model 2 (2007 eq. 5; 2013 eq. 3): the feed command in mm/min for a force in N. May be negative outside its range, as
     /// printed: the caller limits it.
     #[must_use]
     pub fn feed_from_force(&self, force_n: f64) -> Valued {
@@ -236,7 +236,7 @@ impl GeneticModels {
         }
     }
 
-    /// Model 3: the spindle speed command in 1/min for a force in N; 0 where the radicand of the
+    /// Model 3 (2007 eq. 6; 2013 eq. 4): the spindle speed command in 1/min for a force in N; 0 where the radicand of the
     /// printed K3 is negative.
     #[must_use]
     pub fn speed_from_force(&self, force_n: f64) -> Valued {
@@ -249,7 +249,7 @@ impl GeneticModels {
         }
     }
 
-    /// Model 4: see [`ForceFormula::at`].
+    /// Model 4 (2007 eq. 7; 2013 eq. 5): see [`ForceFormula::at`].
     #[must_use]
     #[inline]
     pub fn force(&self, feed_mm_min: f64, speed_rpm: f64) -> Valued {

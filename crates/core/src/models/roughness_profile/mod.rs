@@ -43,8 +43,8 @@ pub struct ProfileMark {
     pub z_mm: f64,
 }
 
-/// Height in mm that a ball of `radius_mm` leaves `d_mm` beside its lowest point; infinite beyond
-/// the ball.
+/// Height in mm that a ball of `radius_mm` leaves `d_mm` beside its lowest point,
+/// R - sqrt(R^2 - d^2) in a form that loses no digits; infinite beyond the ball.
 #[inline]
 #[must_use]
 pub fn rise_mm(radius_mm: f64, d_mm: f64) -> f64 {
@@ -117,7 +117,7 @@ pub struct Roughness {
     pub rz_um: f64,
 }
 
-/// The roughness over the evaluation length from `from_mm` on; `None` where the marks do not cover
+/// The roughness over the evaluation length from `from_mm` on (ISO 16610-21, ISO 4287); `None` where the marks do not cover
 /// it and its run-up.
 #[must_use]
 pub fn measure(

@@ -39,7 +39,8 @@ impl EngagementAngles {
         f64::from(self.teeth) * self.angle_rad / TAU
     }
 
-    /// Largest chip thickness over feed per tooth that one tooth meets; 0 without engagement.
+    /// Largest chip thickness over feed per tooth that one tooth meets, max sin phi over 0..phi_e; 0
+    /// without engagement.
     #[must_use]
     pub fn peak_chip(&self) -> f64 {
         math::sin(math::limit(self.angle_rad, 0.0, PI / 2.0))

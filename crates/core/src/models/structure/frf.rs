@@ -35,7 +35,7 @@ pub fn frequencies_hz() -> impl Iterator<Item = f64> {
     (0..=LAST_HZ).step_by(STEP_HZ as usize).map(f64::from)
 }
 
-/// M s^2 + C s + K.
+/// T(s) = M s^2 + C s + K in N/m for s in rad/s (2019, eq. 2 with s = i w).
 #[must_use]
 pub fn dynamic_stiffness(machine: &FiveMass, s: Complex) -> SMatrix<Complex, 5, 5> {
     let (mass, damping, stiffness) = (machine.mass(), machine.damping(), machine.stiffness());
@@ -43,7 +43,7 @@ pub fn dynamic_stiffness(machine: &FiveMass, s: Complex) -> SMatrix<Complex, 5, 
     SMatrix::from_fn(|i, j| squared * mass[(i, j)] + s * damping[(i, j)] + stiffness[(i, j)])
 }
 
-/// The responses at `f_hz` by Gaussian elimination with partial pivoting; `None` for a singular
+/// The responses at `f_hz` in Hz by Gaussian elimination with partial pivoting, as 2019 solves eq. 2; `None` for a singular
 /// matrix, which springs greater than 0 exclude.
 #[must_use]
 pub fn gauss(machine: &FiveMass, f_hz: f64) -> Option<FrequencyResponse> {
@@ -126,7 +126,7 @@ impl Tree {
     }
 }
 
-/// The responses at `f_hz` by elimination along the tree.
+/// The responses at `f_hz` in Hz by elimination along the tree; the same numbers as [`gauss`].
 #[must_use]
 pub fn tree(machine: &FiveMass, f_hz: f64) -> FrequencyResponse {
     let tree = Tree::new(machine, Complex::new(0.0, TAU * f_hz));

@@ -120,25 +120,25 @@ impl FiveMass {
         matrix
     }
 
-    /// M, kg.
+    /// The mass matrix M, kg (2019, eq. 1).
     #[must_use]
     pub fn mass(&self) -> Matrix5 {
         Matrix5::from_diagonal(&SVector::from(self.elements.mass_kg))
     }
 
-    /// K, N/m.
+    /// The stiffness matrix K, N/m (2019, eq. 1, errata mended).
     #[must_use]
     pub fn stiffness(&self) -> Matrix5 {
         self.tree(self.elements.stiffness_n_m)
     }
 
-    /// C, N s/m.
+    /// The damping matrix C, N s/m (2019, eq. 1, errata mended).
     #[must_use]
     pub fn damping(&self) -> Matrix5 {
         self.tree(self.elements.damping_n_s_m)
     }
 
-    /// b: -P on the tooth, +P on the work's outer node.
+    /// The load vector b: -1 on the tooth, +1 on the work's outer node (2019, eq. 1).
     #[must_use]
     pub fn load(&self) -> SVector<f64, 5> {
         let mut load = SVector::zeros();

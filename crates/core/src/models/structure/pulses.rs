@@ -6,7 +6,7 @@
 //! v_rms  = F sqrt( sum over k >= 1 of 2 |c_k|^2 (k w_T)^2 |G(i k w_T) - 1/k3|^2 )
 //! ```
 //!
-//! The velocity of the modes, as the running cut hears it; the tooth's own spring follows the force's
+//! The velocity of the modes, as the sound of the running cut takes it; the tooth's own spring follows the force's
 //! jump at once, for which there is no velocity. In a settled cut the tooth before left the same
 //! surface, so regeneration does not enter.
 

@@ -45,8 +45,8 @@ crate::settings! {
         scatter_percent: f64 = 5.0, [0.5, 50.0], "%", live, "Scatter of gain";
         /// How far around the place ahead the heaviest force counts.
         margin_mm: f64 = 0.25, [0.0, 5.0], "mm", live, "Margin of place";
-        /// How far the part may lie off its believed place: so much less a measurement says where the
-        /// believed force is steep.
+        /// Standard deviation of the part's true place about the believed one: a measurement taken where
+        /// the believed force is steep weighs less by it.
         place_doubt_mm: f64 = 1.0, [0.0, 5.0], "mm", live, "Doubt of place";
     }
 }

@@ -22,8 +22,8 @@ impl Learner {
         self.scaled.predict(&[a, b, c, last])[0]
     }
 
-    /// Moves the answer to these inputs by a step towards `error` more of it, at most `most` of it
-    /// normalised.
+    /// One step of back-propagation that moves the output at these inputs by up to `error`, limited to
+    /// `most` in normalised units.
     pub(super) fn learn(
         &mut self,
         (features, last): ([f64; 3], f64),

@@ -97,7 +97,7 @@ pub struct LearningTrace {
     /// What the feedback added to it, as a fraction of the programmed feed: all loops of the trained
     /// scheme, u_fb from a cold start.
     pub feedback: f64,
-    /// Whether the override stood between its limits, so that the feedback could act and teach.
+    /// Whether the override stood between its limits, so that the feedback could act and train NM-2.
     pub free: bool,
     /// Iterations of the internal loop.
     pub iterations: u32,
