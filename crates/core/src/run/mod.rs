@@ -7,6 +7,7 @@ pub mod edits;
 pub mod explanation;
 pub mod metrics;
 pub mod one_run;
+mod packed;
 pub mod presets;
 pub mod recording;
 pub mod revolution;

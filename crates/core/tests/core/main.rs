@@ -2,6 +2,7 @@
 
 mod earlier_versions;
 mod inputs;
+mod links;
 mod matrix;
 mod metrics;
 mod revolution;

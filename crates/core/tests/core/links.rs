@@ -1,0 +1,96 @@
+//! Links: those of older versions still open, long ones are packed, and nothing that is packed
+//! takes more memory than a plain link may.
+
+use base64::Engine;
+use base64::engine::general_purpose::URL_SAFE_NO_PAD;
+use steadycut_core::base::settings::Value;
+use steadycut_core::run::edits::{Edit, Edits};
+use steadycut_core::run::presets::{PRESETS, load};
+use steadycut_core::run::scenario::Scenario;
+use steadycut_core::run::scenario_link::{parse, write};
+
+const OF_0_4_0: &str = include_str!("../data/links_0.4.0.txt");
+
+/// The links of 0.4.0 with their names.
+fn old_links() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let lines = OF_0_4_0.lines().filter(|line| !line.starts_with('#'));
+    lines.map(|line| line.split_once(' ').expect("a name and a link"))
+}
+
+fn packed(text: &str) -> String {
+    let bytes = miniz_oxide::deflate::compress_to_vec_zlib(text.as_bytes(), 10);
+    format!("v=1&z={}", URL_SAFE_NO_PAD.encode(bytes))
+}
+
+#[test]
+fn links_of_0_4_0_open_to_the_same_scenario() {
+    let mut presets = 0;
+    for (name, link) in old_links() {
+        let (scenario, edits) = parse(link).unwrap_or_else(|error| panic!("{name}: {error}"));
+        if PRESETS.iter().any(|preset| preset.name == name) {
+            presets += 1;
+            let now = load(name).unwrap();
+            let moved = scenario.difference(&now).into_iter().map(|(param, _)| param.path.as_str());
+            // What is told of a preset may be told better.
+            let moved: Vec<&str> = moved.filter(|path| *path != "description").collect();
+            assert!(moved.is_empty(), "{name}: {moved:?}");
+            assert_eq!(edits, Edits::none());
+        }
+    }
+    assert_eq!(presets, 33);
+}
+
+#[test]
+fn edits_and_every_setting_of_a_link_of_0_4_0_are_read() {
+    let of = |wanted: &str| old_links().find(|(name, _)| *name == wanted).unwrap().1;
+    let (scenario, edits) = parse(of("edited")).unwrap();
+    let times: Vec<f64> = edits.list().iter().map(|edit| edit.at_s).collect();
+    assert_eq!(times, [1e-7, 0.25, 33.333]);
+    assert_eq!(edits.list()[1].value, Value::Float(0.6));
+    assert_eq!(scenario.get("controller.kind").unwrap(), Value::Text("tracking".to_owned()));
+    let everything = of("everything");
+    let (scenario, _) = parse(everything).unwrap();
+    // As many settings as the link names, but for those that came with a choice.
+    let moved = scenario.difference(&Scenario::default()).len();
+    assert!(moved + 4 >= everything.split('&').count(), "{moved}");
+    assert!(moved > 140, "{moved}");
+    assert_eq!(scenario.get("target.ra_um").unwrap(), Value::Float(0.8181));
+}
+
+#[test]
+fn long_links_are_packed_and_short_ones_stay_readable() {
+    let mut scenario = load("experiment-2").unwrap();
+    let long = write(&scenario, &Edits::none());
+    assert!(long.starts_with("v=1&z="), "{long}");
+    let plain = old_links().find(|(name, _)| *name == "experiment-2").unwrap().1;
+    assert!(long.len() < plain.len() * 7 / 10, "{} of {}", long.len(), plain.len());
+    assert_eq!(parse(&long).unwrap().0, scenario);
+    // What is added by hand wins over what is packed.
+    scenario.set("target.force_n", Value::Float(700.0)).unwrap();
+    assert_eq!(parse(&format!("{long}&target.force_n=700")).unwrap().0, scenario);
+    let mut short = Scenario::default();
+    short.set("target.ra_um", Value::Float(0.6)).unwrap();
+    assert_eq!(write(&short, &Edits::none()), "v=1&target.ra_um=0.6");
+    assert_eq!(write(&Scenario::default(), &Edits::none()), "v=1");
+    let edit = Edit { at_s: 1.5, path: "target.ra_um".to_owned(), value: Value::Float(1.0) };
+    let mut edits = Edits::none();
+    edits.push(&load("experiment-2").unwrap(), edit).unwrap();
+    let link = write(&load("experiment-2").unwrap(), &edits);
+    assert_eq!(parse(&link).unwrap().1, edits);
+}
+
+#[test]
+fn what_is_packed_wrongly_is_refused_with_a_reason() {
+    let message = |link: &str| parse(link).unwrap_err().to_string();
+    let bomb = packed(&"a".repeat(100_000_000));
+    assert!(bomb.len() < 200_000, "{}", bomb.len());
+    assert!(message(&bomb).contains("more than 2000000 bytes"), "{}", message(&bomb));
+    let good = packed("target.ra_um=0.6&program.feed_mm_min=400");
+    assert_eq!(parse(&good).unwrap().0.get("target.ra_um").unwrap(), Value::Float(0.6));
+    assert!(message(&good[..good.len() - 3]).contains("link"));
+    assert!(message("v=1&z=!!").contains("Base64"));
+    assert!(message(&format!("{good}&{}", &good[4..])).contains("twice"));
+    assert!(message(&packed("target.ra_um=abc")).contains("abc"));
+    assert!(message(&packed(&packed("target.ra_um=0.6")[4..])).contains("twice"));
+    assert!(message(&packed("target.ra_um=0.6").replace("v=1&", "")).contains("v=1"));
+}
