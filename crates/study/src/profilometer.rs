@@ -6,8 +6,6 @@
 //! ([`roughness_profile::run_up_mm`]); the whole sampling lengths that fit between them
 //! are evaluated. The standards take five; fewer are measured, and said.
 
-use std::fmt;
-
 use crate::base::math;
 use crate::base::units::mm_from_um;
 use crate::blocks::cutting::tool_path::strip_mm;
@@ -47,11 +45,18 @@ impl ProfileLine {
 }
 
 /// Why a line cannot be measured.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LineError {
     /// A coordinate is no number.
+    #[error("the line's ends must be numbers in mm")]
     NoNumber,
     /// Its length, and the least and the largest one that these cut-offs allow, mm.
+    #[error(
+        "the line is {length_mm:.3} mm long: with these cut-offs it takes at least {:.3} mm (a \
+         run-up on each side and one sampling length), and at most {:.1} mm",
+        allowed_mm[0],
+        allowed_mm[1]
+    )]
     Length {
         /// What it is.
         length_mm: f64,
@@ -59,8 +64,15 @@ pub enum LineError {
         allowed_mm: [f64; 2],
     },
     /// No tooth has been anywhere yet.
+    #[error("no tooth has cut anything yet")]
     NothingCut,
     /// It leaves the surface at a place, mm; the surface there, across the cut, or along it.
+    #[error(
+        "the line leaves the machined surface at x = {:.3} mm, y = {:.3} mm: {}",
+        at_mm[0],
+        at_mm[1],
+        beside(at_mm[0], *along_mm, *across_mm)
+    )]
     Leaves {
         /// The first place off the surface.
         at_mm: [f64; 2],
@@ -71,34 +83,15 @@ pub enum LineError {
     },
 }
 
-impl fmt::Display for LineError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoNumber => write!(f, "the line's ends must be numbers in mm"),
-            Self::NothingCut => write!(f, "no tooth has cut anything yet"),
-            Self::Length { length_mm, allowed_mm: [least, most] } => write!(
-                f,
-                "the line is {length_mm:.3} mm long: with these cut-offs it takes at least \
-                 {least:.3} mm (a run-up on each side and one sampling length), and at most \
-                 {most:.1} mm"
-            ),
-            Self::Leaves { at_mm: [x, y], along_mm: [first, last], across_mm } => {
-                write!(
-                    f,
-                    "the line leaves the machined surface at x = {x:.3} mm, y = {y:.3} mm: "
-                )?;
-                match across_mm {
-                    Some([low, high]) if (*first..=*last).contains(x) => {
-                        write!(f, "there y reaches from {low:.3} to {high:.3} mm")
-                    }
-                    _ => write!(f, "x reaches from {first:.3} to {last:.3} mm so far"),
-                }
-            }
+/// Where the surface is beside a place that lies off it: across the cut, or along it.
+fn beside(x_mm: f64, [first, last]: [f64; 2], across_mm: Option<[f64; 2]>) -> String {
+    match across_mm {
+        Some([low, high]) if (first..=last).contains(&x_mm) => {
+            format!("there y reaches from {low:.3} to {high:.3} mm")
         }
+        Some(_) | None => format!("x reaches from {first:.3} to {last:.3} mm so far"),
     }
 }
-
-impl std::error::Error for LineError {}
 
 /// What the stylus has found.
 #[derive(Clone, Debug, PartialEq)]

@@ -189,9 +189,10 @@ pub struct Spec {
 }
 
 /// Why a setting was refused; the text names field, value and what is allowed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SettingError {
     /// No setting has this path.
+    #[error("unknown setting `{path}`; {}", instead(suggestion.as_deref()))]
     Unknown {
         /// The path given.
         path: String,
@@ -199,6 +200,7 @@ pub enum SettingError {
         suggestion: Option<String>,
     },
     /// The value does not fit.
+    #[error("`{path}` cannot be {value}: allowed is {allowed}")]
     Refused {
         /// The setting's path.
         path: String,
@@ -208,6 +210,7 @@ pub enum SettingError {
         allowed: String,
     },
     /// The text is not in the expected format.
+    #[error("{what}: {problem}")]
     Format {
         /// What was read (a file, a link, an argument).
         what: String,
@@ -216,24 +219,13 @@ pub enum SettingError {
     },
 }
 
-impl fmt::Display for SettingError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Unknown { path, suggestion: Some(near) } => {
-                write!(f, "unknown setting `{path}`; did you mean `{near}`?")
-            }
-            Self::Unknown { path, suggestion: None } => {
-                write!(f, "unknown setting `{path}`; `steadycut list` prints all settings")
-            }
-            Self::Refused { path, value, allowed } => {
-                write!(f, "`{path}` cannot be {value}: allowed is {allowed}")
-            }
-            Self::Format { what, problem } => write!(f, "{what}: {problem}"),
-        }
-    }
+/// What to do about an unknown setting.
+fn instead(near: Option<&str>) -> String {
+    near.map_or_else(
+        || "`steadycut list` prints all settings".to_owned(),
+        |near| format!("did you mean `{near}`?"),
+    )
 }
-
-impl std::error::Error for SettingError {}
 
 /// A type that can be a setting.
 pub trait Field: Sized {

@@ -1,8 +1,6 @@
 //! Edits: changes of live settings at a moment of the run. A run is a pure function of scenario
 //! and edits, so a live session replays exactly.
 
-use std::fmt;
-
 use super::scenario::{Scenario, companion, joins, param};
 use crate::base::settings::{SettingError, Value};
 
@@ -22,18 +20,13 @@ pub struct Edit {
 pub struct Edits(Vec<Edit>);
 
 /// An edit that does not fit a base.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("the change at {} s does not fit any more: {reason}", edit.at_s)]
 pub struct Unfit {
     /// The edit.
     pub edit: Edit,
     /// Why it is refused.
     pub reason: SettingError,
-}
-
-impl fmt::Display for Unfit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the change at {} s does not fit any more: {}", self.edit.at_s, self.reason)
-    }
 }
 
 /// Most edits in one run.
