@@ -11,6 +11,7 @@ use serde::Serialize;
 
 use crate::base::rng::Stream;
 use crate::base::settings::{SettingError, Value};
+use crate::base::stats::Sorted;
 use crate::blocks::control::ControllerKind;
 use crate::run::edits::Edits;
 use crate::run::one_run::{End, Run};
@@ -69,14 +70,11 @@ pub struct Percentiles {
 }
 
 impl Percentiles {
-    /// By rank: the least value that at least the share of all values does not exceed.
+    /// Without any run nothing is promised.
     fn of(values: impl Iterator<Item = f64>) -> Self {
-        let mut sorted: Vec<f64> = values.collect();
-        sorted.sort_unstable_by(f64::total_cmp);
-        let n = sorted.len();
-        let at = |percent: usize| sorted.get((n * percent).div_ceil(100).max(1) - 1).copied();
-        let at = |percent: usize| at(percent).unwrap_or(f64::INFINITY);
-        Self { p50: at(50), p95: at(95), largest: at(100) }
+        let sorted = Sorted::new(values);
+        let at = |share: f64| sorted.quantile(share).unwrap_or(f64::INFINITY);
+        Self { p50: at(0.5), p95: at(0.95), largest: at(1.0) }
     }
 }
 
@@ -226,10 +224,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn percentiles_are_by_rank() {
+    fn percentiles_are_quantiles_of_the_runs() {
         let of = |n: u32| Percentiles::of((1..=n).rev().map(f64::from));
-        assert_eq!(of(100), Percentiles { p50: 50.0, p95: 95.0, largest: 100.0 });
-        assert_eq!(of(3), Percentiles { p50: 2.0, p95: 3.0, largest: 3.0 });
+        assert_eq!(of(100), Percentiles { p50: 50.5, p95: 95.05, largest: 100.0 });
+        assert_eq!(of(3), Percentiles { p50: 2.0, p95: 2.9, largest: 3.0 });
         assert_eq!(of(1).p95, 1.0);
         assert_eq!(of(0).p95, f64::INFINITY);
     }

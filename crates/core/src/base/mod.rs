@@ -1,9 +1,11 @@
 //! What every layer needs and nothing of milling: math, units, random numbers, networks, settings.
 
+pub mod cholesky;
 pub mod equation;
 pub mod fft;
 pub mod math;
 pub mod network;
 pub mod rng;
 pub mod settings;
+pub mod stats;
 pub mod units;

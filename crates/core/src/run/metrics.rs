@@ -17,6 +17,7 @@ use super::edits::Edits;
 use super::recording::Recording;
 use super::scenario::Scenario;
 use super::signals::{Row, flag};
+use crate::base::stats;
 use crate::base::units::{cm3_from_mm3, percent_from_ratio, ratio_from_percent};
 use crate::blocks::reference::Reference;
 
@@ -90,7 +91,7 @@ pub fn metrics(recording: &Recording, rows: usize, scenario: &Scenario, edits: &
     };
 
     let tail = Recording::last_second(rows, recording.row_s());
-    let mean = |get: fn(&Row) -> f64| tail.iter().map(get).sum::<f64>() / tail.len() as f64;
+    let mean = |get: fn(&Row) -> f64| stats::mean(tail.iter().map(get)).unwrap_or(f64::NAN);
     let (ra_final_um, force_final_n) = (mean(|r| r.ra_um), mean(|r| r.force_n));
     let deviation = |value: f64, target: f64| percent_from_ratio((value - target) / target);
 
@@ -125,10 +126,7 @@ pub fn metrics(recording: &Recording, rows: usize, scenario: &Scenario, edits: &
 
     let samples: Vec<&Row> =
         rows.iter().step_by(recording.control_stride()).filter(|row| !row.has(flag::AIR)).collect();
-    let rms = |samples: &[&Row]| {
-        let sum: f64 = samples.iter().map(|row| relative_error(row) * relative_error(row)).sum();
-        (!samples.is_empty()).then(|| (sum / samples.len() as f64).sqrt())
-    };
+    let rms = |samples: &[&Row]| stats::rms(samples.iter().map(|row| relative_error(row)));
     let twenty: Vec<&Row> =
         (1..=20).filter_map(|k| samples.get(samples.len() * (2 * k - 1) / 40).copied()).collect();
 

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::base::stats::{self, Sorted};
+
 /// The spread of values over the seeds, as a box plot shows it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Spread {
@@ -27,28 +29,16 @@ impl Spread {
     /// The spread of finite values; none without any.
     #[must_use]
     pub fn of(values: &[f64]) -> Option<Self> {
-        let mut sorted = values.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        let (least, largest) = (*sorted.first()?, *sorted.last()?);
-        let n = sorted.len() as f64;
-        let mean = sorted.iter().sum::<f64>() / n;
-        let squares: f64 = sorted.iter().map(|x| (x - mean) * (x - mean)).sum();
-        // Between two values the quantile is drawn as a line.
-        let quantile = |share: f64| {
-            let place = share * (n - 1.0);
-            let below = sorted[place as usize];
-            let above = sorted[(place as usize + 1).min(sorted.len() - 1)];
-            below + (place - place.floor()) * (above - below)
-        };
+        let sorted = Sorted::new(values.iter().copied());
         Some(Self {
-            runs: sorted.len(),
-            mean,
-            deviation: (squares / (n - 1.0).max(1.0)).sqrt(),
-            least,
-            lower_quartile: quantile(0.25),
-            median: quantile(0.5),
-            upper_quartile: quantile(0.75),
-            largest,
+            runs: values.len(),
+            mean: stats::mean(sorted.values().iter().copied())?,
+            deviation: stats::deviation(sorted.values())?,
+            least: sorted.quantile(0.0)?,
+            lower_quartile: sorted.quantile(0.25)?,
+            median: sorted.quantile(0.5)?,
+            upper_quartile: sorted.quantile(0.75)?,
+            largest: sorted.quantile(1.0)?,
         })
     }
 }

@@ -11,6 +11,7 @@ use std::fmt::Write as _;
 pub use milling_2005::identify_milling;
 
 use super::published::{PaperId, TableRow};
+use crate::base::stats;
 use crate::models::genetic::curve::Curve;
 use crate::models::genetic::{FeedLaw, ForceRoughness, GeneticModels, ModelSet, SpeedLaw};
 
@@ -33,8 +34,7 @@ impl Fit {
     /// Root mean square of the residuals.
     #[must_use]
     pub fn rms(&self) -> f64 {
-        let sum: f64 = self.residuals.iter().map(|r| r * r).sum();
-        (sum / self.residuals.len() as f64).sqrt()
+        stats::rms(self.residuals.iter().copied()).unwrap_or(0.0)
     }
 
     /// Largest absolute residual.

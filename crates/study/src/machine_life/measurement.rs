@@ -3,8 +3,8 @@
 
 use serde::Serialize;
 
-use super::correlation;
 use crate::base::rng::Stream;
+use crate::base::stats::{self, correlation};
 use crate::models::machine_trend::{LifeSettings, TrendLine, TrendPoint};
 
 /// A measured life.
@@ -38,10 +38,9 @@ pub fn measure(
     let first = calculated.first().copied().unwrap_or(0.0);
     let trend = noisy(&calculated, settings.white_percent / 100.0 * first, "life.trend");
     let lines: Vec<f64> = spectrum.iter().map(|line| line.sound).collect();
-    let n = lines.len().max(1) as f64;
-    let mean = lines.iter().sum::<f64>() / n;
-    let variance = lines.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / n;
-    let measured = noisy(&lines, settings.spectrum_ratio * variance.sqrt(), "life.spectrum");
+    let mean = stats::mean(lines.iter().copied()).unwrap_or(0.0);
+    let about_mean = stats::rms(lines.iter().map(|x| x - mean)).unwrap_or(0.0);
+    let measured = noisy(&lines, settings.spectrum_ratio * about_mean, "life.spectrum");
     MeasuredTrend {
         trend_r: correlation(&calculated, &trend),
         spectrum_r: correlation(&lines, &measured),

@@ -15,6 +15,7 @@ pub mod tool_condition;
 use serde::Serialize;
 
 use crate::base::math::extent;
+use crate::base::stats::correlation;
 use crate::base::units::s_from_min;
 use crate::blocks::cnc::feed_override::Program;
 use crate::blocks::control::FeedSpeed;
@@ -54,19 +55,6 @@ pub fn model(scenario: &Scenario) -> MachineTrend {
         cut: programmed_cut(scenario),
         radius_mm: R216_16B20_040.diameter_mm / 2.0,
     }
-}
-
-/// The correlation coefficient of two series of one length; `None` where one does not vary.
-#[must_use]
-pub fn correlation(a: &[f64], b: &[f64]) -> Option<f64> {
-    let n = a.len().min(b.len()) as f64;
-    let mean = |values: &[f64]| values.iter().sum::<f64>() / n;
-    let (mean_a, mean_b) = (mean(a), mean(b));
-    let sum = |of: fn(f64, f64) -> f64| {
-        a.iter().zip(b).map(|(x, y)| of(x - mean_a, y - mean_b)).sum::<f64>()
-    };
-    let squares = sum(|x, _| x * x) * sum(|_, y| y * y);
-    (squares > 0.0).then(|| sum(|x, y| x * y) / squares.sqrt())
 }
 
 /// The repeated solution over the life.

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::base::math;
 use crate::base::rng::Stream;
+use crate::base::stats;
 use crate::models::machine_trend::LifeSettings;
 use crate::models::tool_life::{Growth, Predictor};
 use crate::models::wear::WearSettings;
@@ -172,7 +173,7 @@ impl LifeMonteCarlo {
     /// Median error of the prior alone over the tools done, percent.
     #[must_use]
     pub fn prior_error_percent(&self) -> f64 {
-        100.0 * median(self.prior_errors.clone())
+        100.0 * median(self.prior_errors.iter().copied())
     }
 
     /// The predictions for the tools done, by fraction of the life.
@@ -180,7 +181,7 @@ impl LifeMonteCarlo {
     pub fn table(&self) -> Vec<Judgement> {
         let row = |(i, x): (usize, &f64)| {
             let here: Vec<Judged> = self.judged.iter().filter_map(|tool| tool[i]).collect();
-            let percent = |of: fn(&Judged) -> f64| 100.0 * median(here.iter().map(of).collect());
+            let percent = |of: fn(&Judged) -> f64| 100.0 * median(here.iter().map(of));
             let within = here.iter().filter(|judged| judged.within).count() as f64;
             Judgement {
                 x: *x,
@@ -194,10 +195,8 @@ impl LifeMonteCarlo {
 }
 
 /// The median; 0 of nothing.
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let n = values.len();
-    if n == 0 { 0.0 } else { (values[(n - 1) / 2] + values[n / 2]) / 2.0 }
+fn median(values: impl Iterator<Item = f64>) -> f64 {
+    stats::median(values).unwrap_or(0.0)
 }
 
 #[cfg(test)]

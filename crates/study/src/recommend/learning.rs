@@ -1,6 +1,7 @@
 //! Hybrid learning of a Sugeno system (Jang 1993): in every epoch the consequents by least squares
 //! for the premises as they are, then one step of the premises down the gradient.
 
+use crate::base::cholesky;
 use crate::base::math::limit;
 use crate::recommend::sugeno::Sugeno;
 
@@ -66,29 +67,13 @@ fn fit_consequents(system: &mut Sugeno, ridge: f64, patterns: &[Pattern]) {
             }
         }
     }
-    let solved = solve(normal, right);
-    for (rule, part) in system.consequents.iter_mut().zip(solved.chunks_exact(3)) {
-        rule.copy_from_slice(part);
-    }
-}
-
-/// Solves a symmetric positive definite system, given by its lower half, by Cholesky's factors.
-fn solve(mut lower: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
-    let n = right.len();
-    for i in 0..n {
-        for j in 0..=i {
-            let product: f64 = (0..j).map(|k| lower[i][k] * lower[j][k]).sum();
-            let rest = lower[i][j] - product;
-            lower[i][j] = if i == j { rest.sqrt() } else { rest / lower[j][j] };
+    // The ridge keeps the matrix positive definite; where rounding leaves nothing of it, the
+    // consequents stay.
+    if let Some(solved) = cholesky::solve(normal, right, 0.0) {
+        for (rule, part) in system.consequents.iter_mut().zip(solved.chunks_exact(3)) {
+            rule.copy_from_slice(part);
         }
-        let known: f64 = (0..i).map(|k| lower[i][k] * right[k]).sum();
-        right[i] = (right[i] - known) / lower[i][i];
     }
-    for i in (0..n).rev() {
-        let known: f64 = (i + 1..n).map(|k| lower[k][i] * right[k]).sum();
-        right[i] = (right[i] - known) / lower[i][i];
-    }
-    right
 }
 
 fn step_premises(system: &mut Sugeno, recipe: &SugenoRecipe, patterns: &[Pattern]) {

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::data::{TrainingRow, fxy_n};
 use crate::base::math;
+use crate::base::stats::{self, Sorted};
 
 /// TrainingErrors in percent.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -26,16 +27,6 @@ pub struct TrainingErrors {
 /// Above this force rows count for [`TrainingErrors::mean_above_200_n_percent`], N.
 const LARGE_N: f64 = 200.0;
 
-fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len().max(1) as f64
-}
-
-/// The smallest error that at least `share` of the ascending errors do not exceed.
-fn quantile(sorted: &[f64], share: f64) -> f64 {
-    let index = ((sorted.len() as f64 * share).ceil() as usize).clamp(1, sorted.len().max(1));
-    sorted.get(index - 1).copied().unwrap_or(0.0)
-}
-
 /// TrainingErrors of a model that gives F_xy in N.
 #[must_use]
 pub fn of_fxy(rows: &[TrainingRow], model: impl Fn(&TrainingRow) -> f64) -> TrainingErrors {
@@ -43,20 +34,18 @@ pub fn of_fxy(rows: &[TrainingRow], model: impl Fn(&TrainingRow) -> f64) -> Trai
         let exact = fxy_n(&row.forces_n);
         100.0 * (model(row) - exact).abs() / exact
     };
-    let mut all: Vec<f64> = rows.iter().map(off).collect();
-    let large: Vec<f64> = rows
-        .iter()
-        .zip(&all)
-        .filter(|(row, _)| fxy_n(&row.forces_n) > LARGE_N)
-        .map(|(_, e)| *e)
-        .collect();
-    all.sort_by(f64::total_cmp);
+    let all: Vec<f64> = rows.iter().map(off).collect();
+    let large = rows.iter().zip(&all).filter(|(row, _)| fxy_n(&row.forces_n) > LARGE_N);
+    let mean_above_200_n_percent = stats::mean(large.map(|(_, e)| *e)).unwrap_or(0.0);
+    let all = Sorted::new(all);
+    // Without rows nothing is off.
+    let quantile = |share: f64| all.quantile(share).unwrap_or(0.0);
     TrainingErrors {
         rows: rows.len(),
-        mean_percent: mean(&all),
-        median_percent: quantile(&all, 0.5),
-        mean_above_200_n_percent: mean(&large),
-        p95_percent: quantile(&all, 0.95),
+        mean_percent: stats::mean(all.values().iter().copied()).unwrap_or(0.0),
+        median_percent: quantile(0.5),
+        mean_above_200_n_percent,
+        p95_percent: quantile(0.95),
         rmse_percent_of_range: None,
     }
 }
@@ -70,12 +59,8 @@ pub fn of_components(
     let given: Vec<[f64; 3]> = rows.iter().map(&model).collect();
     let rmse = [0, 1, 2].map(|k| {
         let range = math::extent(rows.iter().map(|row| row.forces_n[k]));
-        let squares: Vec<f64> = rows
-            .iter()
-            .zip(&given)
-            .map(|(row, given)| (given[k] - row.forces_n[k]) * (given[k] - row.forces_n[k]))
-            .collect();
-        100.0 * mean(&squares).sqrt() / (range[1] - range[0])
+        let off = rows.iter().zip(&given).map(|(row, given)| given[k] - row.forces_n[k]);
+        100.0 * stats::rms(off).unwrap_or(0.0) / (range[1] - range[0])
     });
     TrainingErrors { rmse_percent_of_range: Some(rmse), ..of_fxy(rows, |row| fxy_n(&model(row))) }
 }

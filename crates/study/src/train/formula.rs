@@ -15,7 +15,7 @@ use serde::Serialize;
 
 use super::data::{TrainingRow, fxy_n};
 use super::errors::{TrainingErrors, of_fxy};
-use crate::base::math;
+use crate::base::{cholesky, math};
 use crate::models::neural_force::{CutPoint, speed_m_min};
 
 steadycut_core::choice! {
@@ -83,6 +83,9 @@ fn value(form: Form, coefficients: &[f64], cut: &CutPoint) -> f64 {
     if form == Form::Paper { sum } else { math::exp(sum) }
 }
 
+/// Of columns of unit length, what is left of one beside the others before it, squared, at least.
+const LEAST_PIVOT: f64 = 1e-10;
+
 /// Least squares by the normal equations (Cholesky), columns scaled to unit length; `None` where
 /// the columns depend on each other.
 fn least_squares(rows: &[(Vec<f64>, f64)]) -> Option<Vec<f64>> {
@@ -99,24 +102,8 @@ fn least_squares(rows: &[(Vec<f64>, f64)]) -> Option<Vec<f64>> {
             right[i] += x[i] / scale[i] * y;
         }
     }
-    for i in 0..n {
-        for k in 0..=i {
-            let rest = lower[i][k] - (0..k).map(|j| lower[i][j] * lower[k][j]).sum::<f64>();
-            lower[i][k] = if i > k {
-                rest / lower[k][k]
-            } else if rest > 1e-10 {
-                rest.sqrt()
-            } else {
-                return None;
-            };
-        }
-        right[i] = (right[i] - (0..i).map(|j| lower[i][j] * right[j]).sum::<f64>()) / lower[i][i];
-    }
-    for i in (0..n).rev() {
-        let above: f64 = (i + 1..n).map(|j| lower[j][i] * right[j]).sum();
-        right[i] = (right[i] - above) / lower[i][i];
-    }
-    Some(right.iter().zip(&scale).map(|(c, s)| c / s).collect())
+    let solved = cholesky::solve(lower, right, LEAST_PIVOT)?;
+    Some(solved.iter().zip(&scale).map(|(c, s)| c / s).collect())
 }
 
 fn fit(form: Form, rows: &[TrainingRow]) -> Option<Vec<f64>> {

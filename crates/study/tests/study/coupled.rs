@@ -2,6 +2,7 @@
 
 use steadycut_core::base::math::extent;
 use steadycut_core::base::settings::Value;
+use steadycut_core::base::stats::correlation;
 use steadycut_core::blocks::control::ControllerKind;
 use steadycut_core::blocks::cutting::process::ForceModel;
 use steadycut_core::run::edits::{Edit, Edits};
@@ -9,8 +10,8 @@ use steadycut_core::run::one_run::{End, Run};
 use steadycut_core::run::presets::load;
 use steadycut_core::run::scenario::Scenario;
 use steadycut_core::run::signals::{Row, flag};
+use steadycut_study::machine_life::programmed_cut;
 use steadycut_study::machine_life::tool_condition::predictions;
-use steadycut_study::machine_life::{correlation, programmed_cut};
 use steadycut_study::stability::{StabilityCut, interrupted};
 
 /// Constant feed and speed on the coupled machine, without noise.
