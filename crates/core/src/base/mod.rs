@@ -3,6 +3,7 @@
 pub mod cholesky;
 pub mod equation;
 pub mod fft;
+pub mod files;
 pub mod math;
 pub mod network;
 pub mod rng;

@@ -1,14 +1,18 @@
 //! Limits of machine and process, read from a file, each with a mark of where it comes from.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
+use crate::base::files::from_toml;
 use crate::base::settings::SettingError;
 
 /// The shipped file: the papers' machine, for which no public limits were found.
 pub const HELLER_BEA_01: &str = include_str!("../../../../assets/machines/heller_bea_01.toml");
 
+/// Longest name, characters.
+const MAX_NAME: usize = 80;
+
 /// Where a value comes from, the least certain first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Source {
     /// No public data found: to be replaced by the owner of a real machine.
@@ -29,14 +33,11 @@ impl Source {
             Self::Given => "given",
         }
     }
-
-    fn from_id(id: &str) -> Option<Self> {
-        [Self::Placeholder, Self::Chosen, Self::Given].into_iter().find(|source| source.id() == id)
-    }
 }
 
 /// A value with its source.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "{ value = a number, source = \"given\" }")]
 pub struct Sourced {
     /// The value, in the unit of the field's name.
     pub value: f64,
@@ -47,7 +48,8 @@ pub struct Sourced {
 macro_rules! machine {
     ($( $(#[doc = $doc:literal])+ $field:ident: [$min:literal, $max:literal]; )+) => {
         /// Limits of a machine and of the process on it.
-        #[derive(Clone, Debug, PartialEq, Serialize)]
+        #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+        #[serde(deny_unknown_fields)]
         pub struct MachineLimits {
             /// Name of the machine.
             pub name: String,
@@ -60,16 +62,11 @@ macro_rules! machine {
             /// # Errors
             /// Names the entry that is missing, unknown, not a number or outside its range.
             pub fn parse(text: &str) -> Result<Self, SettingError> {
-                let mut table: toml::Table =
-                    text.parse().map_err(|error: toml::de::Error| fault(error.to_string()))?;
-                let machine = Self {
-                    name: name(&mut table)?,
-                    $( $field: entry(&mut table, stringify!($field), $min, $max)?, )+
-                };
-                if let Some(key) = table.keys().next() {
-                    let known = ["name" $(, stringify!($field))+].join(", ");
-                    return Err(fault(format!("unknown entry `{key}`; there are {known}")));
+                let machine: Self = from_toml(text).map_err(fault)?;
+                if machine.name.chars().count() > MAX_NAME {
+                    return Err(fault(format!("`name` must be text of at most {MAX_NAME} characters")));
                 }
+                $( within(stringify!($field), machine.$field.value, $min, $max)?; )+
                 machine.check()?;
                 Ok(machine)
             }
@@ -102,40 +99,11 @@ fn fault(problem: String) -> SettingError {
     SettingError::Format { what: "machine file".to_owned(), problem }
 }
 
-fn name(table: &mut toml::Table) -> Result<String, SettingError> {
-    match table.remove("name") {
-        Some(toml::Value::String(name)) if name.chars().count() <= 80 => Ok(name),
-        Some(_) => Err(fault("`name` must be text of at most 80 characters".to_owned())),
-        None => Err(fault("`name` is missing".to_owned())),
+fn within(key: &str, value: f64, min: f64, max: f64) -> Result<(), SettingError> {
+    if value >= min && value <= max {
+        return Ok(());
     }
-}
-
-fn entry(table: &mut toml::Table, key: &str, min: f64, max: f64) -> Result<Sourced, SettingError> {
-    let form = format!("`{key}` must be written {{ value = a number, source = \"given\" }}");
-    let Some(found) = table.remove(key) else {
-        return Err(fault(format!("`{key}` is missing: {form}")));
-    };
-    let toml::Value::Table(mut parts) = found else {
-        return Err(fault(form));
-    };
-    let (value, source) = (parts.remove("value"), parts.remove("source"));
-    if let Some(other) = parts.keys().next() {
-        return Err(fault(format!("`{key}.{other}` is unknown; {form}")));
-    }
-    let value = match value {
-        Some(toml::Value::Float(value)) => value,
-        Some(toml::Value::Integer(value)) => value as f64,
-        _ => return Err(fault(form)),
-    };
-    if !(value >= min && value <= max) {
-        let problem = format!("`{key}` cannot be {value}: allowed is a number from {min} to {max}");
-        return Err(fault(problem));
-    }
-    let source = source.as_ref().and_then(toml::Value::as_str).and_then(Source::from_id);
-    let source = source.ok_or_else(|| {
-        fault(format!("`{key}.source` must be one of placeholder, chosen, given"))
-    })?;
-    Ok(Sourced { value, source })
+    Err(fault(format!("`{key}.value` cannot be {value}: allowed is a number from {min} to {max}")))
 }
 
 impl MachineLimits {
@@ -192,7 +160,11 @@ mod tests {
         assert!(message("\"chosen\"", "\"guessed\"").contains("ra_max_um.source"));
         assert!(message("value = 0.05", "worth = 0.05").contains("deflection_max_mm"));
         assert!(message("2000.0", "5").contains("feed_min_mm_min"));
-        assert!(message("ra_max_um", "ra_most_um").contains("`ra_max_um` is missing"));
+        assert!(message("ra_max_um", "ra_most_um").contains("unknown field `ra_most_um`"));
+        assert!(
+            message("power_max_kw = { value = 10.0, source = \"placeholder\" }\n", "")
+                .contains("`power_max_kw`")
+        );
         assert!(message("name =", "speed = 3\nname =").contains("`speed`"));
         assert!(MachineLimits::parse("name = ").is_err());
     }

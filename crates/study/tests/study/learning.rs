@@ -134,7 +134,7 @@ fn networks_are_refused_by_field_and_where_they_do_not_belong() {
     };
     let error = refused("{\"version\": 1}");
     assert!(error.contains("`controller.unks.networks`") && error.contains("`start`"), "{error}");
-    assert!(refused("x").contains("not a JSON object"));
+    assert!(refused("x").contains("not JSON"));
     let cold = complete(&short(UnksStart::Cold), 1);
     let error = refused(&cold.learned().unwrap().write());
     assert!(error.contains("networks of the start `cold`") && error.contains("shipped"), "{error}");

@@ -1,9 +1,10 @@
 //! Network files: JSON, numbers with nine significant digits. Readers get what was written to the
 //! bit, since rounded weights are what a network is judged by.
 
-use serde_json::{Map, Value, json};
+use serde::{Deserialize, Serialize};
 
-use super::{Activation, MAX_LAYERS, MAX_WIDTH, Network, ScaledNetwork, Scaling};
+use super::{Activation, Network, ScaledNetwork, Scaling};
+use crate::base::files::{Layout, from_json, to_json};
 
 /// Where a network's weights come from: enough to train it again.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,93 +46,111 @@ impl ScaledNetwork {
     }
 }
 
+/// The fields of a network file, in order.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a network")]
+pub struct NetworkFile {
+    note: String,
+    rows: u32,
+    seed: u32,
+    epochs: u32,
+    rate: f64,
+    momentum: f64,
+    decay: f64,
+    sizes: Vec<usize>,
+    activation: String,
+    linear_output: bool,
+    norm_lo: f64,
+    norm_hi: f64,
+    target_lo: f64,
+    target_hi: f64,
+    ln_inputs: Vec<bool>,
+    xmin: Vec<f64>,
+    xmax: Vec<f64>,
+    ymin: Vec<f64>,
+    ymax: Vec<f64>,
+    weights: Vec<f64>,
+}
+
+impl NetworkFile {
+    /// What is to be written of a network, with the digits of a file.
+    #[must_use]
+    pub fn new(scaled: &ScaledNetwork, provenance: &Provenance) -> Self {
+        let ScaledNetwork { network, scaling } = scaled.clone().as_in_file();
+        let Provenance { note, rows, seed, epochs, rate, momentum, decay } = provenance.clone();
+        let bounds = |ranges: &[[f64; 2]], end: usize| ranges.iter().map(|r| r[end]).collect();
+        Self {
+            note,
+            rows,
+            seed,
+            epochs,
+            rate,
+            momentum,
+            decay,
+            activation: network.activation.id().to_owned(),
+            linear_output: network.linear_output,
+            norm_lo: scaling.norm[0],
+            norm_hi: scaling.norm[1],
+            target_lo: scaling.target[0],
+            target_hi: scaling.target[1],
+            xmin: bounds(&scaling.inputs, 0),
+            xmax: bounds(&scaling.inputs, 1),
+            ymin: bounds(&scaling.outputs, 0),
+            ymax: bounds(&scaling.outputs, 1),
+            ln_inputs: scaling.ln_inputs,
+            sizes: network.sizes,
+            weights: network.weights,
+        }
+    }
+
+    /// The network, checked.
+    ///
+    /// # Errors
+    /// Names the field that does not fit, its value and what is allowed.
+    pub fn network(self) -> Result<(ScaledNetwork, Provenance), String> {
+        if self.note.len() > MAX_NOTE {
+            let bytes = self.note.len();
+            return Err(format!("`note` is {bytes} bytes long: allowed is at most {MAX_NOTE}"));
+        }
+        let activation = Activation::from_id(&self.activation).ok_or_else(|| {
+            let shown: String = self.activation.chars().take(40).collect();
+            let ids: Vec<&str> = Activation::ALL.iter().map(|one| one.id()).collect();
+            format!("`activation` cannot be {shown:?}: allowed is {}", ids.join(", "))
+        })?;
+        let network = Network::new(&self.sizes, activation, self.linear_output, self.weights)?;
+        let scaling = Scaling {
+            norm: [self.norm_lo, self.norm_hi],
+            target: [self.target_lo, self.target_hi],
+            ln_inputs: self.ln_inputs,
+            inputs: ranges(["xmin", "xmax"], self.xmin, self.xmax)?,
+            outputs: ranges(["ymin", "ymax"], self.ymin, self.ymax)?,
+        };
+        scaling.check(&network)?;
+        let provenance = Provenance {
+            note: self.note,
+            rows: self.rows,
+            seed: self.seed,
+            epochs: self.epochs,
+            rate: self.rate,
+            momentum: self.momentum,
+            decay: self.decay,
+        };
+        Ok((ScaledNetwork { network, scaling }, provenance))
+    }
+}
+
+fn ranges(names: [&str; 2], lows: Vec<f64>, highs: Vec<f64>) -> Result<Vec<[f64; 2]>, String> {
+    if lows.len() != highs.len() {
+        let ([low, high], [a, b]) = (names, [lows.len(), highs.len()]);
+        return Err(format!("`{low}` and `{high}` must be equally long, found {a} and {b}"));
+    }
+    Ok(lows.into_iter().zip(highs).map(|(low, high)| [low, high]).collect())
+}
+
 /// The text of a network file.
 #[must_use]
 pub fn write(scaled: &ScaledNetwork, provenance: &Provenance) -> String {
-    // One field a line.
-    format!("{{\n  {}\n}}\n", fields(scaled, provenance).join(",\n  "))
-}
-
-/// The same as one line of text, for a part of another file.
-#[must_use]
-pub fn write_line(scaled: &ScaledNetwork, provenance: &Provenance) -> String {
-    format!("{{{}}}", fields(scaled, provenance).join(","))
-}
-
-/// The fields of a network file with their names, in order.
-fn fields(scaled: &ScaledNetwork, provenance: &Provenance) -> Vec<String> {
-    let ScaledNetwork { network, scaling } = scaled;
-    let bounds = |ranges: &[[f64; 2]], end: usize| -> Value {
-        ranges.iter().map(|range| rounded(range[end])).collect()
-    };
-    let fields = [
-        ("note", json!(provenance.note)),
-        ("rows", json!(provenance.rows)),
-        ("seed", json!(provenance.seed)),
-        ("epochs", json!(provenance.epochs)),
-        ("rate", json!(provenance.rate)),
-        ("momentum", json!(provenance.momentum)),
-        ("decay", json!(provenance.decay)),
-        ("sizes", json!(network.sizes)),
-        ("activation", json!(network.activation.id())),
-        ("linear_output", json!(network.linear_output)),
-        ("norm_lo", json!(scaling.norm[0])),
-        ("norm_hi", json!(scaling.norm[1])),
-        ("target_lo", json!(scaling.target[0])),
-        ("target_hi", json!(scaling.target[1])),
-        ("ln_inputs", json!(scaling.ln_inputs)),
-        ("xmin", bounds(&scaling.inputs, 0)),
-        ("xmax", bounds(&scaling.inputs, 1)),
-        ("ymin", bounds(&scaling.outputs, 0)),
-        ("ymax", bounds(&scaling.outputs, 1)),
-        ("weights", network.weights.iter().map(|w| rounded(*w)).collect()),
-    ];
-    fields.iter().map(|(name, value)| format!("\"{name}\": {value}")).collect()
-}
-
-/// Takes fields out of a JSON object; what is left at the end is unknown.
-struct Fields(Map<String, Value>);
-
-impl Fields {
-    fn take<T>(
-        &mut self,
-        name: &str,
-        allowed: &str,
-        read: impl Fn(&Value) -> Option<T>,
-    ) -> Result<T, String> {
-        let value = self.0.remove(name).ok_or_else(|| format!("`{name}` is missing"))?;
-        read(&value).ok_or_else(|| {
-            let shown: String = value.to_string().chars().take(40).collect();
-            format!("`{name}` cannot be {shown}: allowed is {allowed}")
-        })
-    }
-
-    fn number(&mut self, name: &str) -> Result<f64, String> {
-        self.take(name, "a number", Value::as_f64)
-    }
-
-    fn count(&mut self, name: &str) -> Result<u32, String> {
-        let read = |value: &Value| value.as_u64().and_then(|count| u32::try_from(count).ok());
-        self.take(name, "a whole number from 0 to 4294967295", read)
-    }
-
-    fn list<T>(
-        &mut self,
-        name: &str,
-        allowed: &str,
-        read: impl Fn(&Value) -> Option<T>,
-    ) -> Result<Vec<T>, String> {
-        self.take(name, allowed, |value| value.as_array()?.iter().map(&read).collect())
-    }
-
-    fn ranges(&mut self, low: &str, high: &str) -> Result<Vec<[f64; 2]>, String> {
-        let lows = self.list(low, "a list of numbers", Value::as_f64)?;
-        let highs = self.list(high, "a list of numbers", Value::as_f64)?;
-        if lows.len() != highs.len() {
-            return Err(format!("`{low}` and `{high}` must be equally long"));
-        }
-        Ok(lows.into_iter().zip(highs).map(|(low, high)| [low, high]).collect())
-    }
+    to_json(&NetworkFile::new(scaled, provenance), Layout::FieldALine("  "))
 }
 
 /// Reads a network file.
@@ -142,47 +161,7 @@ pub fn parse(text: &str) -> Result<(ScaledNetwork, Provenance), String> {
     if text.len() > MAX_BYTES {
         return Err(format!("longer than {MAX_BYTES} bytes"));
     }
-    let map = serde_json::from_str(text).map_err(|error| format!("not a JSON object: {error}"))?;
-    from_map(map)
-}
-
-/// Reads a network from the fields of its JSON object.
-///
-/// # Errors
-/// As [`parse`].
-pub fn from_map(map: Map<String, Value>) -> Result<(ScaledNetwork, Provenance), String> {
-    let mut fields = Fields(map);
-    let note = |value: &Value| value.as_str().map(str::to_owned).filter(|n| n.len() <= MAX_NOTE);
-    let provenance = Provenance {
-        note: fields.take("note", &format!("text of at most {MAX_NOTE} bytes"), note)?,
-        rows: fields.count("rows")?,
-        seed: fields.count("seed")?,
-        epochs: fields.count("epochs")?,
-        rate: fields.number("rate")?,
-        momentum: fields.number("momentum")?,
-        decay: fields.number("decay")?,
-    };
-    let allowed = format!("2 to {MAX_LAYERS} layers of 1 to {MAX_WIDTH} neurons");
-    let size = |value: &Value| value.as_u64().and_then(|size| usize::try_from(size).ok());
-    let sizes = fields.list("sizes", &allowed, size)?;
-    let ids: Vec<&str> = Activation::ALL.iter().map(|activation| activation.id()).collect();
-    let activation = |value: &Value| Activation::from_id(value.as_str()?);
-    let activation = fields.take("activation", &ids.join(", "), activation)?;
-    let linear_output = fields.take("linear_output", "true or false", Value::as_bool)?;
-    let weights = fields.list("weights", "a list of numbers", Value::as_f64)?;
-    let network = Network::new(&sizes, activation, linear_output, weights)?;
-    let scaling = Scaling {
-        norm: [fields.number("norm_lo")?, fields.number("norm_hi")?],
-        target: [fields.number("target_lo")?, fields.number("target_hi")?],
-        ln_inputs: fields.list("ln_inputs", "a list of true and false", Value::as_bool)?,
-        inputs: fields.ranges("xmin", "xmax")?,
-        outputs: fields.ranges("ymin", "ymax")?,
-    };
-    scaling.check(&network)?;
-    match fields.0.keys().next() {
-        Some(unknown) => Err(format!("`{unknown}` is no field of a network file")),
-        None => Ok((ScaledNetwork { network, scaling }, provenance)),
-    }
+    from_json::<NetworkFile>(text)?.network()
 }
 
 #[cfg(test)]
@@ -228,18 +207,19 @@ mod tests {
         for (from, to, named) in [
             ("[2,3,1]", "[2,33,1]", "`sizes`"),
             ("[2,3,1]", "[2,4,1]", "`weights`"),
-            ("[2,3,1]", "[2,-3,1]", "`sizes`"),
+            ("[2,3,1]", "[2,-3,1]", "`sizes[1]`"),
             ("\"sine\"", "\"relu\"", "`activation`"),
             ("\"linear_output\": true", "\"linear_output\": 1", "`linear_output`"),
             ("\"seed\": 5", "\"seed\": -5", "`seed`"),
             ("\"rate\": 0.1", "\"rate\": null", "`rate`"),
+            ("  \"decay\": 0.0,\n", "", "missing field `decay`"),
             ("[false,true]", "[true,true]", "`xmin[0]`"),
             ("[false,true]", "[true]", "`ln_inputs`"),
             ("\"norm_lo\": -1.0", "\"norm_lo\": 1.0", "`norm_lo`"),
             ("\"ymax\": [1234.5]", "\"ymax\": [-9.0]", "`ymin[0]`"),
             ("\"ymax\": [1234.5]", "\"ymax\": []", "`ymax`"),
             ("\"ymax\": [1234.5]", "\"ymax\": [1e999]", "JSON"),
-            ("\"note\"", "\"nota\"", "`note` is missing"),
+            ("\"note\"", "\"nota\"", "unknown field `nota`, expected one of `note`"),
             ("{\n", "{\n\"extra\": 1,\n", "`extra`"),
         ] {
             let changed = text.replacen(from, to, 1);

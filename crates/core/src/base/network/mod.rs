@@ -12,7 +12,7 @@ mod scaling;
 
 pub use activation::Activation;
 pub use backprop::{Backprop, LearningParameters, Training};
-pub use file::{Provenance, from_map, parse, write, write_line};
+pub use file::{NetworkFile, Provenance, parse, write};
 pub use scaling::{ScaledNetwork, Scaling};
 
 use crate::base::rng::Stream;

@@ -8,10 +8,11 @@
 
 use std::sync::Arc;
 
-use serde_json::{Map, Value as Json};
+use serde::{Deserialize, Serialize};
 
 use super::{SIZES, UnksNetworks, UnksStart};
-use crate::base::network::{Provenance, ScaledNetwork, from_map, write_line};
+use crate::base::files::{Layout, from_json, to_json};
+use crate::base::network::{NetworkFile, Provenance, ScaledNetwork};
 use crate::base::settings::{Field, Kind, Value};
 
 /// Version of the format.
@@ -54,39 +55,30 @@ impl Stored {
         if text.len() > MAX_BYTES {
             return Err(format!("{} bytes; at most {MAX_BYTES} are read", text.len()));
         }
-        let mut map: Map<String, Json> =
-            serde_json::from_str(text).map_err(|error| format!("not a JSON object: {error}"))?;
-        let shown = |value: &Json| value.to_string().chars().take(40).collect::<String>();
-        let mut take = |name: &str| map.remove(name).ok_or_else(|| format!("`{name}` is missing"));
-        let version = take("version")?;
-        if version.as_u64() != Some(VERSION) {
-            return Err(format!("`version` cannot be {}: allowed is {VERSION}", shown(&version)));
+        // The version comes first: a file of another version may hold anything.
+        let Version { version } = from_json(text)?;
+        if version != VERSION {
+            return Err(format!("`version` cannot be {version}: allowed is {VERSION}"));
         }
-        let start = take("start")?;
-        let ids: Vec<&str> = UnksStart::ALL.iter().map(|start| start.id()).collect();
-        let start = start.as_str().and_then(UnksStart::from_id).ok_or_else(|| {
-            format!("`start` cannot be {}: allowed is one of {}", shown(&start), ids.join(", "))
+        let file: StoredFile = from_json(text)?;
+        let start = UnksStart::from_id(&file.start).ok_or_else(|| {
+            let shown: String = file.start.chars().take(40).collect();
+            let ids: Vec<&str> = UnksStart::ALL.iter().map(|start| start.id()).collect();
+            format!("`start` cannot be {shown:?}: allowed is one of {}", ids.join(", "))
         })?;
-        let mut network = |i: usize| match take(NAMES[i])? {
-            Json::Object(fields) => {
-                let (scaled, origin) =
-                    from_map(fields).map_err(|error| format!("{}: {error}", NAMES[i]))?;
-                let sizes = scaled.network.sizes();
-                if sizes == SIZES[i] {
-                    return Ok((scaled, origin));
-                }
-                let allowed = SIZES[i];
-                Err(format!("{}: `sizes` cannot be {sizes:?}: allowed is {allowed:?}", NAMES[i]))
-            }
-            other => {
-                Err(format!("`{}` cannot be {}: allowed is a network", NAMES[i], shown(&other)))
+        let network = |i: usize, fields: NetworkFile| {
+            let named = |error: String| format!("{}: {error}", NAMES[i]);
+            let (scaled, origin) = fields.network().map_err(named)?;
+            let (sizes, allowed) = (scaled.network.sizes(), SIZES[i]);
+            if sizes == allowed {
+                Ok((scaled, origin))
+            } else {
+                Err(named(format!("`sizes` cannot be {sizes:?}: allowed is {allowed:?}")))
             }
         };
-        let [(reference, a), (forward, b), (inverse, c)] = [network(0)?, network(1)?, network(2)?];
-        if let Some(unknown) = map.keys().next() {
-            let unknown: String = unknown.chars().take(40).collect();
-            return Err(format!("`{unknown}` is no field of this file"));
-        }
+        let (reference, a) = network(0, file.nm_r)?;
+        let (forward, b) = network(1, file.nm_1)?;
+        let (inverse, c) = network(2, file.nm_2)?;
         let networks = UnksNetworks { reference, forward, inverse };
         Ok(Self::new(start, &networks, [a, b, c]))
     }
@@ -94,24 +86,43 @@ impl Stored {
     /// The text of the file; reading it gives the same networks to the bit.
     #[must_use]
     pub fn write(&self) -> String {
-        format!("{{\n{}\n}}\n", self.fields().join(",\n"))
+        to_json(&self.file(), Layout::FieldALine(""))
     }
 
     /// The same in one line: the value of the setting.
     fn write_line(&self) -> String {
-        format!("{{{}}}", self.fields().join(","))
+        to_json(&self.file(), Layout::Line)
     }
 
-    fn fields(&self) -> Vec<String> {
+    fn file(&self) -> StoredFile {
         let UnksNetworks { reference, forward, inverse } = &self.networks;
-        let mut fields =
-            vec![format!("\"version\": {VERSION}"), format!("\"start\": \"{}\"", self.start.id())];
-        let networks = [reference, forward, inverse].into_iter().zip(&self.origins);
-        fields.extend(NAMES.iter().zip(networks).map(|(name, (network, origin))| {
-            format!("\"{name}\": {}", write_line(network, origin))
-        }));
-        fields
+        let [a, b, c] = &self.origins;
+        StoredFile {
+            version: VERSION,
+            start: self.start.id().to_owned(),
+            nm_r: NetworkFile::new(reference, a),
+            nm_1: NetworkFile::new(forward, b),
+            nm_2: NetworkFile::new(inverse, c),
+        }
     }
+}
+
+/// The fields of the file, in order.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "three networks")]
+struct StoredFile {
+    version: u64,
+    start: String,
+    nm_r: NetworkFile,
+    nm_1: NetworkFile,
+    nm_2: NetworkFile,
+}
+
+/// What every version has.
+#[derive(Deserialize)]
+#[serde(expecting = "three networks")]
+struct Version {
+    version: u64,
 }
 
 /// The setting: networks to begin with in the place of the shipped or the untrained ones, or none.
@@ -189,13 +200,13 @@ mod tests {
         for (from, to, named) in [
             ("\"version\": 1", "\"version\": 2", "`version` cannot be 2: allowed is 1"),
             ("\"shipped\"", "\"warm\"", "`start` cannot be \"warm\": allowed is one of shipped"),
-            ("\"nm_r\"", "\"nm_x\"", "`nm_r` is missing"),
-            ("\"start\"", "\"more\": 1, \"start\"", "`more` is no field"),
+            ("\"nm_r\"", "\"nm_x\"", "unknown field `nm_x`"),
+            ("\"start\"", "\"more\": 1, \"start\"", "unknown field `more`"),
             ("\"sizes\": [2,12,1]", "\"sizes\": [2,11,1]", "nm_r: `weights` holds 49"),
             ("\"sizes\": [4,8,1]", "\"sizes\": [2,12,1]", "nm_1: "),
-            ("\"xmin\": [", "\"xmin\": [1e400,", "not a JSON object"),
-            (weight, "null", "nm_1: `weights`"),
-            (weight, "NaN", "not a JSON object"),
+            ("\"xmin\": [", "\"xmin\": [1e400,", "not JSON"),
+            (weight, "null", "`nm_1.weights[0]`"),
+            (weight, "NaN", "not JSON"),
         ] {
             let broken = text.replacen(from, to, 1);
             assert_ne!(broken, text, "{from}");
