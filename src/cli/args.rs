@@ -10,6 +10,7 @@ use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::Calibration;
 use crate::models::plan::PlannedSection;
+use crate::models::tool::ShippedTool;
 use crate::study::profilometer::ProfileLine;
 use crate::study::published::PaperId;
 use crate::study::recommend::EngagementCode;
@@ -216,6 +217,9 @@ pub struct IdentifyArgs {
     /// Another table in the same format (CSV) in place of the shipped one; for `tables`.
     #[arg(long, value_name = "FILE.csv")]
     pub table: Option<PathBuf>,
+    /// The cutter of the simulator; for `milling`. The shipped models are those of the papers' cutter.
+    #[arg(long, value_name = "TOOL", default_value = ShippedTool::ALL[0].id(), value_parser = tool)]
+    pub tool: ShippedTool,
     /// Where to write the model file; without it, it is compared with the shipped one.
     #[arg(long, value_name = "FILE.toml")]
     pub out: Option<PathBuf>,
@@ -428,6 +432,9 @@ pub struct RecommendArgs {
     /// Diameter of the cutter.
     #[arg(long, value_name = "MM", required = true)]
     pub diameter: Option<f64>,
+    /// Number of teeth, for the feed of all of them.
+    #[arg(long, value_name = "Z", default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=8))]
+    pub teeth: u32,
     /// EngagementCode: 1 slot, 2 heavy side cut, 3 light side cut, 4 finishing.
     #[arg(long, value_name = "1|2|3|4", required = true, value_parser = engagement)]
     pub engagement: Option<EngagementCode>,
@@ -440,6 +447,10 @@ pub struct RecommendArgs {
     /// What else there is to do.
     #[command(subcommand)]
     pub what: Option<RecommendWhat>,
+}
+
+fn tool(text: &str) -> Result<ShippedTool, String> {
+    one_of(ShippedTool::ALL, ShippedTool::id, text)
 }
 
 fn engagement(text: &str) -> Result<EngagementCode, String> {

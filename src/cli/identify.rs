@@ -31,7 +31,7 @@ pub fn execute(args: &IdentifyArgs) -> Outcome {
             if args.table.is_some() {
                 return Err("`--table` is for `identify tables`: `milling` needs no table".into());
             }
-            identify_milling()?
+            identify_milling(&args.tool.load().tool)?
         }
     };
     let shipped = identified.models.set.identified_file();

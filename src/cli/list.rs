@@ -13,6 +13,7 @@ use crate::blocks::cutting::material::Material;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::feed_drive::FeedDriveKind;
 use crate::models::genetic::{Calibration, ModelSet};
+use crate::models::tool::ShippedTool;
 use crate::run::presets::{self, PRESETS};
 use crate::run::scenario::{COMPANIONS, RULES, table};
 
@@ -23,6 +24,7 @@ const CHOICES: &[(&str, &[Choice])] = &[
     ("force_models", ForceModel::OPTIONS),
     ("drives", FeedDriveKind::OPTIONS),
     ("materials", Material::OPTIONS),
+    ("tools", ShippedTool::OPTIONS),
 ];
 
 pub fn execute(args: &ListArgs) -> Outcome {
@@ -68,6 +70,10 @@ pub fn execute(args: &ListArgs) -> Outcome {
         writeln!(out, "\n{name}")?;
         for option in *options {
             writeln!(out, "  {:<18}{}: {}", option.id, option.label, option.doc)?;
+            if let Some(tool) = ShippedTool::from_id(option.id) {
+                let file = tool.load();
+                writeln!(out, "{:20}{}", "", file.source)?;
+            }
             if let Some(material) = Material::from_id(option.id) {
                 let hardness = material.hardness_hb();
                 let factor = material.force_factor(hardness);

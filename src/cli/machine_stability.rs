@@ -45,6 +45,8 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
             "variant": scenario.machine.variant.id(),
             "parameters": scenario.machine.parameters.id(),
             "spindle_quality": scenario.machine.spindle_quality,
+            "radial_depth_mm": cut.radial_depth_mm,
+            "diameter_mm": cut.diameter_mm,
             "teeth": cut.engagement.teeth,
             "mean_teeth": cut.engagement.mean_teeth(),
             "stiffness_per_mm": cut.stiffness_per_mm,
@@ -62,9 +64,9 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
     } else {
         writeln!(
             text,
-            "{}\ncut: {} teeth, {:.4} of them in the cut on the average, {:.4e} N/m per mm of depth",
+            "{}\ncut: {};\n{:.4} teeth in the cut on the average, {:.4e} N/m per mm of depth",
             name(&scenario),
-            cut.engagement.teeth,
+            cut.engagement_text(),
             cut.engagement.mean_teeth(),
             cut.stiffness_per_mm
         )?;

@@ -48,7 +48,7 @@ pub fn execute(
     let index = index.ok_or_else(|| format!("--cut {number}: allowed is 1 to {reached}"))?;
     let last_s = run.recording().rows().last().map_or(0.0, |row| row.time_s);
     let settings = edits.scenario_at(scenario, last_s)?;
-    let path = ToolPath::new(&settings.workpiece);
+    let path = ToolPath::new(&settings.workpiece, settings.tool.outline());
     let found = measure(&marks.cuts()[index].surface, path.of(index), &line, &settings.profile)
         .map_err(|error| format!("--profile: {error}"))?;
     let report = Report {

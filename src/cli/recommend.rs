@@ -8,6 +8,7 @@ use serde_json::json;
 
 use super::Outcome;
 use super::args::{RecommendArgs, RecommendTableArgs, RecommendWhat};
+use crate::models::tool::Tool;
 use crate::study::recommend::learned::{Answer, Learned};
 use crate::study::recommend::table::{NOTE as TABLE_NOTE, SHIPPED, Table, synthetic};
 use crate::study::recommend::{Advisor, NOTE, Recommendation};
@@ -25,7 +26,8 @@ pub fn execute(args: &RecommendArgs) -> Outcome {
     };
     let (table, source) = read_table(args.table.as_deref())?;
     let advisor = Advisor::new(&table);
-    let found = advisor.recommend(hb, diameter, engagement)?;
+    let tool = Tool { diameter_mm: diameter, teeth: args.teeth, ..Tool::default() };
+    let found = advisor.recommend(hb, &tool, engagement)?;
     let mut out = std::io::stdout().lock();
     if args.json {
         let system = |learned: &Learned| {
@@ -96,7 +98,12 @@ pub fn print(out: &mut impl Write, found: &Recommendation) -> std::io::Result<()
         writeln!(out, "  {name:<24}{value}{mark}")?;
     }
     writeln!(out, "  {:<24}{:.1} 1/min", "spindle speed", found.speed_rpm)?;
-    writeln!(out, "  {:<24}{:.2} mm/min with two teeth", "feed", found.feed_mm_min)
+    let teeth = match found.teeth {
+        1 => "one tooth".to_owned(),
+        2 => "two teeth".to_owned(),
+        teeth => format!("{teeth} teeth"),
+    };
+    writeln!(out, "  {:<24}{:.2} mm/min with {teeth}", "feed", found.feed_mm_min)
 }
 
 fn system(

@@ -18,7 +18,7 @@ fn a_measured_profile_has_the_roughness_of_the_run_and_slices_and_the_command_li
     let rows = run.recording().rows();
     let mut marks = MarkedPart::new(&scenario);
     marks.extend(rows);
-    let path = ToolPath::new(&scenario.workpiece);
+    let path = ToolPath::new(&scenario.workpiece, scenario.tool.outline());
     let measured = |marks: &MarkedPart| {
         measure(&marks.cuts()[0].surface, path.of(0), &LINE, &scenario.profile).unwrap()
     };

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::process::{Command, Output};
 
 use proptest::prelude::*;
+use steadycut::models::tool::Tool;
 use steadycut::study::recommend::table::Table;
 use steadycut::study::recommend::{Advisor, EngagementCode};
 
@@ -86,7 +87,8 @@ proptest! {
         let advisor = Advisor::new(&table);
         for (hardness, diameter) in [(50.0, 0.5), (230.0, 16.0), (700.0, 100.0)] {
             for engagement in EngagementCode::ALL {
-                let found = advisor.recommend(hardness, diameter, *engagement).unwrap();
+                let tool = Tool { diameter_mm: diameter, ..Tool::default() };
+                let found = advisor.recommend(hardness, &tool, *engagement).unwrap();
                 let values = [found.cutting_speed_m_min.value, found.feed_per_tooth_mm.value];
                 prop_assert!(values.iter().all(|x| x.is_finite() && *x > 0.0), "{:?}", values);
             }

@@ -8,6 +8,7 @@ use egui::{Key, Vec2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use steadycut::app::Console;
 use steadycut::base::settings::Value;
+use steadycut::models::tool::Tool;
 use steadycut::run::scenario::Scenario;
 use steadycut::study::plan::PlanJob;
 use steadycut::study::plan::constraints::CONSTRAINTS;
@@ -156,7 +157,7 @@ fn the_optimum_becomes_the_programmed_values_in_one_undoable_change() {
 fn recommended_conditions_follow_the_hardness_and_can_be_programmed() {
     let ask = |hardness_hb| {
         let advisor = Advisor::new(&Table::shipped());
-        advisor.recommend(hardness_hb, 16.0, EngagementCode::Light).unwrap()
+        advisor.recommend(hardness_hb, &Tool::default(), EngagementCode::Light).unwrap()
     };
     for (hardness_hb, said) in [(300.0, "inside the table"), (480.0, "its edge answers")] {
         let mut screen = open(DESKTOP, &[("plant.hardness_hb", Value::Float(hardness_hb))]);

@@ -79,7 +79,7 @@ fn agrees_with_core(screen: &Screen) {
     marks.extend(session.revealed());
     let [x0, y0, x1, y1] = ["From x", "From y", "To x", "To y"].map(|name| field(screen, name));
     let line = ProfileLine { from_mm: [x0, y0], to_mm: [x1, y1] };
-    let path = ToolPath::new(&session.current().workpiece);
+    let path = ToolPath::new(&session.current().workpiece, session.current().tool.outline());
     let cut = marks.cut();
     let surface = &marks.cuts()[cut].surface;
     let found = measure(surface, path.of(cut), &line, &session.current().profile).unwrap();

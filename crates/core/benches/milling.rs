@@ -31,7 +31,7 @@ mod baseline {
     use super::{Row, Scenario};
     use steadycut_core::base::rng::Stream;
     use steadycut_core::blocks::sensing::peak::PeakWindow;
-    use steadycut_core::models::ball_end::{CK45, COMPLIANCE_MM_PER_N, Cutter, Kienzle, Sliced};
+    use steadycut_core::models::ball_end::{CK45, Cutter, Kienzle, Sliced};
     use steadycut_core::models::feed_drive::{DriveState, ExactDrive, FeedDriveKind};
     use steadycut_core::models::genetic::{Calibration, GeneticModels, ModelSet};
     use steadycut_core::models::part::CutPath;
@@ -48,7 +48,8 @@ mod baseline {
         let cuts: Vec<CutPath> =
             scenario.workpiece.cuts.iter().map(|sections| CutPath::new(sections)).collect();
         let deepest = cuts.iter().map(CutPath::depth_max_mm).fold(0.0, f64::max);
-        let sliced = Sliced::new(&Cutter::two_teeth(16.0, 0.003, 0.25), deepest);
+        let cutter = Cutter::two_teeth(16.0, 0.003, 0.25);
+        let (sliced, compliance) = (Sliced::new(&cutter, deepest), cutter.compliance_mm_n);
         let law = Kienzle::new(&CK45, 80.0, 12.0, 200.0);
         let tooth = (30.0 / speed / dt).round() as usize;
         let per_tooth = 1.0 / (2.0 * speed);
@@ -150,7 +151,7 @@ mod baseline {
             }
             let factor = 1.0 + field_gain * (here + (place - cell as f64) * (next - here));
             let (now, earlier) = (history[newest], history[(newest + RING - tooth) % RING]);
-            let deflection = [0, 1].map(|i| COMPLIANCE_MM_PER_N * (now[i] - earlier[i]));
+            let deflection = [0, 1].map(|i| compliance * (now[i] - earlier[i]));
             let part = &cuts[cut];
             let angle = turn * std::f64::consts::TAU;
             let depth_at = |x: f64, y: f64| part.depth_at(x_mm + x, y);

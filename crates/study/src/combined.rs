@@ -26,7 +26,6 @@ use crate::base::math::extent;
 use crate::base::settings::SettingError;
 use crate::base::units::percent_from_ratio;
 use crate::blocks::control::ControllerKind;
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::models::part::APPROACH_MM;
@@ -116,10 +115,9 @@ impl Combined {
         let planning = one_cut(&scenario, section)?;
         let job = PlanJob::on(&planning, machine)?;
         let depths_mm = job.problem().depths_mm();
-        let diameter_mm = R216_16B20_040.diameter_mm;
-        let engagement = EngagementCode::of(depths_mm[1], diameter_mm);
-        let recommendation =
-            advisor.recommend(scenario.plant.hardness_hb, diameter_mm, engagement)?;
+        let engagement = EngagementCode::of(depths_mm[1], scenario.tool.diameter_mm);
+        let hardness_hb = scenario.plant.hardness_hb;
+        let recommendation = advisor.recommend(hardness_hb, &scenario.tool, engagement)?;
         let asked =
             [recommendation.cutting_speed_m_min.value, recommendation.feed_per_tooth_mm.value];
 
@@ -216,12 +214,13 @@ impl Adjusted {
 /// part: by the network's force at the reference cut the heaviest or the lightest. A part that is one
 /// cut already is left to the plan.
 fn one_cut(scenario: &Scenario, section: PlannedSection) -> Result<Scenario, SettingError> {
-    let speed_rpm = R216_16B20_040.speed_rpm(REFERENCE[0]);
-    let feed_mm_min = R216_16B20_040.feed_mm_min(REFERENCE[1], speed_rpm);
+    let speed_rpm = scenario.tool.speed_rpm(REFERENCE[0]);
+    let feed_mm_min = scenario.tool.feed_mm_min(REFERENCE[1], speed_rpm);
     let mut found: Option<(f64, Scenario)> = None;
     for one in scenario.workpiece.cuts.iter().flatten() {
         let alone = Workpiece { cuts: vec![vec![*one]], ..scenario.workpiece.clone() };
-        let place = ToolPath::new(&alone).place(APPROACH_MM + 0.5 * one[0]);
+        let place =
+            ToolPath::new(&alone, scenario.tool.outline()).place(APPROACH_MM + 0.5 * one[0]);
         if place.axial_depth_mm <= 0.0 || place.radial_depth_mm <= 0.0 {
             continue;
         }

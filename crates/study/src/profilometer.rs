@@ -141,7 +141,7 @@ pub fn measure(
     let roughness = roughness_profile::evaluate_over(settings, lengths, |_, step_mm, count| {
         let height = |i: usize| {
             let [x, y] = line.at(i as f64 * step_mm);
-            let across_mm = strip_mm(cut, x);
+            let across_mm = strip_mm(surface.outline(), cut, x);
             let inside = across_mm.is_some_and(|[low, high]| (low..=high).contains(&y));
             let found = surface.height_um(x, y).filter(|_| inside);
             if found.is_none() {
@@ -173,10 +173,11 @@ fn mean_ra_um(surface: &Topography, line: &ProfileLine) -> f64 {
 mod tests {
     use super::*;
     use crate::blocks::surface::topography::ToothMark;
+    use crate::models::tool::Outline;
 
     /// 40 mm at 0.2 mm per tooth, from 0 on; the strip reaches from 2 to 28^0.5 mm.
     fn surface(ra_um: f64) -> (Topography, CutPath) {
-        let mut surface = Topography::new(8.0, 1);
+        let mut surface = Topography::new(Outline::ball(8.0), 1);
         for k in 0..=200 {
             surface.push(ToothMark { x_mm: 0.2 * f64::from(k), z_mm: 0.0, ra_um });
         }
@@ -222,7 +223,12 @@ mod tests {
         assert!(at([1e300, 4.0], [-1e300, 4.0], 0.8).is_err());
         let (_, cut) = surface(0.8);
         let line = ProfileLine { from_mm: [0.0, 4.0], to_mm: [6.0, 4.0] };
-        let none = measure(&Topography::new(8.0, 1), &cut, &line, &ProfileSettings::default());
+        let none = measure(
+            &Topography::new(Outline::ball(8.0), 1),
+            &cut,
+            &line,
+            &ProfileSettings::default(),
+        );
         assert_eq!(none, Err(LineError::NothingCut));
     }
 

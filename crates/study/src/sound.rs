@@ -14,7 +14,6 @@ use crate::base::fft::synthesise;
 use crate::base::math;
 use crate::base::rng::Stream;
 use crate::base::units::rev_s_from_rpm;
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::models::machine_trend::MachineTrend;
 use crate::models::structure::Complex;
 use crate::models::structure::frf::LAST_HZ;
@@ -79,10 +78,10 @@ impl CutSound {
             return Complex::new(0.0, 0.0);
         }
         let harmonic = j / self.spindle_lines;
-        let teeth = R216_16B20_040.teeth;
+        let teeth = self.model.tool.teeth;
         let weight = if harmonic.is_multiple_of(teeth as usize) { 1.0 } else { RUNOUT_RATIO };
         // Both signs of the frequency in one line.
-        pulse(harmonic as f64) * (2.0 * teeth * weight)
+        pulse(harmonic as f64) * (2.0 * f64::from(teeth) * weight)
     }
 
     /// The sound before the gain, in the real parts.

@@ -58,7 +58,7 @@ impl Marked {
 
 /// The way of the tool, as it stands at the playhead.
 fn under_tool(session: &Session) -> ToolPath {
-    let mut path = ToolPath::new(&session.current().workpiece);
+    let mut path = ToolPath::new(&session.current().workpiece, session.current().tool.outline());
     let position_mm = session.row().position_mm;
     while path.next_cut(position_mm).is_some() {}
     path

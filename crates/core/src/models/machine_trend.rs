@@ -15,7 +15,9 @@
 use super::roughness_trend::{cusp_mm, ra_um};
 use super::structure::Complex;
 use super::structure::FiveMass;
+use super::structure::engagement::EngagementAngles;
 use super::structure::frf::{LAST_HZ, STEP_HZ, Tree};
+use super::tool::Tool;
 use super::wear::{WearCut, WearSettings};
 use crate::base::math::TAU;
 
@@ -47,8 +49,11 @@ crate::settings! {
     }
 }
 
-/// Mean number of engaged teeth of the papers' cut: two, 51.3 degrees each.
+/// Mean number of engaged teeth of the papers' cut as the model was calibrated: two teeth, 51.3 degrees
+/// each at 3 mm of 16 mm. Other cuts engage as many more as their window is longer.
 pub const ENGAGED: f64 = 0.285;
+/// Radial depth of that cut, mm.
+const ENGAGED_RADIAL_MM: f64 = 3.0;
 
 /// Sound and roughness at one fraction of the life.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -91,8 +96,10 @@ pub struct MachineTrend {
     pub life: LifeSettings,
     /// The cut.
     pub cut: WearCut,
-    /// Radius of the ball, mm.
-    pub radius_mm: f64,
+    /// The cutter.
+    pub tool: Tool,
+    /// Radial depth of the cut, mm.
+    pub radial_depth_mm: f64,
 }
 
 impl MachineTrend {
@@ -120,7 +127,17 @@ impl MachineTrend {
     #[must_use]
     pub fn damping_n_s_m(&self, w: f64) -> f64 {
         let WearCut { cutting_speed_m_min, axial_depth_mm, .. } = self.cut;
-        self.wear.process_damping_n_s_m(w, ENGAGED, axial_depth_mm, cutting_speed_m_min)
+        self.wear.process_damping_n_s_m(w, self.engaged(), axial_depth_mm, cutting_speed_m_min)
+    }
+
+    /// Mean number of engaged teeth.
+    #[must_use]
+    pub fn engaged(&self) -> f64 {
+        let mean = |tool: &Tool, radial_mm: f64| {
+            EngagementAngles::side_milling(tool.teeth, radial_mm, tool.diameter_mm).mean_teeth()
+        };
+        let papers = mean(&Tool::default(), ENGAGED_RADIAL_MM);
+        ENGAGED * (mean(&self.tool, self.radial_depth_mm) / papers)
     }
 
     fn line(&self, worn: &FiveMass, damping_n_s_m: f64, force_n: f64, f_hz: f64) -> TrendLine {
@@ -154,7 +171,7 @@ impl MachineTrend {
         }
         let wear = self.wear.wear(x);
         let vibration_rms_m = (squares / lines).sqrt();
-        let cusp_um = 1000.0 * cusp_mm(self.cut.feed_per_tooth_mm, self.radius_mm);
+        let cusp_um = 1000.0 * cusp_mm(self.cut.feed_per_tooth_mm, &self.tool.outline());
         TrendPoint {
             x,
             wear,

@@ -12,6 +12,7 @@ pub mod roughness_profile;
 pub mod roughness_trend;
 pub mod spindle;
 pub mod structure;
+pub mod tool;
 pub mod tool_life;
 pub mod unks;
 pub mod wear;

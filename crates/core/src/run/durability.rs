@@ -13,12 +13,12 @@ use super::scenario::Scenario;
 use super::signals::{Row, flag};
 use crate::base::math;
 use crate::blocks::control::FeedSpeed;
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::sensing::tool_condition::{
     CutObservation, EstimatorSetup, ToolConditionEstimator,
 };
 use crate::models::genetic::GeneticModels;
 use crate::models::structure::reduction::Reduction;
+use crate::models::tool::Tool;
 use crate::models::wear::{WearCut, WearModel};
 
 /// Minutes of the tool's life between two adjustments (chosen).
@@ -28,13 +28,12 @@ pub const SPEED_RATIOS: [f64; 2] = [0.5, 1.5];
 /// No adjustment in the last minutes: the remaining life wanted is too short to divide by.
 pub const LAST_MIN: f64 = 10.0;
 
-/// The quantities of Taylor's equation for the papers' tool at a feed, a speed and an axial depth in mm.
+/// The quantities of Taylor's equation for a tool at a feed, a speed and an axial depth in mm.
 #[must_use]
-pub fn wear_cut(at: FeedSpeed, axial_depth_mm: f64) -> WearCut {
-    let tool = R216_16B20_040;
+pub fn wear_cut(tool: &Tool, at: FeedSpeed, axial_depth_mm: f64) -> WearCut {
     WearCut {
         cutting_speed_m_min: at.speed_rpm / tool.speed_rpm(1.0),
-        feed_per_tooth_mm: at.feed_mm_min / (tool.teeth * at.speed_rpm),
+        feed_per_tooth_mm: tool.feed_per_tooth_mm(at.feed_mm_min, at.speed_rpm),
         axial_depth_mm,
     }
 }
@@ -42,25 +41,25 @@ pub fn wear_cut(at: FeedSpeed, axial_depth_mm: f64) -> WearCut {
 /// The tool-condition estimator of a scenario before the cut, on a machine.
 #[must_use]
 pub fn estimator(scenario: &Scenario, machine: &Reduction) -> ToolConditionEstimator {
-    let tool = R216_16B20_040;
+    let tool = &scenario.tool;
     ToolConditionEstimator::new(EstimatorSetup {
         machine: *machine,
-        teeth: tool.teeth as u32,
+        teeth: tool.teeth,
         diameter_mm: tool.diameter_mm,
         wear: scenario.wear.clone(),
         life: scenario.life.clone(),
-        programmed: wear_cut(scenario.programmed(0), scenario.workpiece.axial_depth_mm),
+        programmed: wear_cut(tool, scenario.programmed(0), scenario.workpiece.axial_depth_mm),
     })
 }
 
-/// What a row of length `dt_s` shows of the cut; `belief` gives the force of a sharp tool.
+/// What a row of length `dt_s` shows of the cut of a tool; `belief` gives the force of a sharp one.
 #[must_use]
-pub fn observation_of(row: &Row, belief: &GeneticModels, dt_s: f64) -> CutObservation {
+pub fn observation_of(row: &Row, tool: &Tool, belief: &GeneticModels, dt_s: f64) -> CutObservation {
     let at = FeedSpeed { feed_mm_min: row.feed_mm_min, speed_rpm: row.spindle_rpm };
     let force_n = belief.force(at.feed_mm_min, at.speed_rpm).value;
     CutObservation {
         dt_s,
-        cut: wear_cut(at, row.axial_depth_mm),
+        cut: wear_cut(tool, at, row.axial_depth_mm),
         speed_rpm: row.spindle_rpm,
         radial_depth_mm: row.radial_depth_mm,
         sharp_force_n: force_n * row.axial_depth_mm,
@@ -73,6 +72,7 @@ pub fn observation_of(row: &Row, belief: &GeneticModels, dt_s: f64) -> CutObserv
 #[derive(Clone, Debug)]
 pub struct Durability {
     estimator: ToolConditionEstimator,
+    tool: Tool,
     desired_min: f64,
     taylor_exponent: f64,
     time_scale: f64,
@@ -93,6 +93,7 @@ impl Durability {
         }
         let estimator = estimator(scenario, scenario.coupled_machine()?);
         Some(Box::new(Self {
+            tool: scenario.tool.clone(),
             desired_min: scenario.life.tool_life_min,
             taylor_exponent: wear.taylor_exponent,
             time_scale: wear.time_scale,
@@ -122,7 +123,7 @@ impl Durability {
 
     /// Lets `dt_s` of the cut in `row` pass.
     pub fn update(&mut self, row: &Row, belief: &GeneticModels, dt_s: f64) {
-        let observation = observation_of(row, belief, dt_s);
+        let observation = observation_of(row, &self.tool, belief, dt_s);
         if observation.in_cut {
             self.time_min += self.time_scale * dt_s / 60.0;
         }

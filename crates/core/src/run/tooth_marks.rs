@@ -8,12 +8,12 @@
 use super::scenario::Scenario;
 use super::signals::{Row, flag};
 use crate::base::units::{mm_from_um, rev_s_from_rpm};
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::surface::profile::Passing;
 use crate::blocks::surface::topography::{ToothMark, Topography};
 use crate::models::part::APPROACH_MM;
 use crate::models::structure::RoughnessFrom;
+use crate::models::tool::runout_share;
 
 /// A straight cut of the part.
 #[derive(Clone, Debug)]
@@ -31,8 +31,8 @@ pub struct MarkedCut {
 pub struct MarkedPart {
     cuts: Vec<MarkedCut>,
     cut: usize,
-    teeth: f64,
-    /// How much too far out one tooth is, mm; the other one is as much too far in.
+    teeth: u32,
+    /// How far the axis is shifted towards tooth 0, mm.
     runout_mm: f64,
     by_teeth: bool,
     /// Whether vibration makes Ra with dynamics, and its share that is normal to the surface.
@@ -46,12 +46,12 @@ impl MarkedPart {
     /// The part before the first tooth.
     #[must_use]
     pub fn new(scenario: &Scenario) -> Self {
-        let tool = &R216_16B20_040;
+        let tool = &scenario.tool;
         let workpiece = &scenario.workpiece;
         let cut = |begins_mm: f64, length_mm: f64| MarkedCut {
             begins_mm,
             length_mm,
-            surface: Topography::new(0.5 * tool.diameter_mm, scenario.run.seed),
+            surface: Topography::new(tool.outline(), scenario.run.seed),
         };
         let lengths = workpiece.cuts.iter().map(|cut| cut.iter().map(|section| section[0]).sum());
         let begins = ToolPath::begins_of(workpiece).into_iter().map(|way_mm| way_mm + APPROACH_MM);
@@ -85,7 +85,8 @@ impl MarkedPart {
 
     /// The teeth that come past between two rows.
     fn between(&mut self, from: &Row, to: &Row) {
-        let turned = rev_s_from_rpm(to.spindle_rpm) * (to.time_s - from.time_s) * self.teeth;
+        let turned =
+            rev_s_from_rpm(to.spindle_rpm) * (to.time_s - from.time_s) * f64::from(self.teeth);
         if self.cut + 1 < self.cuts.len() {
             let next_mm = self.cuts[self.cut + 1].begins_mm;
             self.cut += usize::from(to.position_mm >= next_mm - APPROACH_MM);
@@ -98,10 +99,12 @@ impl MarkedPart {
                 return;
             }
             let position_mm = from.position_mm + share * (to.position_mm - from.position_mm);
-            let out = if tooth % 2 == 1 { self.runout_mm } else { -self.runout_mm };
+            let teeth = self.teeth as usize;
+            let tooth = (tooth % u64::from(self.teeth)) as usize;
+            let back_mm = -self.runout_mm * runout_share(tooth, teeth);
             cut.surface.push(ToothMark {
                 x_mm: position_mm - cut.begins_mm,
-                z_mm: out + self.vibrating * mm_from_um(to.vibration_um),
+                z_mm: back_mm + self.vibrating * mm_from_um(to.vibration_um),
                 ra_um: if self.by_teeth { 0.0 } else { ra_um },
             });
         });
@@ -122,7 +125,7 @@ impl MarkedPart {
     /// Turns of the spindle so far.
     #[must_use]
     pub fn turns(&self) -> f64 {
-        self.passing.teeth() / self.teeth
+        self.passing.teeth() / f64::from(self.teeth)
     }
 
     /// Rows taken in so far.

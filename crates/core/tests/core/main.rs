@@ -7,3 +7,4 @@ mod matrix;
 mod metrics;
 mod revolution;
 mod switching;
+mod tools;

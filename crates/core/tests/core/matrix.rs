@@ -82,7 +82,10 @@ fn every_controller_runs_on_every_plant() {
 fn map_n(scenario: &Scenario, feed_mm_min: f64, speed_rpm: f64) -> f64 {
     let workpiece = &scenario.workpiece;
     let place = match workpiece.cuts.first() {
-        Some(sections) => Engagement::in_section([sections[0][1], sections[0][2]]),
+        Some(sections) => {
+            let outline = scenario.tool.outline();
+            Engagement::in_section(&outline, [sections[0][1], sections[0][2]])
+        }
         None => Engagement {
             axial_depth_mm: workpiece.axial_depth_mm,
             radial_depth_mm: workpiece.radial_depth_mm,
@@ -90,7 +93,7 @@ fn map_n(scenario: &Scenario, feed_mm_min: f64, speed_rpm: f64) -> f64 {
     };
     let plant = &scenario.plant;
     if plant.force_model.tooth_by_tooth() {
-        let cutter = Cutter::two_teeth(16.0, plant.runout_um / 1000.0, plant.slice_mm);
+        let cutter = Cutter::new(&scenario.tool, plant.runout_um / 1000.0, plant.slice_mm);
         let law = Kienzle::new(&CK45, 80.0, 12.0, 200.0);
         let cut = StaticCut {
             feed_per_tooth_mm: feed_mm_min / (2.0 * speed_rpm),
@@ -99,7 +102,8 @@ fn map_n(scenario: &Scenario, feed_mm_min: f64, speed_rpm: f64) -> f64 {
         };
         return static_peak(&cutter, &law, &cut).fxy_n;
     }
-    let mut process = Process::new(plant, place.radial_depth_mm, place.axial_depth_mm, 1e-3);
+    let mut process =
+        Process::new(plant, &scenario.tool, place.radial_depth_mm, place.axial_depth_mm, 1e-3);
     process.update(feed_mm_min, speed_rpm, &place).value
 }
 

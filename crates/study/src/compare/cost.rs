@@ -42,7 +42,7 @@ impl Replay {
                 feed_mm_min: scenario.program.feed_mm_min,
                 speed_rpm: scenario.program.spindle_rpm,
             },
-            models: GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration),
+            models: scenario.believed(),
             samples: rows.map(sample).collect(),
             scenario,
         }

@@ -21,7 +21,6 @@ use nalgebra::{Matrix3, Vector3};
 use super::sdnrp_2007::fit;
 use super::{Fit, Identified};
 use crate::base::math;
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::models::ball_end::{CK45, Cutter, Kienzle, StaticCut, static_peak};
 use crate::models::genetic::exponential::Exponential;
 use crate::models::genetic::force_formula::{ForceFormula, INCH};
@@ -29,14 +28,13 @@ use crate::models::genetic::{
     Calibration, FeedLaw, GeneticModels, MILLING_AXIAL_DEPTH_MM, MILLING_RADIAL_DEPTH_MM, ModelSet,
     SpeedLaw,
 };
+use crate::models::tool::Tool;
 
 /// The programmed cut of both experiments: cutting speed in m/min and feed per tooth in mm.
 const PROGRAMMED: [f64; 2] = [80.0, 0.08];
 /// Run-out of the cutter and height of its slices in the experiments, mm.
 const RUNOUT_MM: f64 = 0.003;
 const SLICE_MM: f64 = 0.25;
-/// Rake of the papers' insert, degrees.
-const RAKE_DEG: f64 = 12.0;
 /// Feeds over the programmed one: up to the largest override of the experiments, and down to what
 /// their heaviest section needs.
 const FEEDS: [f64; 2] = [0.4, 1.5];
@@ -46,11 +44,10 @@ const POINTS: u32 = 21;
 const SPEEDS: [f64; 3] = [0.9, 1.0, 1.1];
 
 /// The peak force in N at a feed and a speed over the programmed ones.
-fn peak_n(feed: f64, speed: f64) -> f64 {
-    let tool = R216_16B20_040;
+fn peak_n(tool: &Tool, feed: f64, speed: f64) -> f64 {
     let [speed_m_min, feed_per_tooth_mm] = PROGRAMMED;
-    let cutter = Cutter::two_teeth(tool.diameter_mm, RUNOUT_MM, SLICE_MM);
-    let law = Kienzle::new(&CK45, speed * speed_m_min, RAKE_DEG, CK45.hardness_hb);
+    let cutter = Cutter::new(tool, RUNOUT_MM, SLICE_MM);
+    let law = Kienzle::new(&CK45, speed * speed_m_min, tool.rake_deg, CK45.hardness_hb);
     let cut = StaticCut {
         feed_per_tooth_mm: feed_per_tooth_mm * feed / speed,
         axial_depth_mm: MILLING_AXIAL_DEPTH_MM,
@@ -80,17 +77,17 @@ fn force_formula(points: &[[f64; 3]]) -> Option<ForceFormula> {
     Some(ForceFormula { intercept_n: c[0], speed: c[1] * 1e-10, feed: c[2] * 100.0 })
 }
 
-/// Identifies K2..K4.
+/// Identifies K2..K4 for a cutter.
 ///
 /// # Errors
 /// Names the model whose points give no usable curve.
-pub fn identify_milling() -> Result<Identified, String> {
+pub fn identify_milling(tool: &Tool) -> Result<Identified, String> {
     let [speed_m_min, feed_per_tooth_mm] = PROGRAMMED;
-    let speed_rpm = R216_16B20_040.speed_rpm(speed_m_min);
-    let feed_mm_min = R216_16B20_040.feed_mm_min(feed_per_tooth_mm, speed_rpm);
+    let speed_rpm = tool.speed_rpm(speed_m_min);
+    let feed_mm_min = tool.feed_mm_min(feed_per_tooth_mm, speed_rpm);
     let grid: Vec<[f64; 3]> = ratios(FEEDS, POINTS)
         .flat_map(|feed| SPEEDS.map(|speed| [feed, speed]))
-        .map(|[feed, speed]| [feed * feed_mm_min, speed * speed_rpm, peak_n(feed, speed)])
+        .map(|[feed, speed]| [feed * feed_mm_min, speed * speed_rpm, peak_n(tool, feed, speed)])
         .collect();
     let programmed = grid.iter().filter(|[_, speed, _]| *speed == speed_rpm);
     let points = programmed.map(|[feed, _, peak_n]| [*peak_n, *feed]).collect();
@@ -113,6 +110,7 @@ pub fn identify_milling() -> Result<Identified, String> {
         feed: FeedLaw::Curve(k2),
         speed: SpeedLaw::Exponential(k3, [k2.low, k2.high]),
         force,
+        of_tool: true,
     };
     Ok(Identified { models, fits: vec![k2_fit, k4_fit] })
 }

@@ -72,6 +72,7 @@ pub(super) fn identify(rows: &[TableRow]) -> Result<Identified, String> {
         feed: FeedLaw::Curve(k2),
         speed: SpeedLaw::Curve(k3),
         force: sdnrp_2007::K4_RESTORED,
+        of_tool: true,
     };
     let at_final = |row: &TableRow| models.force(row.feed_final_mm_min, row.spindle_final_rpm);
     let k4_fit = Fit {

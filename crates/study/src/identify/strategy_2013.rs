@@ -56,6 +56,7 @@ fn models(parameters: &SVector<f64, 9>) -> GeneticModels {
             [-1e6, 1e6],
         ),
         force: ForceFormula { intercept_n: p[7], speed: strategy_2013::M4.speed, feed: p[8] },
+        of_tool: true,
     }
 }
 

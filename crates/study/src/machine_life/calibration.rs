@@ -69,8 +69,8 @@ pub fn calibrate(scenario: &Scenario) -> Calibrated {
             let at =
                 FeedSpeed { feed_mm_min: row.feed_final_mm_min, speed_rpm: row.spindle_final_rpm };
             machine.life.contact_force_n = force_n;
-            machine.cut = wear_cut(at, scenario.workpiece.axial_depth_mm);
-            let cusp_um = 1000.0 * cusp_mm(machine.cut.feed_per_tooth_mm, machine.radius_mm);
+            machine.cut = wear_cut(&scenario.tool, at, scenario.workpiece.axial_depth_mm);
+            let cusp_um = 1000.0 * cusp_mm(machine.cut.feed_per_tooth_mm, &machine.tool.outline());
             let row = CalibratedRow {
                 sim: row.sim,
                 force_n,

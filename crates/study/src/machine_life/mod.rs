@@ -19,7 +19,6 @@ use crate::base::stats::correlation;
 use crate::base::units::s_from_min;
 use crate::blocks::cnc::feed_override::Program;
 use crate::blocks::control::FeedSpeed;
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::models::machine_trend::{MachineTrend, TrendLine, TrendPoint};
 use crate::models::structure::FiveMass;
 use crate::models::wear::WearCut;
@@ -42,7 +41,8 @@ pub const CLAIMS: [&str; 3] = [
 #[must_use]
 pub fn programmed_cut(scenario: &Scenario) -> WearCut {
     let Program { feed_mm_min, spindle_rpm: speed_rpm, .. } = scenario.program;
-    wear_cut(FeedSpeed { feed_mm_min, speed_rpm }, scenario.workpiece.axial_depth_mm)
+    let at = FeedSpeed { feed_mm_min, speed_rpm };
+    wear_cut(&scenario.tool, at, scenario.workpiece.axial_depth_mm)
 }
 
 /// The machine of a scenario in its programmed cut.
@@ -53,7 +53,8 @@ pub fn model(scenario: &Scenario) -> MachineTrend {
         wear: scenario.wear.clone(),
         life: scenario.life.clone(),
         cut: programmed_cut(scenario),
-        radius_mm: R216_16B20_040.diameter_mm / 2.0,
+        tool: scenario.tool.clone(),
+        radial_depth_mm: scenario.workpiece.radial_depth_mm,
     }
 }
 

@@ -4,7 +4,6 @@
 //! vibration of the teeth is the same for all of them and leaves no roughness.
 
 use crate::base::units::mm_from_um;
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::surface::profile::{CutStep, ToothMarks};
 use crate::models::machine_trend::MachineTrend;
 use crate::models::roughness_profile::{
@@ -25,7 +24,7 @@ pub fn marks(
 ) -> Vec<ProfileMark> {
     let random_m = model.life.random_ratio * model.at(x).vibration_rms_m;
     let feed_mm = model.cut.feed_per_tooth_mm.max(1e-3);
-    let teeth = R216_16B20_040.teeth;
+    let teeth = f64::from(model.tool.teeth);
     // Cusps beyond both ends too.
     let from_mm = -run_up_mm(settings) - 2.0 * teeth * feed_mm;
     let length_mm = evaluation_mm(settings) - 2.0 * from_mm;
@@ -52,7 +51,7 @@ pub fn surface(
     x: f64,
     seed: u64,
 ) -> Option<Roughness> {
-    measure(&marks(model, settings, runout_um, x, seed), model.radius_mm, 0.0, settings)
+    measure(&marks(model, settings, runout_um, x, seed), &model.tool.outline(), 0.0, settings)
 }
 
 #[cfg(test)]
@@ -88,7 +87,8 @@ mod tests {
         model.life.random_ratio = 0.0;
         let settings = ProfileSettings::default();
         let ra = |runout_um| surface(&model, &settings, runout_um, 0.5, 1).unwrap().ra_um;
-        let cusps = ra_um(1000.0 * cusp_mm(model.cut.feed_per_tooth_mm, model.radius_mm), 0.0);
+        let cusps =
+            ra_um(1000.0 * cusp_mm(model.cut.feed_per_tooth_mm, &model.tool.outline()), 0.0);
         assert!((ra(0.0) / cusps - 1.0).abs() < 0.02, "{} {cusps}", ra(0.0));
         // One tooth of two no longer cuts: twice the feed, four times the height.
         assert!((ra(50.0) / (4.0 * cusps) - 1.0).abs() < 0.02);

@@ -1,11 +1,12 @@
 use super::*;
+use crate::models::tool::Tool;
 
 /// The papers' cut.
 fn scenario() -> Scenario {
     let mut scenario = Scenario::default();
     scenario
         .change(|s| {
-            s.program.spindle_rpm = R216_16B20_040.speed_rpm(80.0);
+            s.program.spindle_rpm = Tool::default().speed_rpm(80.0);
             s.program.feed_mm_min = 430.4;
             s.workpiece.axial_depth_mm = 2.0;
         })

@@ -3,7 +3,6 @@
 use serde::Serialize;
 
 use crate::base::settings::SettingError;
-use crate::models::genetic::GeneticModels;
 use crate::models::structure::FiveMass;
 use crate::models::structure::reduction::Reduction;
 use crate::models::tool_life::LifePrediction;
@@ -39,12 +38,13 @@ pub fn predictions(
         None => Reduction::new(&FiveMass::new(&scenario.machine))?,
     };
     let mut estimator = estimator(scenario, &machine);
-    let belief = GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration);
+    let belief = scenario.believed();
     // As in the running cut: once in a control period.
     let stride = recording.control_stride();
     let period_s = recording.row_s() * stride as f64;
     let observe = |row: &Row| {
-        let prediction = estimator.observe(&observation_of(row, &belief, period_s))?;
+        let prediction =
+            estimator.observe(&observation_of(row, &scenario.tool, &belief, period_s))?;
         let Row { time_s, used_life, sound_mm_s, .. } = *row;
         Some(ConditionEstimate { time_s, used_life, sound_mm_s, prediction })
     };

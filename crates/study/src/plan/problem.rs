@@ -17,10 +17,9 @@ use super::score::Score;
 use super::surface::ForceSurface;
 use crate::base::math;
 use crate::base::settings::SettingError;
-use crate::blocks::cutting::tool::{R216_16B20_040, Tool};
 use crate::blocks::reference::desired_force;
-use crate::models::genetic::GeneticModels;
 use crate::models::plan::{ForceLimit, PlanSettings, PlannedSection};
+use crate::models::tool::Tool;
 use crate::run::scenario::Scenario;
 
 /// Range of the cutting speed, m/min: the network's training range.
@@ -36,6 +35,7 @@ const LEAST_DEPTH_MM: f64 = 0.01;
 #[derive(Clone, Debug)]
 pub struct Problem {
     tool: Tool,
+    teeth: f64,
     surface: ForceSurface,
     axial_depth_mm: f64,
     radial_depth_mm: f64,
@@ -85,7 +85,7 @@ impl Problem {
     /// # Errors
     /// The cut has no depth, all weights are zero, or cost is sought where nothing costs.
     pub fn new(scenario: &Scenario, machine: &MachineLimits) -> Result<Self, SettingError> {
-        let (plan, tool) = (&scenario.plan, R216_16B20_040);
+        let (plan, tool) = (&scenario.plan, &scenario.tool);
         let axial_depth_mm = planned_depth_mm(scenario);
         let radial_depth_mm = scenario.workpiece.radial_depth_mm;
         for (path, depth) in [
@@ -99,20 +99,15 @@ impl Problem {
         }
         let force_max_n = match plan.force_limit {
             ForceLimit::Fixed => plan.force_max_n,
-            ForceLimit::TargetRa => {
-                desired_force(
-                    &scenario.target,
-                    &GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration),
-                )
-                .value
-            }
+            ForceLimit::TargetRa => desired_force(&scenario.target, &scenario.believed()).value,
         };
         let speeds = match plan.free_speed {
             true => CUTTING_SPEED_M_MIN,
             false => [plan.cutting_speed_m_min; 2],
         };
         let mut problem = Self {
-            tool,
+            tool: tool.clone(),
+            teeth: f64::from(tool.teeth),
             surface: ForceSurface::new(scenario, axial_depth_mm),
             axial_depth_mm,
             radial_depth_mm,
@@ -130,7 +125,7 @@ impl Problem {
             ra_factor: 5.0 * 318.0 / (4.0 * tool.diameter_mm),
             life_factor: TABLE_2005.factor(axial_depth_mm),
             power_factor: 1.0 / (60_000.0 * machine.spindle_efficiency.value),
-            compliance_mm_n: tool.compliance_mm_n(),
+            compliance_mm_n: tool.bar_compliance_mm_n(),
             weights: [0.0; 4],
         };
         problem.weights = problem.weigh(plan)?;
@@ -172,7 +167,7 @@ impl Problem {
             math::inverse_fifth_root(squared * squared * cutting_speed_m_min * feed_per_tooth_mm);
         let root_squared = root * root;
         let speed_rpm = self.rpm_per_m_min * cutting_speed_m_min;
-        let turn_mm = self.tool.teeth * feed_per_tooth_mm;
+        let turn_mm = self.teeth * feed_per_tooth_mm;
         let feed_mm_min = turn_mm * speed_rpm;
         let components_n = self.surface.components_n(feed_mm_min, speed_rpm);
         let [x, y, _] = components_n;

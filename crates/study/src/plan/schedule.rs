@@ -13,7 +13,6 @@ use super::machine::MachineLimits;
 use super::optimum::Optimum;
 use super::problem::{CUTTING_SPEED_M_MIN, Problem};
 use crate::base::settings::{Section, SettingError, Value};
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::tool_path::Engagement;
 use crate::models::plan::PlannedSection;
 use crate::run::scenario::Scenario;
@@ -57,10 +56,10 @@ impl ScheduleJob {
             return refused("workpiece.cuts", "[]".to_owned(), allowed);
         }
         let speed_rpm = scenario.program.spindle_rpm;
-        let speed_m_min = speed_rpm / R216_16B20_040.speed_rpm(1.0);
+        let speed_m_min = speed_rpm / scenario.tool.speed_rpm(1.0);
         let [low, high] = CUTTING_SPEED_M_MIN;
         if !(low..=high).contains(&speed_m_min) {
-            let [low, high] = [low, high].map(|speed| R216_16B20_040.speed_rpm(speed));
+            let [low, high] = [low, high].map(|speed| scenario.tool.speed_rpm(speed));
             let allowed = format!("{low:.0} to {high:.0} 1/min for a schedule");
             return refused("program.spindle_rpm", format!("{speed_rpm} 1/min"), allowed);
         }
@@ -74,7 +73,7 @@ impl ScheduleJob {
 
     /// The scenario of one section alone.
     fn alone(&self, section: &Section) -> Result<Scenario, SettingError> {
-        let place = Engagement::in_section([section[1], section[2]]);
+        let place = Engagement::in_section(&self.scenario.tool.outline(), [section[1], section[2]]);
         self.scenario.with(|settings| {
             let workpiece = &mut settings.workpiece;
             workpiece.axial_depth_mm = place.axial_depth_mm;

@@ -3,7 +3,6 @@
 
 use super::cut::REFERENCE;
 use crate::blocks::cutting::neural::NeuralCut;
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::models::neural_force::{NeuralForce, NeuralForceAt};
 use crate::run::scenario::Scenario;
 
@@ -12,6 +11,7 @@ use crate::run::scenario::Scenario;
 pub struct ForceSurface {
     network: NeuralForceAt,
     factor: f64,
+    feed_factor: f64,
     known: bool,
 }
 
@@ -20,24 +20,25 @@ impl ForceSurface {
     #[must_use]
     pub fn new(scenario: &Scenario, axial_depth_mm: f64) -> Self {
         let (plant, radial_depth_mm) = (&scenario.plant, scenario.workpiece.radial_depth_mm);
-        let cut =
-            NeuralCut::new(plant.material, plant.hardness_hb, axial_depth_mm, radial_depth_mm);
+        let (tool, depths_mm) = (&scenario.tool, [axial_depth_mm, radial_depth_mm]);
+        let cut = NeuralCut::new(tool, plant.material, plant.hardness_hb, depths_mm);
         let network = NeuralForce::shipped(scenario.plan.network).at(&cut.point);
         // Feed and speed of the search lie inside the training data; the rest is asked at one.
-        let speed_rpm = R216_16B20_040.speed_rpm(REFERENCE[0]);
-        let feed_mm_min = R216_16B20_040.feed_mm_min(REFERENCE[1], speed_rpm);
-        let known = cut.known && network.peak(feed_mm_min, speed_rpm).valid;
-        Self { network, factor: cut.factor * plant.wear_factor, known }
+        let speed_rpm = tool.speed_rpm(REFERENCE[0]);
+        let feed_mm_min = cut.feed_factor * tool.feed_mm_min(REFERENCE[1], speed_rpm);
+        let known = cut.known() && network.peak(feed_mm_min, speed_rpm).valid;
+        let factor = cut.factor * plant.wear_factor;
+        Self { network, factor, feed_factor: cut.feed_factor, known }
     }
 
-    /// Whether material, hardness and depths lie inside the network's training data; otherwise its
+    /// Whether tool, material, hardness and depths lie inside the network's training data; otherwise its
     /// force is continued.
     #[must_use]
     pub fn known(&self) -> bool {
         self.known
     }
 
-    /// The network, everything but feed and speed folded in.
+    /// The network, everything but feed and speed folded in; it counts the feed for two teeth.
     #[must_use]
     pub fn network(&self) -> &NeuralForceAt {
         &self.network
@@ -47,6 +48,7 @@ impl ForceSurface {
     #[must_use]
     #[inline]
     pub fn components_n(&self, feed_mm_min: f64, speed_rpm: f64) -> [f64; 3] {
+        let feed_mm_min = self.feed_factor * feed_mm_min;
         self.network.components(feed_mm_min, speed_rpm).map(|force_n| self.factor * force_n)
     }
 }

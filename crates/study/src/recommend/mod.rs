@@ -12,7 +12,7 @@ pub mod table;
 use serde::Serialize;
 
 use crate::base::settings::SettingError;
-use crate::blocks::cutting::tool::{R216_16B20_040, Tool};
+use crate::models::tool::Tool;
 use learned::{Answer, Learned};
 use table::Table;
 
@@ -72,7 +72,9 @@ pub struct Recommendation {
     pub feed_per_tooth_mm: Answer,
     /// Spindle speed, 1/min.
     pub speed_rpm: f64,
-    /// Feed of a cutter with the papers' two teeth, mm/min.
+    /// Number of teeth of the cutter.
+    pub teeth: u32,
+    /// Feed of all teeth, mm/min.
     pub feed_mm_min: f64,
 }
 
@@ -103,26 +105,27 @@ impl Advisor {
         }
     }
 
-    /// Recommends for a hardness in HB, a diameter in mm and an engagement.
+    /// Recommends for a hardness in HB, a cutter (diameter and teeth) and an engagement.
     ///
     /// # Errors
     /// Hardness or diameter outside what a table may hold.
     pub fn recommend(
         &self,
         hardness_hb: f64,
-        diameter_mm: f64,
+        tool: &Tool,
         engagement: EngagementCode,
     ) -> Result<Recommendation, SettingError> {
         table::check(table::HARDNESS, hardness_hb)?;
+        let Tool { diameter_mm, teeth, .. } = *tool;
         table::check(table::DIAMETER, diameter_mm)?;
         let cutting_speed_m_min = self.speed.answer(hardness_hb, engagement);
         let feed_per_tooth_mm = self.feed.answer(diameter_mm, engagement);
-        let tool = Tool { diameter_mm, ..R216_16B20_040 };
         let speed_rpm = tool.speed_rpm(cutting_speed_m_min.value);
         Ok(Recommendation {
             hardness_hb,
             diameter_mm,
             engagement: engagement.id(),
+            teeth,
             feed_mm_min: tool.feed_mm_min(feed_per_tooth_mm.value, speed_rpm),
             cutting_speed_m_min,
             feed_per_tooth_mm,
@@ -136,6 +139,10 @@ mod tests {
     use super::*;
     use crate::base::math;
 
+    fn of(diameter_mm: f64) -> Tool {
+        Tool { diameter_mm, ..Tool::default() }
+    }
+
     #[test]
     fn the_shipped_table_is_met_within_its_noise_and_rules_share_the_answer() {
         let advisor = Advisor::new(&Table::shipped());
@@ -145,7 +152,7 @@ mod tests {
             (160.0, 8.0, EngagementCode::Heavy, 0.56, 0.95),
             (300.0, 20.0, EngagementCode::Finishing, 1.85, 1.8),
         ] {
-            let found = advisor.recommend(hardness, diameter, engagement).unwrap();
+            let found = advisor.recommend(hardness, &of(diameter), engagement).unwrap();
             let speed = 100.0 * math::pow(200.0 / hardness, 0.67) * speed;
             let feed = 0.0265 * math::pow(diameter, 0.44) * feed;
             let off = |answer: &Answer, value: f64| (answer.value / value - 1.0).abs();
@@ -174,7 +181,7 @@ mod tests {
     #[test]
     fn beyond_the_table_its_edge_answers_and_is_marked() {
         let advisor = Advisor::new(&Table::shipped());
-        let ask = |hb, d| advisor.recommend(hb, d, EngagementCode::Slot).unwrap();
+        let ask = |hb, d| advisor.recommend(hb, &of(d), EngagementCode::Slot).unwrap();
         let (edge, beyond) = (ask(450.0, 20.0), ask(600.0, 32.0));
         assert!(edge.inside_table() && !beyond.inside_table());
         assert_eq!(edge.cutting_speed_m_min.value, beyond.cutting_speed_m_min.value);
@@ -182,7 +189,8 @@ mod tests {
         assert!(!ask(600.0, 16.0).cutting_speed_m_min.inside_table);
         assert!(ask(600.0, 16.0).feed_per_tooth_mm.inside_table);
         for (hb, d) in [(f64::NAN, 16.0), (200.0, 0.0), (1e9, 16.0), (200.0, f64::INFINITY)] {
-            let error = advisor.recommend(hb, d, EngagementCode::Slot).unwrap_err().to_string();
+            let error =
+                advisor.recommend(hb, &of(d), EngagementCode::Slot).unwrap_err().to_string();
             assert!(error.contains("allowed is a number from"), "{error}");
         }
     }
@@ -191,7 +199,8 @@ mod tests {
     fn a_table_of_twice_the_feeds_gives_twice_the_feed() {
         let mut table = Table::shipped();
         let ask = |table: &Table| {
-            let found = Advisor::new(table).recommend(200.0, 16.0, EngagementCode::Heavy).unwrap();
+            let found =
+                Advisor::new(table).recommend(200.0, &of(16.0), EngagementCode::Heavy).unwrap();
             [found.cutting_speed_m_min.value, found.feed_per_tooth_mm.value]
         };
         let once = ask(&table);

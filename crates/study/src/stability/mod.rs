@@ -14,12 +14,13 @@ pub mod interrupted;
 pub mod lobes;
 pub mod simulated;
 
+use crate::base::math;
 use crate::base::settings::SettingError;
-use crate::blocks::cutting::tool::R216_16B20_040;
-use crate::blocks::cutting::workpiece::RADIAL_DEPTH_2007_MM;
+use crate::blocks::cutting::tool_path::radial_depth_mm;
 use crate::models::structure::FiveMass;
 use crate::models::structure::engagement::EngagementAngles;
 use crate::models::structure::reduction::Reduction;
+use crate::models::tool::Tool;
 use crate::run::scenario::Scenario;
 
 /// A cut on a machine, all but its speed and depth.
@@ -31,33 +32,55 @@ pub struct StabilityCut {
     pub reduction: Reduction,
     /// The teeth's windows.
     pub engagement: EngagementAngles,
+    /// Radial depth in mm and diameter of the cutter in mm that they follow from.
+    pub radial_depth_mm: f64,
+    /// Diameter of the cutter, mm.
+    pub diameter_mm: f64,
     /// kappa per depth, K_s gamma, N/m per mm.
     pub stiffness_per_mm: f64,
 }
 
 impl StabilityCut {
-    /// The scenario's machine with the papers' cutter and radial depth.
+    /// The scenario's machine with its cutter at its radial depth: that of the path, or the largest of its
+    /// cuts' sections.
     ///
     /// # Errors
-    /// As [`Reduction::new`].
+    /// As [`Reduction::new`]; a radial depth of 0 cuts nothing.
     pub fn new(scenario: &Scenario) -> Result<Self, SettingError> {
         let machine = FiveMass::new(&scenario.machine);
-        let tool = R216_16B20_040;
-        let teeth = tool.teeth as u32;
+        let Tool { teeth, diameter_mm, .. } = scenario.tool;
         let settings = &scenario.machine;
+        let radial_depth_mm = charted_radial_mm(scenario);
+        if radial_depth_mm <= 0.0 {
+            return Err(SettingError::Refused {
+                path: "workpiece.radial_depth_mm".to_owned(),
+                value: format!("{radial_depth_mm} mm"),
+                allowed: "above 0 mm for a stability chart".to_owned(),
+            });
+        }
         Ok(Self {
             machine,
             reduction: Reduction::new(&machine)?,
-            engagement: EngagementAngles::side_milling(
-                teeth,
-                RADIAL_DEPTH_2007_MM,
-                tool.diameter_mm,
-            ),
+            engagement: EngagementAngles::side_milling(teeth, radial_depth_mm, diameter_mm),
+            radial_depth_mm,
+            diameter_mm,
             // N/mm^2 x mm = N/mm per mm of depth; 1000 N/m are one N/mm.
             stiffness_per_mm: 1000.0
                 * settings.specific_cutting_force_n_mm2
                 * settings.directional_factor,
         })
+    }
+
+    /// The engagement in words: radial depth, cutter, window.
+    #[must_use]
+    pub fn engagement_text(&self) -> String {
+        let Self { engagement, radial_depth_mm, diameter_mm, .. } = self;
+        let teeth = engagement.teeth;
+        let angle = engagement.angle_rad * (180.0 / math::PI);
+        format!(
+            "R_D {radial_depth_mm:.2} mm of a cutter of {diameter_mm} mm with {teeth} teeth: each cuts over \
+             {angle:.1} degrees"
+        )
     }
 
     /// Tooth period in s at `speed_rpm`.
@@ -72,6 +95,17 @@ impl StabilityCut {
     pub fn depth_mm(&self, stiffness_n_m: f64) -> f64 {
         stiffness_n_m / (self.stiffness_per_mm * self.engagement.mean_teeth())
     }
+}
+
+/// The radial depth in mm of a scenario's cut: that of the path, or the largest of its cuts' sections.
+fn charted_radial_mm(scenario: &Scenario) -> f64 {
+    let (workpiece, outline) = (&scenario.workpiece, scenario.tool.outline());
+    if workpiece.cuts.is_empty() {
+        return workpiece.radial_depth_mm;
+    }
+    let sections = workpiece.cuts.iter().flatten();
+    let radial = sections.map(|[_, axial, wall]| radial_depth_mm(&outline, *axial, *wall));
+    radial.fold(0.0, f64::max).min(outline.diameter_mm)
 }
 
 /// Steps in which depths are tried upwards, as a factor.

@@ -15,11 +15,11 @@ use crate::base::units::mm_s_from_mm_min;
 use crate::blocks::cnc::dead_time::DeadTime;
 use crate::blocks::cutting::disturbance::{DynamicForce, NoiseSettings};
 use crate::blocks::cutting::milling::{Milling, MillingSetup};
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::sensing::peak::PeakWindow;
 use crate::models::ball_end::{CK45, Cutter, MNCRSI5};
 use crate::models::feed_drive::{DriveState, ExactDrive, FeedDriveKind};
 use crate::models::part::{APPROACH_MM, CutPath};
+use crate::models::tool::Tool;
 use crate::models::unks::{HORIZON_BEYOND, LEAST_KN, SIZES, log_force};
 
 /// What the data are, for files and reports.
@@ -89,12 +89,13 @@ fn excited(number: u64, setup: &MillingSetup, force_ref_n: f64, draws: &mut Draw
         ..NoiseSettings::default()
     };
     let seed = SEED.wrapping_mul(1000).wrapping_add(number as u32);
-    let mut field = DynamicForce::new(&noise, seed, setup.dt_s);
+    let tool = Tool::default();
+    let mut field = DynamicForce::new(&noise, tool.teeth, seed, setup.dt_s);
     let mut window = PeakWindow::new(noise.sensor_deviation_n(), seed, SAMPLES);
     let mut milling = Milling::new(setup, cut.depth_max_mm());
     let drive = ExactDrive::new(FeedDriveKind::SecondOrder2013, setup.dt_s);
-    let speed_rpm = R216_16B20_040.speed_rpm(80.0);
-    let programmed = R216_16B20_040.feed_mm_min(0.08, speed_rpm);
+    let speed_rpm = tool.speed_rpm(80.0);
+    let programmed = tool.feed_mm_min(0.08, speed_rpm);
     let mut queue = DeadTime::new(DEAD_PERIODS, [1.0, 0.0]);
     let mut state = DriveState::settled(1.0);
     let (mut x_mm, mut tick, mut command) = (-APPROACH_MM, 0, 1.0);
@@ -152,10 +153,11 @@ pub fn process_patterns(mut advance: impl FnMut()) -> Vec<[Pattern; 2]> {
     let mut all = Vec::new();
     for piece in 0..WORKPIECES {
         let steel = if piece % 2 == 0 { CK45 } else { MNCRSI5 };
+        let tool = Tool::default();
         let setup = MillingSetup {
-            cutter: Cutter::two_teeth(R216_16B20_040.diameter_mm, 0.003, 0.25),
+            cutter: Cutter::new(&tool, 0.003, 0.25),
             steel,
-            rake_deg: 12.0,
+            rake_deg: tool.rake_deg,
             hardness_hb: steel.hardness_hb,
             factor: 1.0,
             dt_s: PERIOD_S / SAMPLES as f64,

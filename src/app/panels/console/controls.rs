@@ -32,6 +32,7 @@ const AFTER: &[(&str, &str)] = &[
     ("spindle_drive", "Spindle drive"),
     ("cnc", "CNC"),
     ("program", "NC program"),
+    ("tool", "Cutter"),
     ("workpiece", "Workpiece"),
     ("machine", "Machine"),
     ("run", "Run"),

@@ -18,6 +18,7 @@ use crate::base::settings::{MAX_CUTS, MAX_SECTIONS, MIN_SECTION_MM, Section, Val
 use crate::blocks::cutting::tool_path::{ToolPath, wall_mm};
 use crate::blocks::cutting::workpiece::{DepthProfile, Workpiece};
 use crate::models::part::APPROACH_MM;
+use crate::models::tool::Outline;
 use crate::run::presets;
 use material::MaterialPicture;
 use picture::PicturePart;
@@ -52,16 +53,16 @@ fn tool(view: &View<'_>) -> (usize, f64) {
 }
 
 /// The one path as sections, as the tool meets it from the start: along a wall that stays.
-fn path_sections(workpiece: &Workpiece) -> Vec<Section> {
-    let wall_mm = wall_mm(workpiece.axial_depth_mm, workpiece.radial_depth_mm);
+fn path_sections(workpiece: &Workpiece, outline: &Outline) -> Vec<Section> {
+    let wall_mm = wall_mm(outline, workpiece.axial_depth_mm, workpiece.radial_depth_mm);
     DepthProfile::new(workpiece).sections(workpiece.length_mm, wall_mm)
 }
 
 /// The same for a formula or a network, which take the radial depth as it is set.
-fn path_by_formula(workpiece: &Workpiece) -> Vec<Section> {
-    let mut sections = path_sections(workpiece);
+fn path_by_formula(workpiece: &Workpiece, outline: &Outline) -> Vec<Section> {
+    let mut sections = path_sections(workpiece, outline);
     for [_, axial_mm, wall] in &mut sections {
-        *wall = wall_mm(*axial_mm, workpiece.radial_depth_mm);
+        *wall = wall_mm(outline, *axial_mm, workpiece.radial_depth_mm);
     }
     sections
 }
@@ -86,8 +87,9 @@ impl WorkpieceWindow {
     }
 
     fn content(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        let workpiece = &view.session.current().workpiece;
-        parts(ui, workpiece, commands);
+        let scenario = view.session.current();
+        let workpiece = &scenario.workpiece;
+        parts(ui, workpiece, &scenario.tool.outline(), commands);
         ui.separator();
         if workpiece.cuts.is_empty() {
             self.path(ui, view, commands);
@@ -111,10 +113,15 @@ impl WorkpieceWindow {
                 std::cmp::Ordering::Equal => tool_mm,
                 std::cmp::Ordering::Greater => f64::INFINITY,
             };
-            let part = PicturePart { sections: sections.clone(), open: false, tool_mm };
+            let part = PicturePart {
+                sections: sections.clone(),
+                open: false,
+                tool_mm,
+                outline: view.session.current().tool.outline(),
+            };
             let begin_mm = ToolPath::begins_of(workpiece)[self.cut] + APPROACH_MM;
             self.pictures(ui, view, &part, begin_mm);
-            table::sections(ui, self.cut, &mut cuts, &mut self.said);
+            table::sections(ui, &part.outline, (self.cut, &mut cuts), &mut self.said);
         }
         if cuts != workpiece.cuts {
             commands.push(Command::Session(SessionCommand::Set {
@@ -165,7 +172,9 @@ impl WorkpieceWindow {
         let tool_mm = view.session.row().position_mm;
         let by_teeth = scenario.plant.force_model.tooth_by_tooth();
         let sections = if by_teeth { path_sections } else { path_by_formula };
-        let part = PicturePart { sections: sections(&scenario.workpiece), open: true, tool_mm };
+        let outline = scenario.tool.outline();
+        let sections = sections(&scenario.workpiece, &outline);
+        let part = PicturePart { sections, open: true, tool_mm, outline };
         self.pictures(ui, view, &part, 0.0);
         table::profile(ui, scenario, commands, &mut self.said);
         let playback = view.session.playback();
@@ -194,7 +203,7 @@ impl WorkpieceWindow {
 }
 
 /// The shipped parts, and the way from one path to cuts and back.
-fn parts(ui: &mut Ui, workpiece: &Workpiece, commands: &mut Vec<Command>) {
+fn parts(ui: &mut Ui, workpiece: &Workpiece, outline: &Outline, commands: &mut Vec<Command>) {
     let mut set = |cuts: Vec<Vec<Section>>| {
         commands.push(Command::Session(SessionCommand::Set {
             path: CUTS.to_owned(),
@@ -215,7 +224,7 @@ fn parts(ui: &mut Ui, workpiece: &Workpiece, commands: &mut Vec<Command>) {
         if workpiece.cuts.is_empty() {
             let help = "One straight cut with this path's depths, the tool coming in from the air";
             if ui.button("Make cuts of the path").on_hover_text(help).clicked() {
-                let mut sections = path_sections(workpiece);
+                let mut sections = path_sections(workpiece, outline);
                 sections.retain(|section| section[0] >= MIN_SECTION_MM);
                 sections.truncate(MAX_SECTIONS);
                 sections.iter_mut().for_each(|[length_mm, _, wall_mm]| {

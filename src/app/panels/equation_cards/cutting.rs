@@ -5,7 +5,6 @@ use super::live::Live;
 use super::neural::neural;
 use crate::base::units::mm_from_um;
 use crate::blocks::cutting::process::{ForceModel, Process};
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::tool_path::Engagement;
 use crate::models::Valued;
 use crate::models::genetic::force_formula::{FEED_MIN_MM_MIN, INCH, SPEED_MIN_RPM};
@@ -26,8 +25,8 @@ pub fn cutting(row: &Row, scenario: &Scenario) -> Vec<Live> {
 /// The plant's process as it stands at a row, and the force that it gives.
 pub fn process_at(row: &Row, scenario: &Scenario) -> (Process, Valued) {
     let (axial_depth_mm, radial_depth_mm) = (row.axial_depth_mm, row.radial_depth_mm);
-    let mut process =
-        Process::new(&scenario.plant, radial_depth_mm, axial_depth_mm, scenario.dt_s());
+    let (plant, tool) = (&scenario.plant, &scenario.tool);
+    let mut process = Process::new(plant, tool, radial_depth_mm, axial_depth_mm, scenario.dt_s());
     let engagement = Engagement { axial_depth_mm, radial_depth_mm };
     let force = process.update(row.feed_mm_min, row.spindle_rpm, &engagement);
     (process, force)
@@ -56,9 +55,10 @@ fn formula(row: &Row, scenario: &Scenario) -> Vec<Live> {
         formula: format!("{name} = {}", formula("f", "n", " ")),
         values: format!("{name} = {with} = {} N", number(k4.value)),
         range: format!(
-            "f from {} mm/min on (its least force), n from {} 1/min on",
+            "f from {} mm/min on (its least force), n from {} 1/min on{}",
             number(FEED_MIN_MM_MIN),
-            number(SPEED_MIN_RPM)
+            number(SPEED_MIN_RPM),
+            if models.of_tool { "" } else { "; of the papers' cutter alone" }
         ),
         valid: k4.valid,
     };
@@ -84,15 +84,15 @@ fn formula(row: &Row, scenario: &Scenario) -> Vec<Live> {
 
 /// The mechanistic model: what a tooth meets now, and the peak of the control period.
 fn tooth_by_tooth(row: &Row, scenario: &Scenario) -> Vec<Live> {
-    let tool = R216_16B20_040;
-    let per_tooth_mm = row.feed_mm_min / (tool.teeth * row.spindle_rpm.max(1.0));
+    let tool = &scenario.tool;
+    let per_tooth_mm = tool.feed_per_tooth_mm(row.feed_mm_min, row.spindle_rpm.max(1.0));
     vec![
         Live::everywhere(
             "f_t = f_a / (z n_a)",
             format!(
                 "f_t = {} / ({} · {}) = {} mm, run-out ± {} mm",
                 number(row.feed_mm_min),
-                number(tool.teeth),
+                number(f64::from(tool.teeth)),
                 number(row.spindle_rpm),
                 number(per_tooth_mm),
                 number(mm_from_um(scenario.plant.runout_um))

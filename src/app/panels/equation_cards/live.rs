@@ -30,8 +30,9 @@ pub struct Moment<'a> {
 #[must_use]
 pub fn live(block: Block, moment: &Moment<'_>) -> Vec<Live> {
     let Moment { row, scenario, delayed } = *moment;
-    let belief = GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration);
+    let belief = scenario.believed();
     let plant = GeneticModels::new(scenario.plant.model_set, scenario.plant.calibration);
+    let plant = plant.for_tool(&scenario.tool);
     match block {
         Block::Reference => vec![desired_force(&belief, row)],
         Block::Controller => controller(&belief, row, scenario),

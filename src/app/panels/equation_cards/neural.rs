@@ -7,9 +7,10 @@ use super::live::Live;
 use crate::app::format;
 use crate::blocks::cutting::material::Material;
 use crate::blocks::cutting::neural::NeuralCut;
+use crate::blocks::cutting::process::Plant;
 use crate::models::neural_force::{
-    AXIAL_DEPTH_MM, AXIAL_PER_DIAMETER, CutPoint, FEED_PER_TOOTH_MM, HARDNESS_HB, NeuralForce,
-    NeuralKind, RADIAL_PER_DIAMETER, SPEED_M_MIN, speed_m_min,
+    AXIAL_DEPTH_MM, AXIAL_PER_DIAMETER, CutPoint, DIAMETER_MM, FEED_PER_TOOTH_MM, GEOMETRY_CODE,
+    HARDNESS_HB, NeuralForce, NeuralKind, RADIAL_PER_DIAMETER, SPEED_M_MIN, speed_m_min,
 };
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
@@ -19,8 +20,10 @@ pub fn neural(kind: NeuralKind, row: &Row, scenario: &Scenario) -> Vec<Live> {
     let (_, force) = process_at(row, scenario);
     let plant = &scenario.plant;
     let radial_mm = scenario.workpiece.radial_depth_mm;
-    let cut = NeuralCut::new(plant.material, plant.hardness_hb, row.axial_depth_mm, radial_mm);
-    let point = CutPoint { feed_mm_min: row.feed_mm_min, speed_rpm: row.spindle_rpm, ..cut.point };
+    let depths_mm = [row.axial_depth_mm, radial_mm];
+    let cut = NeuralCut::new(&scenario.tool, plant.material, plant.hardness_hb, depths_mm);
+    let feed_mm_min = cut.feed_factor * row.feed_mm_min;
+    let point = CutPoint { feed_mm_min, speed_rpm: row.spindle_rpm, ..cut.point };
     let network = NeuralForce::shipped(kind);
     let [fx, fy, fz] = network.components(&point).map(|component| component * cut.factor);
     let (peak, wear) = ((fx * fx + fy * fy).sqrt(), plant.wear_factor);
@@ -34,7 +37,7 @@ pub fn neural(kind: NeuralKind, row: &Row, scenario: &Scenario) -> Vec<Live> {
                 number(fy),
                 number(fz)
             ),
-            range: ranges(&point, &cut, plant.material, plant.hardness_hb),
+            range: ranges(&point, &cut, scenario),
             valid: force.valid,
         },
         Live::everywhere(
@@ -90,7 +93,8 @@ fn inputs(network: &NeuralForce, point: &CutPoint) -> Live {
 }
 
 /// The ranges of the training data; only those that are left, where any are.
-fn ranges(point: &CutPoint, cut: &NeuralCut, material: Material, hardness_hb: f64) -> String {
+fn ranges(point: &CutPoint, cut: &NeuralCut, scenario: &Scenario) -> String {
+    let Plant { material, hardness_hb, .. } = scenario.plant;
     let diameter = point.diameter_mm;
     let axial_max = (diameter * AXIAL_PER_DIAMETER).min(AXIAL_DEPTH_MM[1]);
     let speed = speed_m_min(diameter, point.speed_rpm);
@@ -100,9 +104,12 @@ fn ranges(point: &CutPoint, cut: &NeuralCut, material: Material, hardness_hb: f6
         ("A_D", point.axial_depth_mm, [AXIAL_DEPTH_MM[0], axial_max], "mm"),
         ("R_D", point.radial_depth_mm, RADIAL_PER_DIAMETER.map(|part| part * diameter), "mm"),
     ];
+    let tool =
+        [("D", diameter, DIAMETER_MM, "mm"), ("geometry", point.geometry_code, GEOMETRY_CODE, "")];
     let range = |[low, high]: [f64; 2]| format!("{} to {}", number(low), number(high));
     let mut left: Vec<String> = values
         .iter()
+        .chain(&tool)
         .filter(|(_, value, [low, high], _)| value < low || value > high)
         .map(|(name, value, trained, unit)| {
             format!("{name} {} {unit}, trained on {}", number(*value), range(*trained))
@@ -114,7 +121,12 @@ fn ranges(point: &CutPoint, cut: &NeuralCut, material: Material, hardness_hb: f6
         Material::Ck45.label(),
         Material::MnCrSi5.label()
     );
-    if !cut.known {
+    if !cut.teeth_known {
+        left.push(
+            "this cutter, trained on ball ends with two teeth and the papers' helix".to_owned(),
+        );
+    }
+    if !cut.material_known {
         let hardness = format::quantity(hardness_hb, "HB");
         left.push(format!("{} at {hardness}, trained on {materials}", material.label()));
     }

@@ -22,7 +22,6 @@ use crate::app::command::Command;
 use crate::app::theme;
 use crate::app::widgets::zoom::by_touch;
 use crate::base::units::rev_s_from_rpm;
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::models::wear::WearModel;
 use life::{Life, LifeInCut};
 use sound::SoundControl;
@@ -178,7 +177,7 @@ impl MachinePanel {
 
     fn part(&mut self, ui: &mut Ui, view: &View<'_>, height: f32, commands: &mut Vec<Command>) {
         let (scenario, row) = (view.session.current(), view.session.row());
-        let tooth_hz = R216_16B20_040.teeth * rev_s_from_rpm(row.spindle_rpm);
+        let tooth_hz = f64::from(scenario.tool.teeth) * rev_s_from_rpm(row.spindle_rpm);
         match (self.part, &self.machine, &self.life) {
             (Part::Vibration, Some(machine), _) => {
                 let force_n = scenario.life.contact_force_n;

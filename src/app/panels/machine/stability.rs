@@ -10,8 +10,10 @@ use crate::app::format;
 use crate::app::theme::{self, Look, Palette};
 use crate::base::math::{extent, limit};
 use crate::base::settings::Value;
+use crate::blocks::cutting::workpiece::Workpiece;
 use crate::models::structure::MachineSettings;
 use crate::models::structure::parameters::{QUALITY_PRINTED, SPINDLE_QUALITY};
+use crate::models::tool::Tool;
 use crate::run::scenario::Scenario;
 use crate::study::stability::chart::{ChartJob, LobePoint, Range};
 use crate::study::stability::interrupted::multiplier;
@@ -42,7 +44,7 @@ pub struct StabilityView {
 }
 
 struct Charted {
-    settings: MachineSettings,
+    settings: (MachineSettings, Tool, Workpiece),
     /// The chart, or why there is none.
     job: Result<ChartJob, String>,
     done: bool,
@@ -62,9 +64,10 @@ fn begin(scenario: &Scenario) -> Result<ChartJob, String> {
 impl StabilityView {
     /// Follows the scenario and advances by one slice; `true` while there is more to do.
     pub fn follow(&mut self, scenario: &Scenario) -> bool {
-        let settings = &scenario.machine;
-        if self.charted.as_ref().is_none_or(|charted| charted.settings != *settings) {
-            let (settings, job) = (settings.clone(), begin(scenario));
+        let settings =
+            (scenario.machine.clone(), scenario.tool.clone(), scenario.workpiece.clone());
+        if self.charted.as_ref().is_none_or(|charted| charted.settings != settings) {
+            let job = begin(scenario);
             self.charted = Some(Charted { settings, job, done: false, judged: None });
         }
         let Some(charted) = &mut self.charted else { return false };
@@ -82,7 +85,7 @@ impl StabilityView {
             return ui.ctx().request_repaint();
         };
         let top = ui.cursor().top();
-        quality(ui, charted.settings.spindle_quality, commands);
+        quality(ui, charted.settings.0.spindle_quality, commands);
         let job = match &charted.job {
             Ok(job) => job,
             Err(error) => {
@@ -177,6 +180,8 @@ fn verdict(ui: &mut Ui, now: Operating, grown: Option<f64>, job: &ChartJob) {
         };
         ui.label(RichText::new(text).color(palette.weak));
     });
+    let cut = format!("Charted: {}.", job.cut().engagement_text());
+    ui.label(RichText::new(cut).small().color(palette.weak));
 }
 
 fn figure(job: &ChartJob, now: Operating, grown: Option<f64>, palette: &Palette) -> Figure {

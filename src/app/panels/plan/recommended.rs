@@ -7,7 +7,6 @@ use crate::app::command::{Command, SessionCommand};
 use crate::app::format;
 use crate::app::theme::Palette;
 use crate::base::settings::Value;
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::run::scenario::Scenario;
 use crate::study::recommend::table::{NOTE as TABLE_NOTE, Table};
 use crate::study::recommend::{Advisor, EngagementCode, NOTE, Recommendation};
@@ -26,14 +25,14 @@ impl RecommendedCard {
     pub fn show(&mut self, ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
         let header = CollapsingHeader::new("Recommended conditions");
         header.id_salt(("plan", "recommended")).show(ui, |ui| {
-            let tool = R216_16B20_040;
+            let tool = &scenario.tool;
             let radial_mm = scenario.workpiece.radial_depth_mm;
             let by_depth = EngagementCode::of(radial_mm, tool.diameter_mm);
             self.choose(ui, by_depth);
             let engagement = self.engagement.unwrap_or(by_depth);
             let advisor = self.advisor.get_or_insert_with(|| Advisor::new(&Table::shipped()));
             let hardness_hb = scenario.plant.hardness_hb;
-            match advisor.recommend(hardness_hb, tool.diameter_mm, engagement) {
+            match advisor.recommend(hardness_hb, tool, engagement) {
                 Ok(found) => answer(ui, engagement, &found, commands),
                 Err(error) => {
                     ui.label(RichText::new(error.to_string()).color(Palette::at(ui).bad));

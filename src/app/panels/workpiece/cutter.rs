@@ -1,32 +1,36 @@
-//! The ball-end cutter in space: ball and shank, striped along its flutes so that it can be seen
+//! The cutter in space: its end and shank, striped along its flutes so that it can be seen
 //! turning.
 
 use egui::Color32;
 
 use crate::app::scene::mesh::Mesh;
-use crate::blocks::cutting::tool::R216_16B20_040;
+use crate::models::tool::Tool;
 
 /// Length of the shank that is drawn, mm.
 pub const SHANK_MM: f32 = 26.0;
-/// Faces around, and rings of the ball.
+/// Faces around, and rings of the ball or corner.
 const AROUND: usize = 96;
 const RINGS: usize = 9;
 /// Turn of the stripes from the tip to the end of the shank, rad.
 const TWIST_RAD: f32 = 1.6;
 
 /// Adds the cutter at a place along the cut, turned by `turn_rad`.
-pub fn draw(mesh: &mut Mesh, x_mm: f32, turn_rad: f32, colors: [Color32; 2]) {
-    let radius = 0.5 * R216_16B20_040.diameter_mm as f32;
+pub fn draw(mesh: &mut Mesh, tool: &Tool, x_mm: f32, turn_rad: f32, colors: [Color32; 2]) {
+    let outline = tool.outline();
+    let [radius, flat, corner] =
+        [outline.edge_mm(), outline.flat_mm(), outline.corner_radius_mm].map(|x| x as f32);
     // Height, radius of the ring, and upward part of its normal.
-    let mut rings: Vec<[f32; 3]> = (0..=RINGS)
-        .map(|i| {
-            let angle = std::f32::consts::FRAC_PI_2 * i as f32 / RINGS as f32;
-            [radius - radius * angle.cos(), radius * angle.sin(), -angle.cos()]
-        })
-        .collect();
-    rings.push([0.55 * SHANK_MM, radius, 0.0]);
+    let mut rings: Vec<[f32; 3]> = Vec::new();
+    if flat > 0.0 {
+        rings.extend([[0.0, 0.0, -1.0], [0.0, flat, -1.0]]);
+    }
+    rings.extend((0..=RINGS).map(|i| {
+        let angle = std::f32::consts::FRAC_PI_2 * i as f32 / RINGS as f32;
+        [corner - corner * angle.cos(), flat + corner * angle.sin(), -angle.cos()]
+    }));
+    rings.push([(0.55 * SHANK_MM).max(corner), radius, 0.0]);
     rings.push([SHANK_MM, radius, 0.0]);
-    let teeth = R216_16B20_040.teeth as f32;
+    let teeth = tool.teeth as f32;
     let mut before: Option<Vec<u32>> = None;
     for [z, r, up] in rings {
         let side = (1.0 - up * up).max(0.0).sqrt();
@@ -64,7 +68,7 @@ mod tests {
     fn the_cutter_turns_about_its_axis_and_has_normals_of_length_one() {
         let mut meshes = [0.0, 0.7].map(|turn_rad| {
             let mut mesh = Mesh::default();
-            draw(&mut mesh, 12.0, turn_rad, [Color32::BLACK, Color32::WHITE]);
+            draw(&mut mesh, &Tool::default(), 12.0, turn_rad, [Color32::BLACK, Color32::WHITE]);
             mesh
         });
         let numbers = |mesh: &Mesh| -> Vec<[f32; 6]> {

@@ -8,10 +8,12 @@ mod tests;
 
 use egui::Color32;
 
-use crate::app::scene::camera::Point;
+use crate::app::scene::camera::{Point, unit};
 use crate::app::scene::mesh::Mesh;
+use crate::blocks::cutting::tool_path::met_mm;
 use crate::blocks::surface::topography::Topography;
 use crate::models::part::CutPath;
+use crate::models::tool::Outline;
 
 /// Stock in front of the wall, behind the channel, below the ball and before an open cut, mm.
 const FRONT_MM: f32 = 4.0;
@@ -48,13 +50,13 @@ struct Section {
     to: f32,
     depth: f32,
     wall: f32,
-    /// Where the ball meets the surface.
+    /// Where the cutter meets the surface.
     edge: f32,
 }
 
 /// The largest and the smallest corner of the part, mm.
-pub fn bounds(cut: &CutPath, radius_mm: f64) -> [Point; 2] {
-    let sections = sections(cut, radius_mm as f32);
+pub fn bounds(cut: &CutPath, outline: &Outline) -> [Point; 2] {
+    let sections = sections(cut, outline);
     let [front, back] = borders(&sections);
     let from = sections.first().map_or(0.0, |s| s.from);
     let to = sections.last().map_or(1.0, |s| s.to);
@@ -62,16 +64,16 @@ pub fn bounds(cut: &CutPath, radius_mm: f64) -> [Point; 2] {
     [[from, front, -BELOW_MM], [to, back, top]]
 }
 
-fn sections(cut: &CutPath, radius: f32) -> Vec<Section> {
+fn sections(cut: &CutPath, outline: &Outline) -> Vec<Section> {
     let mut begins = cut.steps_mm();
     if let Some(first) = begins.first_mut().filter(|_| cut.is_open()) {
         *first = f64::from(-BEFORE_MM);
     }
     let ends = begins.iter().skip(1).copied().chain([cut.length_mm()]);
     let sections = begins.iter().zip(ends).map(|(from, to)| {
-        let [depth, wall] = cut.section_at(0.5 * (from + to)).map(|x| x as f32);
-        let inside = depth.min(radius);
-        let edge = (inside * (2.0 * radius - inside)).max(0.0).sqrt();
+        let [depth_mm, wall_mm] = cut.section_at(0.5 * (from + to));
+        let edge = met_mm(outline, depth_mm) as f32;
+        let [depth, wall] = [depth_mm, wall_mm].map(|x| x as f32);
         Section { from: *from as f32, to: to as f32, depth, wall: wall.min(edge), edge }
     });
     sections.collect()
@@ -84,25 +86,30 @@ fn borders(sections: &[Section]) -> [f32; 2] {
 }
 
 impl Part<'_> {
-    fn radius(&self) -> f32 {
-        self.surface.radius_mm() as f32
+    /// Height of the cutter's outline above its lowest point at a distance from its axis.
+    pub fn outline(&self, off: f32) -> f32 {
+        self.surface.outline().height_mm(f64::from(off)) as f32
     }
 
-    /// Height of the ball above its lowest point at a distance from its axis.
-    pub fn ball(&self, off: f32) -> f32 {
-        let radius = self.radius();
-        radius - (radius * radius - off * off).max(0.0).sqrt()
+    /// Upward normal of that outline at a place from the axis.
+    fn normal(&self, [ahead, y]: [f32; 2], height: f32) -> Point {
+        let (outline, off) = (self.surface.outline(), ahead.hypot(y));
+        let beyond = outline.beyond_mm(f64::from(off)) as f32;
+        let share = if beyond > 0.0 { beyond / off } else { 0.0 };
+        // A sharp corner is all flat.
+        let up = (outline.corner_radius_mm as f32 - height).max(1e-3);
+        unit([-ahead * share, -y * share, up])
     }
 
     /// Height drawn at a point of the machined surface, mm.
     pub fn height(&self, x: f32, y: f32) -> f32 {
         let fine = self.surface.height_um(f64::from(x), f64::from(y)).unwrap_or(0.0);
-        self.ball(y) + self.times * fine as f32 / 1000.0
+        self.outline(y) + self.times * fine as f32 / 1000.0
     }
 
     /// Adds it to `mesh`.
     pub fn draw(&self, mesh: &mut Mesh) {
-        let sections = sections(self.cut, self.radius());
+        let sections = sections(self.cut, self.surface.outline());
         let borders = borders(&sections);
         for section in &sections {
             self.stock(mesh, section, borders);

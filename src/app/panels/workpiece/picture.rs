@@ -56,7 +56,7 @@ impl WorkpiecePanel {
         if !ui.is_rect_visible(rect) {
             return;
         }
-        let bounds = part::bounds(under, cut.surface.radius_mm());
+        let bounds = part::bounds(under, cut.surface.outline());
         self.looking.steer(ui, &response, !draws, x_mm as f32, bounds);
         let camera = self.looking.camera;
         if draws {
@@ -102,7 +102,8 @@ impl WorkpiecePanel {
             }
             if self.looking.cutter {
                 let turn = (marks.turns() / SLOWER).fract() * std::f64::consts::TAU;
-                cutter::draw(&mut mesh, x_mm as f32, turn as f32, theme::CUTTER);
+                let tool = &session.current().tool;
+                cutter::draw(&mut mesh, tool, x_mm as f32, turn as f32, theme::CUTTER);
             }
             (made, Arc::new(mesh))
         });

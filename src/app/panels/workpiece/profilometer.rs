@@ -68,8 +68,9 @@ pub struct MeasuredLine<'a> {
 }
 
 /// Across the strip in the middle between two places along the cut.
-fn middle_mm(path: &CutPath, ends_mm: [f64; 2]) -> f64 {
-    let [a, b] = ends_mm.map(|x| strip_mm(path, x).unwrap_or([0.0, 0.0]));
+fn middle_mm(cut: &MeasuredLine<'_>, ends_mm: [f64; 2]) -> f64 {
+    let [a, b] =
+        ends_mm.map(|x| strip_mm(cut.surface.outline(), cut.path, x).unwrap_or([0.0, 0.0]));
     0.5 * (a[0].max(b[0]) + a[1].min(b[1]))
 }
 
@@ -81,7 +82,7 @@ fn behind_tool(cut: &MeasuredLine<'_>, settings: &ProfileSettings) -> Option<Pro
     let length_mm = (length_mm / STEP_MM).ceil() * STEP_MM;
     let to_mm = (((last_mm - BEHIND_MM) / STEP_MM).floor() * STEP_MM).max(first_mm);
     let from_mm = (to_mm - length_mm).max(first_mm);
-    let y_mm = middle_mm(cut.path, [from_mm, to_mm]);
+    let y_mm = middle_mm(cut, [from_mm, to_mm]);
     Some(ProfileLine { from_mm: [from_mm, y_mm], to_mm: [to_mm, y_mm] })
 }
 
@@ -155,12 +156,12 @@ impl Profilometer {
         // Straight over the highest of the fine surface.
         let rise = |share: &f32| {
             let [x, y] = at(*share);
-            part.height(x, y) - part.ball(y)
+            part.height(x, y) - part.outline(y)
         };
         let above = shares.iter().map(rise).fold(0.0, f32::max) + WIDTH * distance;
         let mut row = |share: f32, half: f32| -> [u32; 2] {
             let [x, y] = at(share);
-            let z = part.ball(y) + above;
+            let z = part.outline(y) + above;
             [half, -half]
                 .map(|side| mesh.corner([x - side * dy, y + side * dx, z], [0.0; 3], color))
         };
@@ -189,16 +190,16 @@ fn on_surface(
     cut: &MeasuredLine<'_>,
 ) -> Option<[f64; 2]> {
     let [first, last] = cut.surface.range_mm()?;
-    let radius = cut.surface.radius_mm();
+    let outline = cut.surface.outline();
     let mut z = 0.0_f64;
     let mut found = None;
     // The surface rises across the cut: its height there is met in a few steps.
     for _ in 0..8 {
         let [x, y] = camera.on_level(rect, at, z as f32)?.map(f64::from);
         let x = x.clamp(first.max(0.0) + BORDER_MM, (last - BORDER_MM).max(first + BORDER_MM));
-        let [low, high] = strip_mm(cut.path, x)?;
+        let [low, high] = strip_mm(outline, cut.path, x)?;
         let y = y.clamp(low + BORDER_MM, (high - BORDER_MM).max(low + BORDER_MM));
-        z = radius - (radius * radius - y * y).max(0.0).sqrt();
+        z = outline.height_mm(y);
         found = Some([x, y]);
     }
     found

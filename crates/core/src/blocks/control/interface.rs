@@ -4,6 +4,7 @@ use super::{Belief, ControllerSettings};
 use crate::models::genetic::GeneticModels;
 use crate::models::genetic::force_formula::{FEED_MIN_MM_MIN, SPEED_MIN_RPM};
 use crate::models::part::ProgrammedPart;
+use crate::models::tool::Tool;
 
 /// A pair of feed and spindle speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,6 +83,8 @@ pub struct ControlSetup<'a> {
     pub settings: &'a ControllerSettings,
     /// The part as programmed.
     pub part: ProgrammedPart<'a>,
+    /// The cutter that cuts it.
+    pub tool: &'a Tool,
     /// The controller's beliefs.
     pub belief: &'a Belief,
     /// Control period, s.

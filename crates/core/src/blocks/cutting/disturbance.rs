@@ -5,7 +5,7 @@
 //! ```text
 //! F_dyn = F (1 + level (band b(t) + ripple sin(theta) + inhomogeneity w(x)))
 //! b      band-limited noise of unit variance: first-order low pass minus its own low pass
-//! theta  tooth-passing angle, theta' = 2 pi z n / 60, z = 2 teeth
+//! theta  tooth-passing angle, theta' = 2 pi z n / 60, z teeth
 //! w      field of unit variance along the path ([`super::field`]): a property of the workpiece, the
 //!        same for every controller
 //! ```
@@ -38,14 +38,12 @@ crate::settings! {
     }
 }
 
-/// Teeth of the cutter R216-16B20-040.
-const TEETH: f64 = 2.0;
-
 /// The dynamic component with its state.
 #[derive(Clone, Debug)]
 pub struct DynamicForce {
     band: Stream,
     field: MaterialField,
+    teeth: f64,
     // Coefficients.
     pole_high: f64,
     drive_high: f64,
@@ -75,13 +73,14 @@ impl NoiseSettings {
 }
 
 impl DynamicForce {
-    /// The sources under `seed`, for steps of `dt_s`.
+    /// The sources under `seed` for a cutter with `teeth` teeth, for steps of `dt_s`.
     #[must_use]
-    pub fn new(settings: &NoiseSettings, seed: u32, dt_s: f64) -> Self {
+    pub fn new(settings: &NoiseSettings, teeth: u32, seed: u32, dt_s: f64) -> Self {
         let band = Stream::new(u64::from(seed), "noise.band");
         let phase = Stream::new(u64::from(seed), "noise.ripple");
         let mut this = Self {
             band,
+            teeth: f64::from(teeth),
             field: MaterialField::new(seed, settings.correlation_mm),
             pole_high: 0.0,
             drive_high: 0.0,
@@ -113,7 +112,7 @@ impl DynamicForce {
         self.ripple_gain = settings.level * ratio_from_percent(settings.ripple_percent);
         self.field_gain = settings.inhomogeneity();
         self.field.reconfigure(settings.correlation_mm);
-        self.turn_per_rpm = rev_s_from_rpm(1.0) * TEETH * dt_s;
+        self.turn_per_rpm = rev_s_from_rpm(1.0) * self.teeth * dt_s;
     }
 
     /// The factor 1 + relative dynamic component at tick `tick`, position in mm and speed in 1/min.
@@ -146,7 +145,7 @@ mod tests {
     }
 
     fn deviation(settings: &NoiseSettings) -> f64 {
-        let mut source = DynamicForce::new(settings, 3, 1e-3);
+        let mut source = DynamicForce::new(settings, 2, 3, 1e-3);
         let n = 400_000_u64;
         let mut sum = 0.0;
         for k in 0..n {
@@ -168,8 +167,8 @@ mod tests {
     #[test]
     fn the_inhomogeneity_belongs_to_the_position_not_to_the_time() {
         let settings = only(0.0, 0.0, 2.0);
-        let mut slow = DynamicForce::new(&settings, 3, 1e-3);
-        let mut fast = DynamicForce::new(&settings, 3, 1e-3);
+        let mut slow = DynamicForce::new(&settings, 2, 3, 1e-3);
+        let mut fast = DynamicForce::new(&settings, 2, 3, 1e-3);
         let mut at_slow = Vec::new();
         for k in 0..4000_u32 {
             at_slow.push(slow.update(u64::from(k), f64::from(k) * 0.01, 2000.0));

@@ -1,4 +1,4 @@
-//! The milling simulator's process: the ball-end mill turning tooth by tooth through the part
+//! The milling simulator's process: the end mill turning tooth by tooth through the part
 //! (2005, Fig. 3; [`crate::models::ball_end`]).
 //!
 //! ```text
@@ -13,7 +13,7 @@
 
 use crate::base::math;
 use crate::base::units::rev_s_from_rpm;
-use crate::models::ball_end::{COMPLIANCE_MM_PER_N, Cutter, Kienzle, Sliced, Steel};
+use crate::models::ball_end::{Cutter, Kienzle, Sliced, Steel};
 use crate::models::part::CutPath;
 
 /// Slowest spindle whose tooth period the history holds, 1/min; slower ones count as it.
@@ -75,7 +75,7 @@ impl Milling {
             newest: 0,
             turn: 0.0,
             sampled_turn: 0.0,
-            compliance_mm_n: COMPLIANCE_MM_PER_N,
+            compliance_mm_n: setup.cutter.compliance_mm_n,
         }
     }
 
@@ -84,7 +84,7 @@ impl Milling {
         let rpm = speed_rpm.max(SLOWEST_RPM);
         let period_s = 60.0 / (rpm * self.setup.cutter.teeth as f64);
         self.tooth_samples = ((period_s / self.setup.dt_s).round() as usize).max(1);
-        let speed_m_min = math::PI * self.setup.cutter.diameter_mm * rpm / 1000.0;
+        let speed_m_min = math::PI * self.setup.cutter.outline.diameter_mm * rpm / 1000.0;
         self.speed_factor = self.setup.factor * math::pow(LAW_SPEED_M_MIN / speed_m_min, 0.153);
     }
 

@@ -8,7 +8,6 @@ pub mod material;
 pub mod milling;
 pub mod neural;
 pub mod process;
-pub mod tool;
 pub mod tool_path;
 pub mod wear;
 pub mod workpiece;

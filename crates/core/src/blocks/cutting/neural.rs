@@ -3,15 +3,18 @@
 //! The networks know Ck45 and 16MnCrSi5 over a range of hardness. Any other material is taken as
 //! Ck45 at its reference hardness times the ratio of the two materials' forces
 //! ([`Material::force_factor`], chosen); a hardness beyond the trained range scales the force at its
-//! end in the same way.
+//! end in the same way. They learned from ball ends with two teeth of one helix; another tool is taken by
+//! its feed per tooth, and is outside their training data.
 
 use super::material::Material;
-use super::tool::R216_16B20_040;
 use crate::base::math;
 use crate::models::Valued;
-use crate::models::neural_force::{CutPoint, HARDNESS_HB, NeuralForce, NeuralForceAt, NeuralKind};
+use crate::models::neural_force::{
+    CutPoint, HARDNESS_HB, NeuralForce, NeuralForceAt, NeuralKind, TEETH,
+};
+use crate::models::tool::Tool;
 
-/// The papers' tool in a material: the network's inputs, with feed and speed left at zero, and the
+/// A tool in a material: the network's inputs, with feed and speed left at zero, and the
 /// factor on its force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NeuralCut {
@@ -19,18 +22,22 @@ pub struct NeuralCut {
     pub point: CutPoint,
     /// Factor on the network's force for what it does not know.
     pub factor: f64,
+    /// Factor on the feed: the network counts it by the teeth of its training data.
+    pub feed_factor: f64,
     /// Whether the network knows this material at this hardness.
-    pub known: bool,
+    pub material_known: bool,
+    /// Whether it knows teeth like the tool's.
+    pub teeth_known: bool,
 }
 
 impl NeuralCut {
-    /// The cut of a material of a hardness in HB at depths in mm.
+    /// The cut of a tool in a material of a hardness in HB at axial and radial depth in mm.
     #[must_use]
     pub fn new(
+        tool: &Tool,
         material: Material,
         hardness_hb: f64,
-        axial_depth_mm: f64,
-        radial_depth_mm: f64,
+        [axial_depth_mm, radial_depth_mm]: [f64; 2],
     ) -> Self {
         let code = match material {
             Material::Ck45 => Some((1.0, HARDNESS_HB[0])),
@@ -41,7 +48,6 @@ impl NeuralCut {
             Some((code, [low, high])) => (material, code, math::limit(hardness_hb, low, high)),
             None => (Material::Ck45, 1.0, Material::Ck45.hardness_hb()),
         };
-        let tool = R216_16B20_040;
         Self {
             point: CutPoint {
                 feed_mm_min: 0.0,
@@ -51,11 +57,22 @@ impl NeuralCut {
                 material_code,
                 hardness_hb: base_hb,
                 diameter_mm: tool.diameter_mm,
-                geometry_code: tool.geometry_code,
+                geometry_code: tool.geometry_code(),
             },
             factor: material.force_factor(hardness_hb) / base.force_factor(base_hb),
-            known: code.is_some() && base_hb == hardness_hb,
+            feed_factor: TEETH / f64::from(tool.teeth),
+            material_known: code.is_some() && base_hb == hardness_hb,
+            teeth_known: tool.teeth_as_in_the_papers(),
         }
+    }
+}
+
+impl NeuralCut {
+    /// Whether the network knows material and teeth.
+    #[must_use]
+    #[inline]
+    pub fn known(&self) -> bool {
+        self.material_known && self.teeth_known
     }
 }
 
@@ -106,17 +123,45 @@ impl NeuralLaw {
         if depths_mm != self.at[self.last].0 {
             self.set_up(depths_mm);
         }
-        let peak = self.at[self.last].1.peak(feed_mm_min, speed_rpm);
-        Valued::new(peak.value * self.cut.factor, peak.valid && self.cut.known)
+        let peak = self.at[self.last].1.peak(feed_mm_min * self.cut.feed_factor, speed_rpm);
+        Valued::new(peak.value * self.cut.factor, peak.valid && self.cut.known())
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::models::tool::EndShape;
 
     fn law(material: Material, hardness_hb: f64) -> NeuralLaw {
-        NeuralLaw::new(NeuralKind::Improved, NeuralCut::new(material, hardness_hb, 2.0, 3.0))
+        of_tool(&Tool::default(), material, hardness_hb)
+    }
+
+    fn of_tool(tool: &Tool, material: Material, hardness_hb: f64) -> NeuralLaw {
+        let cut = NeuralCut::new(tool, material, hardness_hb, [2.0, 3.0]);
+        NeuralLaw::new(NeuralKind::Improved, cut)
+    }
+
+    #[test]
+    fn another_tool_is_outside_the_training_data_unless_diameter_and_rake_are_within() {
+        let papers = Tool::default();
+        for (tool, known) in [
+            (Tool { diameter_mm: 12.0, ..papers.clone() }, true),
+            (Tool { rake_deg: 6.0, ..papers.clone() }, true),
+            (Tool { diameter_mm: 9.0, ..papers.clone() }, false),
+            (Tool { rake_deg: 5.0, ..papers.clone() }, false),
+            (Tool { helix_deg: 30.0, ..papers.clone() }, false),
+            (Tool { shape: EndShape::Square, ..papers.clone() }, false),
+            (Tool { teeth: 4, ..papers.clone() }, false),
+        ] {
+            let found = of_tool(&tool, Material::Ck45, 200.0).update(320.0, 1600.0, [2.0, 3.0]);
+            assert_eq!(found.valid, known, "{tool:?}");
+        }
+        let mut four = of_tool(&Tool { teeth: 4, ..papers }, Material::Ck45, 200.0);
+        let mut two = law(Material::Ck45, 200.0);
+        let [four, two] =
+            [four.update(640.0, 1600.0, [2.0, 3.0]), two.update(320.0, 1600.0, [2.0, 3.0])];
+        assert_eq!(four.value, two.value, "by the feed per tooth");
     }
 
     #[test]

@@ -19,7 +19,6 @@ use super::contact;
 use super::material::Material;
 use super::milling::{Milling, MillingSetup};
 use super::neural::{NeuralCut, NeuralLaw};
-use super::tool::R216_16B20_040;
 use super::tool_path::Engagement;
 use super::workpiece::AXIAL_DEPTH_2007_MM;
 use crate::base::math;
@@ -28,6 +27,7 @@ use crate::models::Valued;
 use crate::models::ball_end::{CK45, Cutter, MNCRSI5};
 use crate::models::genetic::{Calibration, GeneticModels, ModelSet};
 use crate::models::part::CutPath;
+use crate::models::tool::{Outline, Tool};
 
 crate::settings! {
     /// The plant: what really is cut, whatever the controller believes.
@@ -48,19 +48,17 @@ crate::settings! {
         /// Added to the force of the formula (an error of its intercept) or of the network, for
         /// experiments on model mismatch; a plan does not know of it.
         force_offset_n: f64 = 0.0, [-100.0, 100.0], "N", live, "Force offset";
-        /// Run-out of the cutter, one tooth out and one in by this; tooth by tooth only.
+        /// Run-out of the cutter: its axis is shifted by this towards the first tooth, so of two one stands
+        /// out and one in; tooth by tooth only.
         runout_um: f64 = 3.0, [0.0, 50.0], "um", live, "Run-out";
         /// Height of the cutter's slices; tooth by tooth only. It is part of the calibration.
         slice_mm: f64 = 0.25, [0.05, 1.0], "mm", live, "Slice height";
     }
 }
 
-/// Rake of the papers' insert, geometry code 3, degrees.
-const RAKE_DEG: f64 = 12.0;
-
-/// The papers' cutter in the plant's material. Materials but the two of the 2005 paper are Ck45
+/// The tool in the plant's material. Materials but the two of the 2005 paper are Ck45
 /// times the ratio of their forces, hardness included.
-fn milling_setup(plant: &Plant, dt_s: f64) -> MillingSetup {
+fn milling_setup(plant: &Plant, tool: &Tool, dt_s: f64) -> MillingSetup {
     let (steel, base) = match plant.material {
         Material::MnCrSi5 => (MNCRSI5, Material::MnCrSi5),
         _ => (CK45, Material::Ck45),
@@ -68,13 +66,9 @@ fn milling_setup(plant: &Plant, dt_s: f64) -> MillingSetup {
     let factor =
         plant.material.force_factor(plant.hardness_hb) / base.force_factor(base.hardness_hb());
     MillingSetup {
-        cutter: Cutter::two_teeth(
-            R216_16B20_040.diameter_mm,
-            mm_from_um(plant.runout_um),
-            plant.slice_mm,
-        ),
+        cutter: Cutter::new(tool, mm_from_um(plant.runout_um), plant.slice_mm),
         steel,
-        rake_deg: RAKE_DEG,
+        rake_deg: tool.rake_deg,
         hardness_hb: steel.hardness_hb,
         factor,
         dt_s,
@@ -91,6 +85,7 @@ fn engagement_per_mm(models: &GeneticModels, radial_depth_mm: f64) -> f64 {
 /// The cutting process set up from plant and workpiece settings.
 #[derive(Clone, Debug)]
 pub struct Process {
+    outline: Outline,
     models: GeneticModels,
     /// Force factor per millimetre of axial depth, for the formula.
     factor_per_mm: f64,
@@ -107,21 +102,29 @@ pub struct Process {
 }
 
 impl Process {
-    /// The process for a plant at a radial depth of cut in mm, for steps of `dt_s` and axial depths
+    /// The process for a plant with a tool at a radial depth of cut in mm, for steps of `dt_s` and axial depths
     /// up to `depth_max_mm`.
     #[must_use]
-    pub fn new(plant: &Plant, radial_depth_mm: f64, depth_max_mm: f64, dt_s: f64) -> Self {
-        let mut models = GeneticModels::new(plant.model_set, plant.calibration);
+    pub fn new(
+        plant: &Plant,
+        tool: &Tool,
+        radial_depth_mm: f64,
+        depth_max_mm: f64,
+        dt_s: f64,
+    ) -> Self {
+        let models = GeneticModels::new(plant.model_set, plant.calibration);
+        let mut models = models.for_tool(tool);
         models.force.intercept_n += plant.force_offset_n;
         let engagement = engagement_per_mm(&models, radial_depth_mm);
         let material = plant.material.force_factor(plant.hardness_hb);
-        let cut =
-            NeuralCut::new(plant.material, plant.hardness_hb, AXIAL_DEPTH_2007_MM, radial_depth_mm);
+        let depths_mm = [AXIAL_DEPTH_2007_MM, radial_depth_mm];
+        let cut = NeuralCut::new(tool, plant.material, plant.hardness_hb, depths_mm);
         let neural = plant.force_model.network().map(|kind| Box::new(NeuralLaw::new(kind, cut)));
         let by_teeth = plant.force_model.tooth_by_tooth();
-        let milling =
-            by_teeth.then(|| Box::new(Milling::new(&milling_setup(plant, dt_s), depth_max_mm)));
+        let setup = || milling_setup(plant, tool, dt_s);
+        let milling = by_teeth.then(|| Box::new(Milling::new(&setup(), depth_max_mm)));
         Self {
+            outline: tool.outline(),
             models,
             factor_per_mm: material * plant.wear_factor * engagement,
             radial_depth_mm,
@@ -188,10 +191,17 @@ impl Process {
     }
 
     /// Takes over settings changed in the cut; a turning cutter goes on.
-    pub fn reconfigure(&mut self, plant: &Plant, place: &Engagement, depth_max_mm: f64, dt_s: f64) {
+    pub fn reconfigure(
+        &mut self,
+        plant: &Plant,
+        tool: &Tool,
+        place: &Engagement,
+        depth_max_mm: f64,
+        dt_s: f64,
+    ) {
         let before = self.milling.take();
         let life_factor = self.life_factor;
-        *self = Self::new(plant, place.radial_depth_mm, depth_max_mm, dt_s);
+        *self = Self::new(plant, tool, place.radial_depth_mm, depth_max_mm, dt_s);
         self.life_factor = life_factor;
         if let (Some(before), Some(now)) = (before, &mut self.milling) {
             now.take_over(&before);
@@ -233,6 +243,8 @@ impl Process {
         speed_rpm: f64,
         (cut, x_mm): (&CutPath, f64),
     ) -> Valued {
-        contact::force_along(cut, x_mm, |place| self.update(feed_mm_min, speed_rpm, place))
+        let outline = self.outline;
+        let force_in = |place: &Engagement| self.update(feed_mm_min, speed_rpm, place);
+        contact::force_along(&outline, cut, x_mm, force_in)
     }
 }

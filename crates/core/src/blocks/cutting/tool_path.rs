@@ -2,10 +2,10 @@
 //! position is counted along all of them, so it only grows; between two cuts the tool returns in
 //! rapid feed, which takes no time here.
 
-use super::tool::R216_16B20_040;
 use super::workpiece::{DepthProfile, Workpiece};
 use crate::base::math;
 use crate::models::part::{APPROACH_MM, CutPath};
+use crate::models::tool::Outline;
 
 /// Engagement at the tool's axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -19,43 +19,43 @@ pub struct Engagement {
 impl Engagement {
     /// Inside a section of an axial depth with its wall at a distance from the tool's axis, mm.
     #[must_use]
-    pub fn in_section([axial_depth_mm, wall_mm]: [f64; 2]) -> Self {
-        Self { axial_depth_mm, radial_depth_mm: radial_depth_mm(axial_depth_mm, wall_mm) }
+    pub fn in_section(outline: &Outline, [axial_depth_mm, wall_mm]: [f64; 2]) -> Self {
+        Self { axial_depth_mm, radial_depth_mm: radial_depth_mm(outline, axial_depth_mm, wall_mm) }
     }
 }
 
-/// Radius in mm at which the papers' ball meets the surface of a cut of an axial depth in mm.
-pub(super) fn radius_mm(axial_depth_mm: f64) -> f64 {
-    let diameter_mm = R216_16B20_040.diameter_mm;
-    let depth = axial_depth_mm.min(0.5 * diameter_mm);
-    math::positive(depth * (diameter_mm - depth)).sqrt()
+/// Radius in mm at which a cutter meets the surface of a cut of an axial depth in mm; 0 without depth.
+#[must_use]
+pub fn met_mm(outline: &Outline, axial_depth_mm: f64) -> f64 {
+    if axial_depth_mm > 0.0 { outline.radius_mm(axial_depth_mm) } else { 0.0 }
 }
 
 /// Radial depth R_D in mm of a section of an axial depth and a wall position in mm: from the wall to
-/// where the ball meets the surface.
+/// where the cutter meets the surface.
 #[must_use]
-pub fn radial_depth_mm(axial_depth_mm: f64, wall_mm: f64) -> f64 {
-    math::positive(radius_mm(axial_depth_mm) - wall_mm)
+pub fn radial_depth_mm(outline: &Outline, axial_depth_mm: f64, wall_mm: f64) -> f64 {
+    math::positive(met_mm(outline, axial_depth_mm) - wall_mm)
 }
 
 /// Where across a cut its machined strip lies at `x_mm` from the part's edge, in mm from the tool's
-/// axis: from the wall to where the ball meets the surface. None where nothing is cut.
+/// axis: from the wall to where the cutter meets the surface. None where nothing is cut.
 #[must_use]
-pub fn strip_mm(cut: &CutPath, x_mm: f64) -> Option<[f64; 2]> {
+pub fn strip_mm(outline: &Outline, cut: &CutPath, x_mm: f64) -> Option<[f64; 2]> {
     let [axial_depth_mm, wall_mm] = cut.section_at(x_mm);
-    let edge_mm = radius_mm(axial_depth_mm);
+    let edge_mm = met_mm(outline, axial_depth_mm);
     (edge_mm > wall_mm).then_some([wall_mm, edge_mm])
 }
 
 /// Position in mm of the side wall that gives a radial depth in mm at an axial depth in mm.
 #[must_use]
-pub fn wall_mm(axial_depth_mm: f64, radial_depth_mm: f64) -> f64 {
-    radius_mm(axial_depth_mm) - radial_depth_mm
+pub fn wall_mm(outline: &Outline, axial_depth_mm: f64, radial_depth_mm: f64) -> f64 {
+    outline.radius_mm(axial_depth_mm) - radial_depth_mm
 }
 
 /// The tool's way.
 #[derive(Clone, Debug)]
 pub struct ToolPath {
+    outline: Outline,
     profile: DepthProfile,
     /// For one path: its length and radial depth.
     length_mm: f64,
@@ -69,10 +69,11 @@ pub struct ToolPath {
 }
 
 impl ToolPath {
-    /// The way of a workpiece, the tool at its start.
+    /// The way of a cutter through a workpiece, the tool at its start.
     #[must_use]
-    pub fn new(workpiece: &Workpiece) -> Self {
+    pub fn new(workpiece: &Workpiece, outline: Outline) -> Self {
         let mut path = Self {
+            outline,
             profile: DepthProfile::new(workpiece),
             length_mm: workpiece.length_mm,
             radial_depth_mm: workpiece.radial_depth_mm,
@@ -88,7 +89,7 @@ impl ToolPath {
     /// The one path as a cut, from here on; `axial_depth_mm` is where the radial depth is counted.
     fn lay_profile(&mut self, axial_depth_mm: f64) {
         if !self.several {
-            let wall_mm = wall_mm(axial_depth_mm, self.radial_depth_mm);
+            let wall_mm = wall_mm(&self.outline, axial_depth_mm, self.radial_depth_mm);
             self.cuts = vec![CutPath::open(&self.profile.sections(self.length_mm, wall_mm))];
         }
     }
@@ -129,19 +130,19 @@ impl ToolPath {
             return Engagement { axial_depth_mm, radial_depth_mm: self.radial_depth_mm };
         }
         let (cut, x_mm) = self.cut_at(position_mm);
-        Engagement::in_section(cut.section_at(x_mm))
+        Engagement::in_section(&self.outline, cut.section_at(x_mm))
     }
 
     /// The engagement that loads the teeth with the tool's axis at `here`: along several cuts they are
-    /// ahead of it, by half the ball's radius in the mean (chosen), or still at it.
+    /// ahead of it, by half the cutter's radius in the mean (chosen), or still at it.
     #[must_use]
     pub fn loaded(&self, position_mm: f64, here: Engagement) -> Engagement {
         if !self.several {
             return here;
         }
         let (cut, x_mm) = self.cut_at(position_mm);
-        let ahead_mm = 0.5 * radius_mm(cut.depth_max_mm());
-        let ahead = Engagement::in_section(cut.section_at(x_mm + ahead_mm));
+        let ahead_mm = 0.5 * met_mm(&self.outline, cut.depth_max_mm());
+        let ahead = Engagement::in_section(&self.outline, cut.section_at(x_mm + ahead_mm));
         let area = |place: Engagement| place.axial_depth_mm * place.radial_depth_mm;
         if area(ahead) > area(here) { ahead } else { here }
     }
@@ -175,7 +176,8 @@ impl ToolPath {
     /// Number of the cut of a workpiece in which `position_mm` lies, counted from 0.
     #[must_use]
     pub fn cut_of(workpiece: &Workpiece, position_mm: f64) -> usize {
-        let mut path = Self::new(workpiece);
+        // Where cuts begin does not depend on the cutter.
+        let mut path = Self::new(workpiece, Outline::ball(0.0));
         while path.next_cut(position_mm).is_some() {}
         path.cut
     }
@@ -212,7 +214,7 @@ mod tests {
         assert!(
             (ToolPath::length_of(&workpiece) - (10.0 + 25.0 + 2.0 * APPROACH_MM)).abs() < 1e-12
         );
-        let mut path = ToolPath::new(&workpiece);
+        let mut path = ToolPath::new(&workpiece, Outline::ball(8.0));
         assert_eq!(path.place(0.0).axial_depth_mm, 0.0, "before the part");
         let inside = path.place(APPROACH_MM + 1.0);
         assert_eq!(inside.axial_depth_mm, 2.0);
@@ -232,7 +234,7 @@ mod tests {
     #[test]
     fn one_path_is_a_cut_that_the_tool_starts_in() {
         let workpiece = Workpiece { depth_steps: vec![[50.0, 2.5]], ..Workpiece::default() };
-        let mut path = ToolPath::new(&workpiece);
+        let mut path = ToolPath::new(&workpiece, Outline::ball(8.0));
         let (cut, x_mm) = path.cut_at(0.0);
         assert_eq!((x_mm, cut.length_mm()), (0.0, 120.0));
         // R_D = 3 mm at A_D = 2 mm: the wall is 28^0.5 - 3 mm from the axis and stays there.
@@ -243,8 +245,12 @@ mod tests {
         path.place(60.0);
         path.reconfigure(&Workpiece { axial_depth_mm: 1.0, ..workpiece });
         assert_eq!(path.cut_at(60.0).0.depth_at(61.0, 5.0), 1.0);
-        let [low, high] = strip_mm(path.cut_at(60.0).0, 60.0).unwrap();
-        assert!((high - 15.0_f64.sqrt()).abs() < 1e-12 && low == wall_mm(1.0, 3.0), "{low} {high}");
-        assert_eq!(strip_mm(path.cut_at(60.0).0, 121.0), None);
+        let ball = Outline::ball(8.0);
+        let [low, high] = strip_mm(&ball, path.cut_at(60.0).0, 60.0).unwrap();
+        assert!(
+            (high - 15.0_f64.sqrt()).abs() < 1e-12 && low == wall_mm(&ball, 1.0, 3.0),
+            "{low} {high}"
+        );
+        assert_eq!(strip_mm(&ball, path.cut_at(60.0).0, 121.0), None);
     }
 }

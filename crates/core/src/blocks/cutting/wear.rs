@@ -4,9 +4,9 @@
 //! x += time_scale dt / T(vc, fz, ap)      in the cut;  factor on the force = 1 + kappa w(x)
 //! ```
 
-use super::tool::R216_16B20_040;
 use crate::base::math;
 use crate::base::units::s_from_min;
+use crate::models::tool::Tool;
 use crate::models::wear::{WearCut, WearModel, WearSettings};
 
 /// Largest fraction of the life that is counted: far beyond it nothing is left to wear.
@@ -16,14 +16,15 @@ const LIFE_MAX: f64 = 2.0;
 #[derive(Clone, Debug)]
 pub struct ToolWear {
     settings: WearSettings,
+    tool: Tool,
     used_life: f64,
 }
 
 impl ToolWear {
     /// The tool as it is at the start of the run.
     #[must_use]
-    pub fn new(settings: &WearSettings) -> Self {
-        Self { settings: settings.clone(), used_life: settings.used_life }
+    pub fn new(settings: &WearSettings, tool: &Tool) -> Self {
+        Self { settings: settings.clone(), tool: tool.clone(), used_life: settings.used_life }
     }
 
     /// Takes over changed settings; the tool stays as worn as it is.
@@ -60,7 +61,7 @@ impl ToolWear {
     /// Process damping in N s/m of a tooth in the cut at an axial depth in mm and a speed in 1/min.
     #[must_use]
     pub fn damping_n_s_m(&self, axial_depth_mm: f64, speed_rpm: f64) -> f64 {
-        let speed_m_min = math::PI * R216_16B20_040.diameter_mm * speed_rpm / 1000.0;
+        let speed_m_min = self.tool.cutting_speed_m_min(speed_rpm);
         self.settings.process_damping_n_s_m(self.wear(), 1.0, axial_depth_mm, speed_m_min)
     }
 
@@ -70,10 +71,9 @@ impl ToolWear {
         if self.settings.model == WearModel::Fixed || speed_rpm <= 0.0 {
             return;
         }
-        let tool = R216_16B20_040;
         let cut = WearCut {
-            cutting_speed_m_min: math::PI * tool.diameter_mm * speed_rpm / 1000.0,
-            feed_per_tooth_mm: feed_mm_min / (tool.teeth * speed_rpm),
+            cutting_speed_m_min: self.tool.cutting_speed_m_min(speed_rpm),
+            feed_per_tooth_mm: self.tool.feed_per_tooth_mm(feed_mm_min, speed_rpm),
             axial_depth_mm,
         };
         let life_s = s_from_min(self.settings.life_min(&cut));
@@ -91,7 +91,7 @@ mod tests {
     const FEED_MM_MIN: f64 = 2.0 * 0.135 * SPEED_RPM;
 
     fn worn(settings: &WearSettings, minutes: u32) -> ToolWear {
-        let mut tool = ToolWear::new(settings);
+        let mut tool = ToolWear::new(settings, &Tool::default());
         (0..minutes * 60).for_each(|_| tool.update(FEED_MM_MIN, SPEED_RPM, 2.0, 1.0));
         tool
     }
@@ -110,7 +110,7 @@ mod tests {
     fn nothing_wears_in_the_air_or_with_a_fixed_factor() {
         let life =
             WearSettings { model: WearModel::Life, used_life: 0.3, ..WearSettings::default() };
-        let mut tool = ToolWear::new(&life);
+        let mut tool = ToolWear::new(&life, &Tool::default());
         tool.update(FEED_MM_MIN, SPEED_RPM, 0.0, 600.0);
         tool.update(FEED_MM_MIN, 0.0, 2.0, 600.0);
         tool.update(0.0, SPEED_RPM, 2.0, 600.0);

@@ -16,8 +16,8 @@ crate::settings! {
         /// Axial depth of cut A_D at the start of the path; zero is an air cut. Changed in the
         /// running cut, it holds from there to the next step of the profile.
         axial_depth_mm: f64 = AXIAL_DEPTH_2007_MM, [0.0, 8.0], "mm", live, "Axial depth";
-        /// Radial depth of cut R_D.
-        radial_depth_mm: f64 = RADIAL_DEPTH_2007_MM, [0.0, 16.0], "mm", setup, "Radial depth";
+        /// Radial depth of cut R_D, at most the cutter's diameter.
+        radial_depth_mm: f64 = RADIAL_DEPTH_2007_MM, [0.0, 50.0], "mm", setup, "Radial depth";
         /// Depth profile: from each position on, the axial depth of cut given with it.
         depth_steps: Vec<DepthStep> = Vec::new(), [8.0, 20000.0], "mm", live, "Depth profile";
         /// Straight cuts one after the other, each a list of sections [length, axial depth, wall]; the

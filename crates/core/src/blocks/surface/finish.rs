@@ -13,6 +13,7 @@ use super::profile::{CutStep, ToothMarks};
 use crate::models::roughness_profile::{
     ProfileMark, ProfileSettings, evaluation_mm, measure, run_up_mm,
 };
+use crate::models::tool::Outline;
 
 /// Least cut-off against short waves here, um: teeth leave marks further apart, and a profile with points
 /// for them alone is measured twenty times as fast, Ra within some 2 %.
@@ -24,7 +25,7 @@ const MARKS: usize = 4096;
 #[derive(Clone, Debug)]
 pub struct Finish {
     settings: ProfileSettings,
-    radius_mm: f64,
+    outline: Outline,
     teeth: ToothMarks,
     marks: Vec<ProfileMark>,
     measured_mm: f64,
@@ -32,12 +33,12 @@ pub struct Finish {
 }
 
 impl Finish {
-    /// The surface of a ball end of `radius_mm` with `teeth` teeth and a run-out in mm.
+    /// The surface of a cutter with `teeth` teeth that stand back by at most `runout_mm`.
     #[must_use]
-    pub fn new(settings: &ProfileSettings, radius_mm: f64, teeth: usize, runout_mm: f64) -> Self {
+    pub fn new(settings: &ProfileSettings, outline: Outline, teeth: usize, runout_mm: f64) -> Self {
         let mut finish = Self {
             settings: settings.clone(),
-            radius_mm,
+            outline,
             teeth: ToothMarks::new(teeth, runout_mm, 0.0, 0),
             marks: Vec::new(),
             measured_mm: 0.0,
@@ -95,15 +96,15 @@ impl Finish {
             return;
         }
         let ra = |marks: &[ProfileMark]| {
-            measure(marks, self.radius_mm, from_mm, &self.settings).map(|rough| rough.ra_um)
+            measure(marks, &self.outline, from_mm, &self.settings).map(|rough| rough.ra_um)
         };
         let ideal: Vec<ProfileMark> =
             self.marks.iter().map(|mark| ProfileMark { z_mm: 0.0, ..*mark }).collect();
         if let Some((ra_um, ideal_um)) = ra(&self.marks).zip(ra(&ideal)) {
             self.added_um = ra_um - ideal_um;
         }
-        // A ball reaches its radius to each side.
-        let reach_mm = from_mm - run_up_mm - self.radius_mm;
+        // The end reaches its radius to each side.
+        let reach_mm = from_mm - run_up_mm - self.outline.edge_mm();
         let gone = self.marks.partition_point(|mark| mark.x_mm < reach_mm);
         self.marks.drain(..gone);
     }
@@ -123,7 +124,7 @@ mod tests {
 
     /// A cut of 12 mm with 0.1 mm to the tooth; each tooth's displacement in mm.
     fn cut(runout_mm: f64, of_tooth: impl Fn(f64) -> f64) -> Finish {
-        let mut finish = Finish::new(&ProfileSettings::default(), 8.0, 2, runout_mm);
+        let mut finish = Finish::new(&ProfileSettings::default(), Outline::ball(8.0), 2, runout_mm);
         for tooth in 1..=120 {
             let tooth = f64::from(tooth);
             finish.update(0.5, 0.1 * tooth, 1e-3 * of_tooth(tooth), true);

@@ -9,6 +9,7 @@
 
 use crate::base::rng::Stream;
 use crate::models::roughness_profile::ProfileMark;
+use crate::models::tool::runout_share;
 
 /// Counts the teeth that come past.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -64,13 +65,15 @@ pub struct ToothMarks {
 }
 
 impl ToothMarks {
-    /// The cutter before its first tooth, at `position_mm`, with `teeth` teeth (at least one) of
-    /// which every other stands back by `runout_mm`.
+    /// The cutter before its first tooth, at `position_mm`, with `teeth` teeth (at least one) that stand
+    /// back by up to `runout_mm`: the second of two, the one opposite the first of an even number
+    /// ([`runout_share`]).
     #[must_use]
     pub fn new(teeth: usize, runout_mm: f64, position_mm: f64, seed: u64) -> Self {
-        let back = |tooth: usize| if tooth.is_multiple_of(2) { 0.0 } else { runout_mm };
+        let teeth = teeth.max(1);
+        let back = |tooth: usize| 0.5 * runout_mm * (1.0 - runout_share(tooth, teeth));
         Self {
-            stands_back_mm: (0..teeth.max(1)).map(back).collect(),
+            stands_back_mm: (0..teeth).map(back).collect(),
             random: Stream::new(seed, "surface.marks"),
             passing: Passing::default(),
             last: CutStep { turns: 0.0, position_mm, vibration_mm: 0.0, random_mm: 0.0 },

@@ -2,14 +2,15 @@
 //! feed marks do not explain.
 //!
 //! ```text
-//! tooth k at x_k leaves    y_k(x, y) = z_k + s(x - x_k, y) - s(0, y),  s(d, y) = R - (R^2 - d^2 - y^2)^1/2
+//! tooth k at x_k leaves    y_k(x, y) = z_k + s(x - x_k, y) - s(0, y),  s the outline of the end: for a
+//!                          ball s(d, y) = R - (R^2 - d^2 - y^2)^1/2   ([`crate::models::tool::Outline`])
 //! the marks are the lowest Y(x, y)  = min over k of y_k(x, y)          (2019, roughness of the profile)
 //! texture                  w(x, y)  = sigma_k g(x, y),  sigma_k = (pi/2)^1/2 (Ra^2 - Ra_marks^2)^1/2
 //! height                   h        = Y + w
 //! ```
 //!
 //! Heights are counted from the shape that the turning cutter would leave without feed: x along the
-//! cut, y across it from the tool's axis, R the ball's radius. z_k is what run-out and vibration
+//! cut, y across it from the tool's axis, R the ball's radius; an ideal flat has no dish. z_k is what run-out and vibration
 //! add at the moment at which tooth k generates the surface. g is a random field of unit variance
 //! on a grid of 20 um along the cut and of 0.4 mm across it: marks lie across the feed. Ra of the run
 //! is that of the papers' formulas, which is several times what feed marks alone give
@@ -18,8 +19,8 @@
 
 use crate::base::math;
 use crate::base::rng::Stream;
-use crate::models::roughness_profile::rise_mm;
 use crate::models::roughness_trend::CUSP_RATIO;
+use crate::models::tool::Outline;
 
 /// Standard deviation of a normal deviate over its mean magnitude: (pi/2)^1/2.
 const DEVIATION_OVER_RA: f64 = 1.253_314_137_315_5;
@@ -42,7 +43,7 @@ pub struct ToothMark {
 /// The surface along a cut.
 #[derive(Clone, Debug)]
 pub struct Topography {
-    radius_mm: f64,
+    outline: Outline,
     texture: Stream,
     marks: Vec<ToothMark>,
     /// Spread of the z_k, mm: how deep a mark may lie below its neighbours.
@@ -50,11 +51,11 @@ pub struct Topography {
 }
 
 impl Topography {
-    /// A surface without a mark, for a ball of this radius in mm.
+    /// A surface without a mark, of a cutter with this outline.
     #[must_use]
-    pub fn new(radius_mm: f64, seed: u32) -> Self {
+    pub fn new(outline: Outline, seed: u32) -> Self {
         let texture = Stream::new(u64::from(seed), "surface.texture");
-        Self { radius_mm, texture, marks: Vec::new(), deepest_mm: 0.0 }
+        Self { outline, texture, marks: Vec::new(), deepest_mm: 0.0 }
     }
 
     /// Adds the mark of the next tooth; those that do not come on are left out.
@@ -71,10 +72,10 @@ impl Topography {
         &self.marks
     }
 
-    /// The ball's radius, mm.
+    /// The outline of the cutter.
     #[must_use]
-    pub fn radius_mm(&self) -> f64 {
-        self.radius_mm
+    pub fn outline(&self) -> &Outline {
+        &self.outline
     }
 
     /// From the first mark to the last one, mm; nothing without marks.
@@ -87,35 +88,25 @@ impl Topography {
     #[must_use]
     pub fn height_um(&self, x_mm: f64, y_mm: f64) -> Option<f64> {
         let [first, last] = self.range_mm()?;
-        if !(first..=last).contains(&x_mm) || y_mm.abs() >= self.radius_mm {
+        if !(first..=last).contains(&x_mm) || y_mm.abs() >= self.outline.edge_mm() {
             return None;
         }
         let after = self.marks.partition_point(|mark| mark.x_mm < x_mm).max(1);
         let here = self.marks[after.min(self.marks.len() - 1)];
         let feed_mm = here.x_mm - self.marks[after.min(self.marks.len() - 1) - 1].x_mm;
         // Two marks of a spread of z reach as far as the parabola between them.
-        let reach_mm =
-            REACH_TEETH * feed_mm + (4.0 * self.radius_mm * 2.0 * self.deepest_mm).sqrt();
+        let reach_mm = REACH_TEETH * feed_mm + self.outline.reach_mm(self.deepest_mm);
         let from = self.marks.partition_point(|mark| mark.x_mm < x_mm - reach_mm);
-        let root = (self.radius_mm * self.radius_mm - y_mm * y_mm).sqrt();
         let mut lowest_mm = f64::INFINITY;
         for mark in self.marks[from..].iter().take_while(|mark| mark.x_mm <= x_mm + reach_mm) {
-            // Across the cut the ball meets the surface in a smaller circle.
-            lowest_mm = lowest_mm.min(mark.z_mm + rise_mm(root, x_mm - mark.x_mm));
+            lowest_mm = lowest_mm.min(mark.z_mm + self.outline.rise_mm(x_mm - mark.x_mm, y_mm));
         }
         let marks_um = lowest_mm * 1000.0;
-        marks_um.is_finite().then(|| marks_um + self.texture_um(x_mm, y_mm, &here, feed_mm, root))
+        marks_um.is_finite().then(|| marks_um + self.texture_um(x_mm, y_mm, &here, feed_mm))
     }
 
-    fn texture_um(
-        &self,
-        x_mm: f64,
-        y_mm: f64,
-        mark: &ToothMark,
-        feed_mm: f64,
-        root_mm: f64,
-    ) -> f64 {
-        let marks_ra_um = CUSP_RATIO * 1000.0 * feed_mm * feed_mm / (8.0 * root_mm);
+    fn texture_um(&self, x_mm: f64, y_mm: f64, mark: &ToothMark, feed_mm: f64) -> f64 {
+        let marks_ra_um = CUSP_RATIO * 1000.0 * self.outline.cusp_at_mm(feed_mm, y_mm);
         let rest = math::positive(mark.ra_um * mark.ra_um - marks_ra_um * marks_ra_um).sqrt();
         DEVIATION_OVER_RA * rest * self.field(x_mm / GRID_MM[0], y_mm / GRID_MM[1])
     }
@@ -141,7 +132,7 @@ mod tests {
     use super::*;
 
     fn even(feed_mm: f64, ra_um: f64, z_mm: impl Fn(usize) -> f64) -> Topography {
-        let mut surface = Topography::new(8.0, 1);
+        let mut surface = Topography::new(Outline::ball(8.0), 1);
         for k in 0..400 {
             surface.push(ToothMark { x_mm: k as f64 * feed_mm, z_mm: z_mm(k), ra_um });
         }
@@ -192,7 +183,7 @@ mod tests {
         let surface = even(0.1, 0.8, |_| 0.0);
         assert_eq!(surface.height_um(-0.01, 0.0), None);
         assert_eq!(surface.height_um(1.0, 8.0), None);
-        assert_eq!(Topography::new(8.0, 1).height_um(0.0, 0.0), None);
+        assert_eq!(Topography::new(Outline::ball(8.0), 1).height_um(0.0, 0.0), None);
         assert_eq!(surface.height_um(f64::NAN, 0.0), None);
     }
 }

@@ -1,14 +1,18 @@
-//! Mechanistic forces of a ball-end mill: the simulated process of the 2005 system, and the source
-//! of the neural force model's training data.
+//! Mechanistic forces of an end mill: the simulated process of the 2005 system with a ball end, and
+//! the source of the neural force model's training data; bull nose and square end by the same model.
 //!
-//! Geometry after Lee and Altintas (1996), with z measured from the tip and R0 = D/2:
+//! Geometry of the ball after Lee and Altintas (1996), of the others after Engin and Altintas (2001),
+//! with z measured from the tip, R0 = D/2 and the corner radius r ([`Outline`]: r = R0 is the ball, r = 0
+//! the square end, whose bottom edges do not cut):
 //!
 //! ```text
-//! R(z) = sqrt(z (D - z)) for z < R0, else R0      sin k = R/R0, cos k = (R0 - z)/R0 (0 above R0)
+//! z < r   R(z) = R0 - r + sqrt(z (2 r - z)), sin k = (R - (R0 - r))/r, cos k = (r - z)/r
+//! z >= r  R(z) = R0, sin k = 1, cos k = 0
 //! psi(z) = (z/R0) tan(helix)                      phi = spindle - 2 pi j/teeth - psi, 0 < phi < pi
 //! x = R sin phi, y = R cos phi                    contact point; +x is the direction of feed
 //! h = [(f_t + X) sin phi + Y cos phi + rho_j - rho_(j-1)] sin k,  no cut for h <= 0
 //! db = w dz / sin k,  dF_i = k_i h^(1 - m_i) db   i = c (tangential), r (radial), a (axial)
+//! rho_j = e cos(2 pi j/teeth)                     axis shifted by e towards tooth 0 (Kline and DeVor 1983)
 //! dFx = -sk sp dFr - cp dFc - ck sp dFa
 //! dFy = -sk cp dFr + sp dFc - ck cp dFa
 //! dFz =  ck dFr - sk dFa
@@ -23,7 +27,9 @@
 //! carries part of a slice too much; thin slices give about 3 % less than slices of 0.1 mm
 //! (`steadycut force` prints how it converges).
 
+use super::tool::{Outline, Tool, runout_share};
 use crate::base::math;
+use crate::base::units::mm_from_um;
 
 mod kienzle;
 mod peak_table;
@@ -33,17 +39,14 @@ pub use kienzle::{CK45, Kienzle, MNCRSI5, Steel};
 pub use peak_table::PeakTable;
 pub use static_cut::{StaticCut, StaticPeak, static_peak};
 
-/// Compliance G of tool and holder in mm/N: its stiffness is 50 N/um. As printed, in m/N, 650 N would bend the tool
-/// by 13 mm.
-pub const COMPLIANCE_MM_PER_N: f64 = 2e-5;
 /// Most teeth of a cutter.
 pub const MAX_TEETH: usize = 8;
 
-/// A ball-end mill.
+/// An end mill as it is sliced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cutter {
-    /// Diameter D, mm.
-    pub diameter_mm: f64,
+    /// The outline that its edges sweep.
+    pub outline: Outline,
     /// Number of teeth, 1 to [`MAX_TEETH`].
     pub teeth: usize,
     /// Helix angle, degrees.
@@ -52,23 +55,39 @@ pub struct Cutter {
     pub runout_mm: [f64; MAX_TEETH],
     /// Height of a slice, mm.
     pub slice_mm: f64,
+    /// Compliance G of tool and holder, mm/N.
+    pub compliance_mm_n: f64,
 }
 
 impl Cutter {
-    /// The papers' cutter R216-16B20-040 at another diameter if wanted: two teeth, helix 10 deg;
-    /// run-out of `+-runout_mm`.
+    /// A tool whose axis is shifted by `runout_mm`, in slices of `slice_mm`.
+    #[must_use]
+    pub fn new(tool: &Tool, runout_mm: f64, slice_mm: f64) -> Self {
+        let teeth = (tool.teeth as usize).clamp(1, MAX_TEETH);
+        let mut runout = [0.0; MAX_TEETH];
+        for (j, rho) in runout[..teeth].iter_mut().enumerate() {
+            *rho = runout_mm * runout_share(j, teeth);
+        }
+        Self {
+            outline: tool.outline(),
+            teeth,
+            helix_deg: tool.helix_deg,
+            runout_mm: runout,
+            slice_mm,
+            compliance_mm_n: mm_from_um(tool.compliance_um_n),
+        }
+    }
+
+    /// The papers' ball end with two teeth at another diameter if wanted; run-out of `+-runout_mm`.
     #[must_use]
     pub fn two_teeth(diameter_mm: f64, runout_mm: f64, slice_mm: f64) -> Self {
-        let mut runout = [0.0; MAX_TEETH];
-        (runout[0], runout[1]) = (runout_mm, -runout_mm);
-        Self { diameter_mm, teeth: 2, helix_deg: 10.0, runout_mm: runout, slice_mm }
+        Self::new(&Tool { diameter_mm, ..Tool::default() }, runout_mm, slice_mm)
     }
 
     /// Radius in mm at height `z_mm` above the tip.
     #[must_use]
     pub fn radius_mm(&self, z_mm: f64) -> f64 {
-        let r0 = 0.5 * self.diameter_mm;
-        if z_mm < r0 { math::positive(z_mm * (self.diameter_mm - z_mm)).sqrt() } else { r0 }
+        self.outline.radius_mm(z_mm)
     }
 }
 
@@ -95,7 +114,8 @@ impl Sliced {
     /// Slices `cutter` up to `depth_mm`; its teeth are limited to 1..=[`MAX_TEETH`].
     #[must_use]
     pub fn new(cutter: &Cutter, depth_mm: f64) -> Self {
-        let r0 = 0.5 * cutter.diameter_mm;
+        let Outline { corner_radius_mm: corner, .. } = cutter.outline;
+        let (r0, flat) = (cutter.outline.edge_mm(), cutter.outline.flat_mm());
         let tan_helix = {
             let helix = cutter.helix_deg * (math::PI / 180.0);
             math::sin(helix) / math::cos(helix)
@@ -107,11 +127,16 @@ impl Sliced {
             let z = bottom_mm + 0.5 * cutter.slice_mm;
             let radius_mm = cutter.radius_mm(z);
             let lag = z / r0 * tan_helix;
+            let [sin_k, cos_k] = if z < corner {
+                [(radius_mm - flat) / corner, (corner - z) / corner]
+            } else {
+                [1.0, 0.0]
+            };
             Slice {
                 bottom_mm,
                 radius_mm,
-                sin_k: radius_mm / r0,
-                cos_k: math::positive((r0 - z) / r0),
+                sin_k,
+                cos_k,
                 sin_lag: math::sin(lag),
                 cos_lag: math::cos(lag),
             }

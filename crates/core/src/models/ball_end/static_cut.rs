@@ -1,7 +1,7 @@
 //! Cuts that do not change: forces over a revolution, regeneration settled.
 
 use super::kienzle::Kienzle;
-use super::{COMPLIANCE_MM_PER_N, Cutter, Sliced};
+use super::{Cutter, Sliced};
 use crate::base::math;
 
 /// Steps of a static cut in a revolution (rounded down to whole steps a tooth).
@@ -48,7 +48,7 @@ pub fn static_peak(cutter: &Cutter, law: &Kienzle, cut: &StaticCut) -> StaticPea
         for step in 0..steps {
             let last = forces[(step + steps - 1) % steps];
             let tooth_before = forces[(step + 2 * steps - 1 - per_tooth) % steps];
-            let gain = if rev == 0 { 0.0 } else { COMPLIANCE_MM_PER_N };
+            let gain = if rev == 0 { 0.0 } else { cutter.compliance_mm_n };
             let deflection = [0, 1].map(|axis| gain * (last[axis] - tooth_before[axis]));
             let angle = math::TAU * step as f64 / steps as f64;
             let force = sliced.forces(law, angle, cut.feed_per_tooth_mm, deflection, depth_at);

@@ -23,6 +23,7 @@ use self::exponential::Exponential;
 use self::force_formula::ForceFormula;
 use self::quartic::Quartic;
 use super::Valued;
+use super::tool::Tool;
 use crate::base::math;
 
 crate::choice! {
@@ -145,10 +146,23 @@ pub struct GeneticModels {
     pub speed: SpeedLaw,
     /// Model 4.
     pub force: ForceFormula,
+    /// Whether the cutter is the papers' one, for which they hold; with another one every answer is
+    /// marked as outside the range.
+    pub of_tool: bool,
 }
 
 impl GeneticModels {
-    /// The models of a set in a calibration.
+    /// The same for a cutter: the forces and roughness that they were fitted to are the papers' cutter's.
+    #[must_use]
+    pub fn for_tool(self, tool: &Tool) -> Self {
+        Self { of_tool: tool.cuts_as_in_the_papers(), ..self }
+    }
+
+    fn within(&self, found: Valued) -> Valued {
+        Valued { valid: found.valid && self.of_tool, ..found }
+    }
+
+    /// The models of a set in a calibration, for the papers' cutter.
     ///
     /// ```
     /// use steadycut_core::models::genetic::{Calibration, GeneticModels, ModelSet};
@@ -175,6 +189,7 @@ impl GeneticModels {
                 } else {
                     sdnrp_2007::K4_RESTORED
                 },
+                of_tool: true,
             },
             (ModelSet::Strategy2013, Calibration::Printed) => Self {
                 set,
@@ -182,6 +197,7 @@ impl GeneticModels {
                 feed: FeedLaw::M2,
                 speed: SpeedLaw::Exponential(strategy_2013::M3, strategy_2013::FORCE_RANGE_N),
                 force: strategy_2013::M4,
+                of_tool: true,
             },
             (ModelSet::Strategy2013, Calibration::Restored) => Self {
                 set,
@@ -192,6 +208,7 @@ impl GeneticModels {
                     strategy_2013::FORCE_RANGE_N,
                 ),
                 force: strategy_2013::M4,
+                of_tool: true,
             },
         }
     }
@@ -205,7 +222,8 @@ impl GeneticModels {
             ForceRoughness::M1M5 { .. } => strategy_2013::m1(ra_um),
             ForceRoughness::Curve(curve) => curve.at(ra_um),
         };
-        if force.value >= FORCE_REF_MIN_N { force } else { Valued::new(FORCE_REF_MIN_N, false) }
+        let low = Valued::new(FORCE_REF_MIN_N, false);
+        self.within(if force.value >= FORCE_REF_MIN_N { force } else { low })
     }
 
     /// Model 5 = 6 (2007 eq. 8; 2013 eq. 6): the produced Ra in um of a cut with the force in N. Never negative.
@@ -217,14 +235,14 @@ impl GeneticModels {
             ForceRoughness::M1M5 { leading } => strategy_2013::m5(force_n, leading),
             ForceRoughness::Curve(curve) => curve.inverse(force_n),
         };
-        if ra.value >= 0.0 { ra } else { Valued::new(0.0, false) }
+        self.within(if ra.value >= 0.0 { ra } else { Valued::new(0.0, false) })
     }
 
     /// Model 2 (2007 eq. 5; 2013 eq. 3): the feed command in mm/min for a force in N. May be negative outside its range, as
     /// printed: the caller limits it.
     #[must_use]
     pub fn feed_from_force(&self, force_n: f64) -> Valued {
-        match self.feed {
+        self.within(match self.feed {
             FeedLaw::K2 => sdnrp_2007::k2(force_n),
             FeedLaw::M2 => {
                 let feed = strategy_2013::M2.at(force_n);
@@ -233,27 +251,27 @@ impl GeneticModels {
             }
             FeedLaw::M2Restored(quartic) => quartic.continued(force_n, M2_RESTORED_RANGE_N),
             FeedLaw::Curve(curve) => curve.at(force_n),
-        }
+        })
     }
 
     /// Model 3 (2007 eq. 6; 2013 eq. 4): the spindle speed command in 1/min for a force in N; 0 where the radicand of the
     /// printed K3 is negative.
     #[must_use]
     pub fn speed_from_force(&self, force_n: f64) -> Valued {
-        match self.speed {
+        self.within(match self.speed {
             SpeedLaw::K3 => sdnrp_2007::k3(force_n),
             SpeedLaw::Exponential(law, [low, high]) => {
                 Valued::new(law.at(force_n), math::limit(force_n, low, high) == force_n)
             }
             SpeedLaw::Curve(curve) => curve.at(force_n),
-        }
+        })
     }
 
     /// Model 4 (2007 eq. 7; 2013 eq. 5): see [`ForceFormula::at`].
     #[must_use]
     #[inline]
     pub fn force(&self, feed_mm_min: f64, speed_rpm: f64) -> Valued {
-        self.force.at(feed_mm_min, speed_rpm)
+        self.within(self.force.at(feed_mm_min, speed_rpm))
     }
 }
 

@@ -132,7 +132,7 @@ pub fn parse(set: ModelSet, text: &str) -> Result<GeneticModels, String> {
             (stand_in.roughness, feed, file.k3.law("k3")?, file.k4.formula("k4")?)
         }
     };
-    Ok(GeneticModels { set, roughness, feed: FeedLaw::Curve(feed), speed, force })
+    Ok(GeneticModels { set, roughness, feed: FeedLaw::Curve(feed), speed, force, of_tool: true })
 }
 
 #[cfg(test)]

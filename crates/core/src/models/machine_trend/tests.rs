@@ -13,7 +13,8 @@ fn papers() -> MachineTrend {
         wear: WearSettings::default(),
         life: LifeSettings::default(),
         cut,
-        radius_mm: 8.0,
+        tool: Tool::default(),
+        radial_depth_mm: 3.0,
     }
 }
 

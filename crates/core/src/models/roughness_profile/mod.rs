@@ -1,8 +1,8 @@
 //! The profile Y(x) that the teeth leave along the feed, and its roughness by the standards.
 //!
 //! ```text
-//! tooth k at x_k, its lowest point at z_k:   y_k(x) = z_k + d^2/(R + sqrt(R^2 - d^2)),  d = x - x_k
-//! Y(x) = min over k of y_k(x)
+//! tooth k at x_k, its lowest point at z_k:   y_k(x) = z_k + s(x - x_k),  Y(x) = min over k of y_k(x)
+//! s(d) = d^2/(R + sqrt(R^2 - d^2)) for a ball; the same of a corner's radius beyond a flat
 //! primary profile: Gaussian filter lambda_s;  waviness w: Gaussian filter lambda_c;  r = z - w
 //! weight s(x) = exp(-pi (x/(alpha lambda))^2)/(alpha lambda),  alpha = sqrt(ln 2/pi)
 //! Ra = mean |r|,  Rq = sqrt(mean r^2),  Rz = mean over the sampling lengths of peak to valley
@@ -14,6 +14,8 @@
 mod filter;
 
 use filter::{gaussian, step_mm};
+
+use super::tool::Outline;
 
 crate::settings! {
     /// The roughness profile and how it is filtered.
@@ -43,22 +45,12 @@ pub struct ProfileMark {
     pub z_mm: f64,
 }
 
-/// Height in mm that a ball of `radius_mm` leaves `d_mm` beside its lowest point,
-/// R - sqrt(R^2 - d^2) in a form that loses no digits; infinite beyond the ball.
-#[inline]
-#[must_use]
-pub fn rise_mm(radius_mm: f64, d_mm: f64) -> f64 {
-    let squared = d_mm * d_mm;
-    let rest = radius_mm * radius_mm - squared;
-    if rest >= 0.0 { squared / (radius_mm + rest.sqrt()) } else { f64::INFINITY }
-}
-
 /// Y in mm at `count` points from `from_mm` on, `step_mm` apart, of marks in ascending order of x;
 /// infinite where no tooth has been.
 #[must_use]
 pub fn envelope(
     marks: &[ProfileMark],
-    radius_mm: f64,
+    outline: &Outline,
     from_mm: f64,
     step_mm: f64,
     count: usize,
@@ -69,7 +61,7 @@ pub fn envelope(
         let mut y_mm = f64::INFINITY;
         // Outwards to both sides, until even the lowest mark could not cut deeper.
         let mut cut = |mark: &ProfileMark| {
-            let rise = rise_mm(radius_mm, x_mm - mark.x_mm);
+            let rise = outline.rise_mm(x_mm - mark.x_mm, 0.0);
             y_mm = y_mm.min(mark.z_mm + rise);
             lowest_mm + rise < y_mm
         };
@@ -122,12 +114,12 @@ pub struct Roughness {
 #[must_use]
 pub fn measure(
     marks: &[ProfileMark],
-    radius_mm: f64,
+    outline: &Outline,
     from_mm: f64,
     settings: &ProfileSettings,
 ) -> Option<Roughness> {
     evaluate(settings, |start_mm, step_mm, count| {
-        envelope(marks, radius_mm, from_mm + start_mm, step_mm, count)
+        envelope(marks, outline, from_mm + start_mm, step_mm, count)
     })
 }
 

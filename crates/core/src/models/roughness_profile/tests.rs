@@ -1,7 +1,7 @@
 use super::*;
 use crate::base::math;
 
-const RADIUS_MM: f64 = 8.0;
+const BALL: Outline = Outline { diameter_mm: 16.0, corner_radius_mm: 8.0 };
 
 /// Teeth 0.1 mm apart from -4 mm on, at heights by their number.
 fn marks(height_mm: impl Fn(i32) -> f64) -> Vec<ProfileMark> {
@@ -9,7 +9,7 @@ fn marks(height_mm: impl Fn(i32) -> f64) -> Vec<ProfileMark> {
 }
 
 fn measured(height_mm: impl Fn(i32) -> f64) -> Roughness {
-    measure(&marks(height_mm), RADIUS_MM, 0.0, &ProfileSettings::default()).unwrap()
+    measure(&marks(height_mm), &BALL, 0.0, &ProfileSettings::default()).unwrap()
 }
 
 fn sine(amplitude_mm: f64, length_mm: f64) -> Roughness {
@@ -23,7 +23,7 @@ fn sine(amplitude_mm: f64, length_mm: f64) -> Roughness {
 /// Height, Ra and Rq of a period of the exact envelope.
 fn period(marks: &[ProfileMark], length_mm: f64) -> (f64, f64, f64) {
     let n = 20_000;
-    let heights = envelope(marks, RADIUS_MM, 0.0, length_mm / f64::from(n), n as usize);
+    let heights = envelope(marks, &BALL, 0.0, length_mm / f64::from(n), n as usize);
     let mean = heights.iter().sum::<f64>() / f64::from(n);
     let ra = heights.iter().map(|z| (z - mean).abs()).sum::<f64>() / f64::from(n);
     let squares = heights.iter().map(|z| (z - mean) * (z - mean)).sum::<f64>() / f64::from(n);
@@ -108,15 +108,29 @@ fn a_vibration_in_step_with_the_teeth_gives_no_roughness() {
 #[test]
 fn marks_that_do_not_cover_the_length_have_no_roughness() {
     let settings = ProfileSettings::default();
-    assert_eq!(measure(&[], RADIUS_MM, 0.0, &settings), None);
+    assert_eq!(measure(&[], &BALL, 0.0, &settings), None);
     let far = [ProfileMark { x_mm: 100.0, z_mm: 0.0 }];
-    assert_eq!(measure(&far, RADIUS_MM, 0.0, &settings), None);
+    assert_eq!(measure(&far, &BALL, 0.0, &settings), None);
     let broken = marks(|k| if k == 7 { f64::NAN } else { 0.0 });
     // A mark that is no number cuts nothing.
-    assert!(measure(&broken, RADIUS_MM, 0.0, &settings).unwrap().ra_um.is_finite());
+    assert!(measure(&broken, &BALL, 0.0, &settings).unwrap().ra_um.is_finite());
     for (short_um, long_mm) in [(25.0, 0.08), (0.5, 8.0), (25.0, 8.0)] {
         let settings = ProfileSettings { short_um, long_mm, ..ProfileSettings::default() };
         let flat = evaluate(&settings, |_, _, count| vec![1.0; count]).unwrap();
         assert!(flat.ra_um < 1e-9 && flat.profile_mm.len() <= 40_000);
     }
+}
+
+#[test]
+fn a_flat_leaves_no_marks_and_a_corner_those_of_its_radius() {
+    let settings = ProfileSettings::default();
+    let square = Outline { diameter_mm: 16.0, corner_radius_mm: 0.0 };
+    let even: Vec<ProfileMark> =
+        (0..200).map(|k| ProfileMark { x_mm: 0.1 * f64::from(k), z_mm: 0.0 }).collect();
+    let ra = |outline: &Outline| measure(&even, outline, 5.0, &settings).unwrap().ra_um;
+    assert!(ra(&square) < 1e-12);
+    // A flat of 0.02 mm about the tip leaves a feed of 0.06 mm to the corner of 8 mm.
+    let narrow = Outline { diameter_mm: 16.04, corner_radius_mm: 8.0 };
+    let peaks = ra(&narrow) / ra(&BALL);
+    assert!(peaks > 0.1 && peaks < 0.6, "{peaks}");
 }

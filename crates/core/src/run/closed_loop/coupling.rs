@@ -3,7 +3,6 @@
 
 use crate::base::math;
 use crate::base::units::mm_from_um;
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::wear::ToolWear;
 use crate::blocks::machine::coupled::{Coupled, CoupledSetup, CutState};
 use crate::blocks::surface::finish::Finish;
@@ -41,10 +40,10 @@ impl Coupling {
     pub fn new(scenario: &Scenario) -> Option<Box<Self>> {
         let settings = &scenario.machine;
         let machine = *scenario.coupled_machine()?;
-        let tool = R216_16B20_040;
+        let tool = &scenario.tool;
         let setup = CoupledSetup {
             machine,
-            teeth: tool.teeth as u32,
+            teeth: tool.teeth,
             diameter_mm: tool.diameter_mm,
             // N/mm^2 x mm = N/mm per mm of depth; 1000 N/m are one N/mm.
             stiffness_per_mm: 1000.0
@@ -58,9 +57,8 @@ impl Coupling {
         Some(Box::new(Self {
             machine: Coupled::new(&setup),
             finish: (settings.roughness_from == RoughnessFrom::Vibration).then(|| {
-                let radius_mm = 0.5 * tool.diameter_mm;
                 let runout_mm = mm_from_um(runout_um);
-                Finish::new(&scenario.profile, radius_mm, tool.teeth as usize, runout_mm)
+                Finish::new(&scenario.profile, tool.outline(), tool.teeth as usize, runout_mm)
             }),
             position_mm: 0.0,
         }))

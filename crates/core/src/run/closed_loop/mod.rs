@@ -145,10 +145,10 @@ impl ClosedLoop {
         let dt_s = scenario.dt_s();
         let cuts = programmed_cuts(scenario);
         let (programmed, limits) = cuts[0];
-        let belief = GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration);
+        let belief = scenario.believed();
         let ticks = scenario.ticks(scenario.cnc.dead_time_s) as usize;
         let (cnc, period_s) = (&scenario.cnc, scenario.control_period_s());
-        let path = ToolPath::new(&scenario.workpiece);
+        let path = ToolPath::new(&scenario.workpiece, scenario.tool.outline());
         let mut this = Self {
             dt_s,
             steps_per_control: u64::from(scenario.run.steps_per_control),
@@ -166,13 +166,19 @@ impl ClosedLoop {
             spindle_drive: SpindleDrive::new(&scenario.spindle_drive, dt_s, programmed.speed_rpm),
             process: Process::new(
                 &scenario.plant,
+                &scenario.tool,
                 scenario.workpiece.radial_depth_mm,
                 path.depth_max_mm(),
                 dt_s,
             ),
             path,
-            wear: ToolWear::new(&scenario.wear),
-            dynamic_force: DynamicForce::new(&scenario.noise, scenario.run.seed, dt_s),
+            wear: ToolWear::new(&scenario.wear, &scenario.tool),
+            dynamic_force: DynamicForce::new(
+                &scenario.noise,
+                scenario.tool.teeth,
+                scenario.run.seed,
+                dt_s,
+            ),
             dynamometer: Dynamometer::new(scenario.noise.sensor_deviation_n(), scenario.run.seed),
             peak: PeakWindow::new(
                 scenario.noise.sensor_deviation_n(),
@@ -215,7 +221,7 @@ impl ClosedLoop {
         self.cuts = programmed_cuts(scenario);
         self.limits = self.cuts[self.path.cut()].1;
         self.stop_n = stop_n(scenario);
-        self.belief = GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration);
+        self.belief = scenario.believed();
         self.desired_force = reference::desired_force(&scenario.target, &self.belief);
         self.target_ra_um = reference::desired_ra(&scenario.target, &self.belief);
         let command = [self.row.feed_command_mm_min, self.row.spindle_command_rpm];
@@ -230,7 +236,8 @@ impl ClosedLoop {
         self.spindle_drive.reconfigure(&scenario.spindle_drive, self.dt_s);
         self.path.reconfigure(&scenario.workpiece);
         let place = self.path.place(self.position_mm);
-        self.process.reconfigure(&scenario.plant, &place, self.path.depth_max_mm(), self.dt_s);
+        let depth_max_mm = self.path.depth_max_mm();
+        self.process.reconfigure(&scenario.plant, &scenario.tool, &place, depth_max_mm, self.dt_s);
         if let Some(coupling) = &mut self.coupling {
             coupling.reconfigure(scenario);
             self.process.stiffen();

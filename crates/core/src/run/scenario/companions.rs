@@ -4,6 +4,7 @@
 use super::groups::Settings;
 use super::table::param;
 use crate::models::genetic::ModelSet;
+use crate::models::tool::{Tool, ToolFile};
 
 /// A setting that brings another one with it.
 pub struct Companion {
@@ -19,6 +20,16 @@ pub struct Companion {
 
 /// All companions.
 pub const COMPANIONS: &[Companion] = &[
+    Companion {
+        of: "tool.name",
+        brings: "tool.diameter_mm",
+        words: "a cutter comes with all other settings of its group, and with its run-out",
+        set: |s| {
+            let ToolFile { tool, runout_um, .. } = s.tool.name.load();
+            s.tool = Tool { name: s.tool.name, ..tool };
+            s.plant.runout_um = runout_um;
+        },
+    },
     Companion {
         of: "plant.model_set",
         brings: "belief.model_set",

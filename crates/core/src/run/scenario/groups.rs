@@ -10,11 +10,13 @@ use crate::blocks::cutting::disturbance::NoiseSettings;
 use crate::blocks::cutting::process::Plant;
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::Target;
+use crate::models::genetic::GeneticModels;
 use crate::models::machine_trend::LifeSettings;
 use crate::models::part::ProgrammedPart;
 use crate::models::plan::PlanSettings;
 use crate::models::roughness_profile::ProfileSettings;
 use crate::models::structure::MachineSettings;
+use crate::models::tool::Tool;
 use crate::models::wear::WearSettings;
 
 crate::settings! {
@@ -102,6 +104,7 @@ macro_rules! scenario {
 scenario! {
     "", info: Info;
     "target", target: Target;
+    "tool", tool: Tool;
     "plant", plant: Plant;
     "noise", noise: NoiseSettings;
     "controller", controller: ControllerSettings;
@@ -149,6 +152,13 @@ impl Settings {
         }
     }
 
+    /// The models that the controller believes in, for the cutter.
+    #[must_use]
+    pub fn believed(&self) -> GeneticModels {
+        let Belief { model_set, calibration, .. } = self.belief;
+        GeneticModels::new(model_set, calibration).for_tool(&self.tool)
+    }
+
     /// What the controller is set up from.
     #[must_use]
     pub fn control_setup(&self) -> ControlSetup<'_> {
@@ -160,6 +170,7 @@ impl Settings {
                 radial_depth_mm: self.workpiece.radial_depth_mm,
                 depth_steps: &self.workpiece.depth_steps,
             },
+            tool: &self.tool,
             belief: &self.belief,
             period_s: self.control_period_s(),
         }

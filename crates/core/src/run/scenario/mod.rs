@@ -114,9 +114,10 @@ impl Scenario {
         Ok(())
     }
 
-    /// Sets several settings, all or none. Choosing a material, a feed drive, the plant's model set
-    /// or its force tooth by tooth also sets its reference hardness, its published dead time or the
-    /// controller's model set, unless that is among the changes.
+    /// Sets several settings, all or none. Choosing a cutter, a material, a feed drive, the plant's
+    /// model set or its force tooth by tooth also sets its dimensions and run-out, its reference
+    /// hardness, its published dead time or the controller's model set, unless that is among the
+    /// changes.
     ///
     /// # Errors
     /// The first setting that is unknown, outside its range, of the wrong type, or that does not

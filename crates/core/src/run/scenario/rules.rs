@@ -93,6 +93,31 @@ pub const RULES: &[Rule] = &[
         },
     },
     Rule {
+        paths: &["tool.corner_radius_mm", "tool.diameter_mm", "tool.shape"],
+        words: "the corner of a bull nose is at most half its diameter",
+        keeps: |c| c.settings.tool.corner_too_large_mm().is_none(),
+        broken: |s| {
+            [
+                format!("{} mm", s.tool.corner_radius_mm),
+                format!("at most half of `tool.diameter_mm`, {} mm", 0.5 * s.tool.diameter_mm),
+            ]
+        },
+    },
+    Rule {
+        paths: &["workpiece.radial_depth_mm", "tool.diameter_mm", "workpiece.cuts"],
+        words: "the path is not wider than the cutter",
+        keeps: |c| {
+            let Settings { workpiece, tool, .. } = c.settings;
+            !workpiece.cuts.is_empty() || workpiece.radial_depth_mm <= tool.diameter_mm
+        },
+        broken: |s| {
+            [
+                format!("{} mm", s.workpiece.radial_depth_mm),
+                format!("at most `tool.diameter_mm`, {} mm", s.tool.diameter_mm),
+            ]
+        },
+    },
+    Rule {
         paths: &["noise.band_low_hz", "noise.band_high_hz"],
         words: "the band begins below its end",
         keeps: |c| c.settings.noise.band_low_hz < c.settings.noise.band_high_hz,

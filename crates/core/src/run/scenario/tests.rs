@@ -3,6 +3,7 @@
 use super::*;
 use crate::blocks::cutting::force_model::ForceModel;
 use crate::models::structure::parameters::Parameters;
+use crate::models::tool::EndShape;
 use crate::models::unks::{Stored, UnksNetworks, UnksStart};
 use crate::run::edits::{Edit, Edits};
 use crate::run::one_run::{End, Run};
@@ -110,6 +111,10 @@ fn breaking(rule: &Rule) -> Settings {
             let stored = Stored::new(UnksStart::Cold, UnksNetworks::shipped(), origins);
             s.controller.unks.networks = stored.into();
         }
+        "tool.corner_radius_mm" => {
+            (s.tool.shape, s.tool.corner_radius_mm) = (EndShape::BullNose, 9.0);
+        }
+        "workpiece.radial_depth_mm" => s.workpiece.radial_depth_mm = 20.0,
         "noise.band_low_hz" => s.noise.band_low_hz = 50.0,
         "run.record_every" => s.run.record_every = 3,
         "run.duration_s" => (s.run.duration_s, s.run.steps_per_control) = (3600.0, 1000),
@@ -141,6 +146,7 @@ fn every_companion_comes_with_its_setting_unless_it_is_set_too() {
     let text = |id: &str| Value::Text(id.to_owned());
     for companion in COMPANIONS {
         let chosen = match companion.of {
+            "tool.name" => "square-12-4",
             "plant.model_set" => "strategy_2013",
             "plant.force_model" => "mechanistic",
             "plant.material" => "ti6al4v",

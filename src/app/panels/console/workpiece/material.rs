@@ -147,7 +147,7 @@ mod tests {
             deviation: noise.inhomogeneity(),
             place_mm: [107.6, 30.0],
         };
-        let mut met = DynamicForce::new(&noise, 7, 1e-3);
+        let mut met = DynamicForce::new(&noise, 2, 7, 1e-3);
         for (tick, [x_mm, percent]) in source.line().into_iter().enumerate() {
             let factor = met.update(tick as u64, 107.6 + x_mm, 1500.0);
             assert!((100.0 * (factor - 1.0) - percent).abs() < 1e-9, "{x_mm} mm");

@@ -1,6 +1,8 @@
 //! A cut from the side and from above, to scale, with the tool where it is. What is still to be cut
 //! is coloured; what remains of the part is grey.
 
+use std::cmp::Ordering;
+
 use egui::{
     Align2, FontId, Painter, Pos2, Rangef, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo,
 };
@@ -10,8 +12,8 @@ use crate::app::format;
 use crate::app::theme::Palette;
 use crate::base::math::{PI, cos, sin};
 use crate::base::settings::Section;
-use crate::blocks::cutting::tool::R216_16B20_040;
 use crate::blocks::cutting::tool_path::radial_depth_mm;
+use crate::models::tool::Outline;
 
 /// Largest and least scale, points per mm. Long cuts are drawn with depths larger than lengths.
 const SCALE: [f32; 2] = [6.0, 2.5];
@@ -35,6 +37,8 @@ pub struct PicturePart {
     pub open: bool,
     /// Where the tool's axis is, mm from the part's edge; infinite before or after this cut.
     pub tool_mm: f64,
+    /// The outline of the cutter.
+    pub outline: Outline,
 }
 
 /// The common axis of the pictures.
@@ -120,7 +124,7 @@ pub fn show(ui: &mut Ui, part: &PicturePart) -> PictureMap {
     let sheet = sheet(ui, &map, rise, height_mm, said);
     side(&sheet, part, depth_mm + BELOW_MM);
     title(ui, "From above, radial depths in mm".to_owned());
-    let radial = listed(part, |section| radial_depth_mm(section[1], section[2]));
+    let radial = listed(part, |section| radial_depth_mm(&part.outline, section[1], section[2]));
     let sheet = self::sheet(ui, &map, rise, [ACROSS_MM; 2], format!("Cut from above: {radial}"));
     above(&sheet, part);
     map
@@ -182,23 +186,29 @@ fn side(sheet: &Sheet<'_>, part: &PicturePart, floor_mm: f64) {
         if part.tool_mm < 0.0 {
             tip_mm = stretches.first().map_or(0.0, |(_, section)| -section[1]);
         }
-        ball_from_side(sheet, part.tool_mm, tip_mm);
+        tool_from_side(sheet, &part.outline, part.tool_mm, tip_mm);
     }
     for (x_mm, [_, axial_mm, _]) in stretches {
         sheet.write(x_mm, 0.0, Align2::CENTER_BOTTOM, format::number(axial_mm, "mm"));
     }
 }
 
-/// The outline of the ball and its shank, the tip at a height in mm.
-fn ball_from_side(sheet: &Sheet<'_>, x_mm: f64, tip_mm: f64) {
+/// The outline of the cutter and its shank, the tip at a height in mm.
+fn tool_from_side(sheet: &Sheet<'_>, tool: &Outline, x_mm: f64, tip_mm: f64) {
     const ARC: usize = 24;
-    let radius_mm = 0.5 * R216_16B20_040.diameter_mm;
+    let (radius_mm, flat_mm, corner_mm) = (tool.edge_mm(), tool.flat_mm(), tool.corner_radius_mm);
     let top_mm = 2.0 * radius_mm + ABOVE_MM;
     let mut outline = vec![sheet.at(x_mm - radius_mm, top_mm)];
+    // The left corner, the flat between the two halves of the arc, the right corner.
     outline.extend((0..=ARC).map(|i| {
         let angle = PI * (1.0 + i as f64 / ARC as f64);
-        let [across, up] = [cos(angle), sin(angle)].map(|share| radius_mm * share);
-        sheet.at(x_mm + across, tip_mm + radius_mm + up)
+        let [across, up] = [cos(angle), sin(angle)].map(|share| corner_mm * share);
+        let side_mm = match (2 * i).cmp(&ARC) {
+            Ordering::Less => -flat_mm,
+            Ordering::Equal => 0.0,
+            Ordering::Greater => flat_mm,
+        };
+        sheet.at(x_mm + side_mm + across, tip_mm + corner_mm + up)
     }));
     outline.push(sheet.at(x_mm + radius_mm, top_mm));
     tool_shape(sheet, outline);
@@ -213,7 +223,7 @@ fn tool_shape(sheet: &Sheet<'_>, outline: Vec<Pos2>) {
 fn above(sheet: &Sheet<'_>, part: &PicturePart) {
     let palette = sheet.palette;
     for (x_mm, [_, axial_mm, wall_mm]) in stretches(part) {
-        let radial_mm = radial_depth_mm(axial_mm, wall_mm);
+        let radial_mm = radial_depth_mm(&part.outline, axial_mm, wall_mm);
         let edge_mm = wall_mm + radial_mm;
         sheet.fill(x_mm, [edge_mm, ACROSS_MM], palette.line);
         if axial_mm > 0.0 {
@@ -235,7 +245,7 @@ fn above(sheet: &Sheet<'_>, part: &PicturePart) {
     sheet.painter.extend(Shape::dashed_line(&ends, axis, 8.0, 5.0));
     if part.tool_mm.is_finite() {
         const AROUND: usize = 40;
-        let radius_mm = 0.5 * R216_16B20_040.diameter_mm;
+        let radius_mm = part.outline.edge_mm();
         let circle = (0..AROUND).map(|i| {
             let angle = 2.0 * PI * i as f64 / AROUND as f64;
             sheet.at(part.tool_mm + radius_mm * cos(angle), radius_mm * sin(angle))

@@ -11,6 +11,7 @@ use crate::base::settings::{
     DepthStep, Kind, MAX_SECTIONS, MAX_STEPS, MIN_SECTION_MM, Section, Value,
 };
 use crate::blocks::cutting::tool_path::{radial_depth_mm, wall_mm};
+use crate::models::tool::Outline;
 use crate::run::scenario::{Scenario, param};
 
 const STEPS: &str = "workpiece.depth_steps";
@@ -81,7 +82,12 @@ fn row_buttons(ui: &mut Ui, what: &str, can_copy: bool, can_remove: bool) -> [bo
 }
 
 /// The sections of cut number `cut`.
-pub fn sections(ui: &mut Ui, cut: usize, cuts: &mut [Vec<Section>], said: &mut Option<String>) {
+pub fn sections(
+    ui: &mut Ui,
+    outline: &Outline,
+    (cut, cuts): (usize, &mut [Vec<Section>]),
+    said: &mut Option<String>,
+) {
     let Some(sections) = cuts.get_mut(cut) else { return };
     let (length_mm, depth_mm) = limits();
     let room = sections.len() < MAX_SECTIONS;
@@ -95,7 +101,7 @@ pub fn sections(ui: &mut Ui, cut: usize, cuts: &mut [Vec<Section>], said: &mut O
             cell(ui, &format!("Length of section {n}"), length, [MIN_SECTION_MM, length_mm], said);
             cell(ui, &format!("Axial depth of section {n}"), axial, [0.0, depth_mm], said);
             cell(ui, &format!("Wall of section {n}"), wall, [-depth_mm, depth_mm], said);
-            radial(ui, *axial, radial_depth_mm(*axial, *wall));
+            radial(ui, *axial, radial_depth_mm(outline, *axial, *wall));
             let [copy, remove] = row_buttons(ui, &format!("section {n}"), room, several);
             if copy || remove {
                 act = Some((i, copy));
@@ -116,7 +122,7 @@ pub fn sections(ui: &mut Ui, cut: usize, cuts: &mut [Vec<Section>], said: &mut O
         sections.push(last);
     }
     let text = "Wall: place of the side wall across the cut, from the tool's axis. R_D: from the wall \
-                to where the ball meets the surface at that depth.";
+                to where the cutter meets the surface at that depth.";
     ui.label(RichText::new(text).small().color(Palette::at(ui).weak));
 }
 
@@ -145,11 +151,16 @@ pub fn profile(
         unreachable!("the profile is a setting of this kind")
     };
     let (most_mm, deepest_mm) = (*max_position_mm, *max_depth_mm);
-    let wall_mm = wall_mm(workpiece.axial_depth_mm, workpiece.radial_depth_mm);
+    let outline = scenario.tool.outline();
+    let wall_mm = wall_mm(&outline, workpiece.axial_depth_mm, workpiece.radial_depth_mm);
     let by_teeth = scenario.plant.force_model.tooth_by_tooth();
     // Formula and networks take the radial depth as it is set; the teeth meet a wall that stays.
     let radial_at = |axial_mm: f64| {
-        if by_teeth { radial_depth_mm(axial_mm, wall_mm) } else { workpiece.radial_depth_mm }
+        if by_teeth {
+            radial_depth_mm(&outline, axial_mm, wall_mm)
+        } else {
+            workpiece.radial_depth_mm
+        }
     };
     let mut first_mm = workpiece.axial_depth_mm;
     let mut steps = workpiece.depth_steps.clone();

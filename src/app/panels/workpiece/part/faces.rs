@@ -74,7 +74,7 @@ impl Part<'_> {
             let y = across(s, j);
             // Its border stays where the stock meets it.
             let fine = !(smooth(x) || j == ROWS - 1);
-            [x, y, if fine { self.height(x, y) } else { self.ball(y) }]
+            [x, y, if fine { self.height(x, y) } else { self.outline(y) }]
         };
         let grid: Vec<[Point; ROWS]> =
             columns.iter().map(|x| std::array::from_fn(|j| place(*x, j))).collect();
@@ -119,9 +119,9 @@ impl Part<'_> {
                 .map(|j| {
                     let y = across(s, j);
                     let ahead = share * self.reach(s, y);
-                    let place = [x + ahead, y, self.ball(ahead.hypot(y)).min(s.depth)];
+                    let place = [x + ahead, y, self.outline(ahead.hypot(y)).min(s.depth)];
                     let inside = place[0].clamp(s.from, s.to);
-                    let normal = unit([-ahead, -y, self.radius() - place[2]]);
+                    let normal = self.normal([ahead, y], place[2]);
                     mesh.corner([inside, y, place[2]], normal, self.stock)
                 })
                 .collect();
@@ -150,7 +150,7 @@ impl Part<'_> {
         for i in 0..FRONT_COLUMNS {
             let [a, b] = [i, i + 1].map(|k| {
                 let ahead = k as f32 / steps * reach;
-                let z = self.ball(ahead.hypot(y)).min(s.depth);
+                let z = self.outline(ahead.hypot(y)).min(s.depth);
                 [(x + ahead).clamp(s.from, s.to), y, z]
             });
             let low = -STEP_MM;
@@ -181,7 +181,7 @@ impl Part<'_> {
             let top = |s: Option<&Section>, y: f32| match s {
                 None => -BELOW_MM,
                 Some(s) if middle < s.wall => -STEP_MM,
-                Some(s) if middle < s.edge && x <= self.tool_mm => self.ball(y),
+                Some(s) if middle < s.edge && x <= self.tool_mm => self.outline(y),
                 Some(s) => s.depth,
             };
             let outwards = if top(before, middle) > top(behind, middle) { 1.0 } else { -1.0 };

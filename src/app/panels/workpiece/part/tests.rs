@@ -13,7 +13,7 @@ fn corners(mesh: &Mesh) -> Vec<[Point; 2]> {
 }
 
 fn marked(radius: f64, to: f64) -> Topography {
-    let mut surface = Topography::new(radius, 1);
+    let mut surface = Topography::new(Outline::ball(radius), 1);
     for k in 0..(to / 0.2) as i32 {
         surface.push(ToothMark { x_mm: 0.2 * f64::from(k), z_mm: 0.001, ra_um: 0.0 });
     }
@@ -39,7 +39,7 @@ fn drawn(cut: &CutPath, surface: &Topography, tool: f32, times: f32) -> Mesh {
 fn every_corner_is_finite_within_the_part_and_has_a_normal() {
     let steps = [[30.0, 2.6, 2.0], [9.0, 4.75, 0.0], [21.0, 2.75, 2.0]];
     for cut in [CutPath::new(&steps), CutPath::open(&steps), CutPath::new(&[[5.0, 9.0, -8.0]])] {
-        let [low, high] = bounds(&cut, 8.0);
+        let [low, high] = bounds(&cut, &Outline::ball(8.0));
         for tool in [-7.6, 0.0, 0.1, 15.0, 29.99, 30.0, 33.0, 60.0, 61.0] {
             let mesh = drawn(&cut, &marked(8.0, f64::from(tool)), tool, 50.0);
             let corners = corners(&mesh);

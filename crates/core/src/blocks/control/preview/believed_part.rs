@@ -3,11 +3,11 @@
 //! programmed feed.
 //!
 //! ```text
-//! cuts      K(x) = peak of the ball's static force at x (f_0 = 0.08 mm) (f/f_0)^alpha / F_ref
+//! cuts      K(x) = peak of the cutter's static force at x (f_0 = 0.08 mm) (f/f_0)^alpha / F_ref
 //! one path  K(x) = K4(f, n) A_D(x) R_D / (2 mm x 3 mm) / F_ref          believed model set, programmed values
 //! ```
 //!
-//! Parts of straight cuts are met gradually, as the ball's contact points come to a step, so their
+//! Parts of straight cuts are met gradually, as the cutter's contact points come to a step, so their
 //! peaks are worked out once over a grid; on one path the depth changes at the axis. The material is
 //! taken for sharp-cut Ck45: what it really is the controller estimates as the gain.
 
@@ -16,14 +16,13 @@ use crate::base::settings::{DepthStep, Section};
 use crate::base::units::ratio_from_percent;
 use crate::models::ball_end::{CK45, Cutter, Kienzle, PeakTable, Sliced};
 use crate::models::part::{CutPath, ProgrammedPart};
+use crate::models::tool::Tool;
 
 use crate::blocks::control::{Belief, ControlInput};
 
-/// The papers' cutter as it is believed: diameter, slices and cutting speed of the law, and rake.
-const DIAMETER_MM: f64 = 16.0;
+/// Height of the cutter's slices in mm, and cutting speed of the law in m/min.
 const SLICE_MM: f64 = 0.5;
 const SPEED_M_MIN: f64 = 80.0;
-const RAKE_DEG: f64 = 12.0;
 /// Feed per tooth of the table, mm.
 const FEED_PER_TOOTH_MM: f64 = 0.08;
 /// Angles of the spindle in a tooth's pitch: 5 degrees apart.
@@ -41,6 +40,7 @@ const MAX_POINTS: f64 = 2000.0;
 struct Source {
     cuts: Vec<Vec<Section>>,
     depth_steps: Vec<DepthStep>,
+    tool: Tool,
     deeper: f64,
 }
 
@@ -86,7 +86,7 @@ pub struct BelievedPart {
 impl BelievedPart {
     /// The programmed part with the belief's errors.
     #[must_use]
-    pub fn new(part: &ProgrammedPart, belief: &Belief) -> Self {
+    pub fn new(part: &ProgrammedPart, tool: &Tool, belief: &Belief) -> Self {
         let deeper = 1.0 + ratio_from_percent(belief.depth_error_percent);
         let believed = |sections: &Vec<Section>| {
             let deep = sections.iter().map(|&[length, depth, wall]| [length, deeper * depth, wall]);
@@ -94,13 +94,14 @@ impl BelievedPart {
         };
         let cuts: Vec<CutPath> = part.cuts.iter().map(believed).collect();
         let depth_max_mm = cuts.iter().map(CutPath::depth_max_mm).fold(0.0, f64::max);
-        let sliced = Sliced::new(&Cutter::two_teeth(DIAMETER_MM, 0.0, SLICE_MM), depth_max_mm);
-        let law = Kienzle::new(&CK45, SPEED_M_MIN, RAKE_DEG, CK45.hardness_hb);
+        let sliced = Sliced::new(&Cutter::new(tool, 0.0, SLICE_MM), depth_max_mm);
+        let law = Kienzle::new(&CK45, SPEED_M_MIN, tool.rake_deg, CK45.hardness_hb);
         let table = PeakTable::new(&sliced, &law, FEED_PER_TOOTH_MM, ANGLES);
         Self {
             source: Source {
                 cuts: part.cuts.to_vec(),
                 depth_steps: part.depth_steps.to_vec(),
+                tool: tool.clone(),
                 deeper,
             },
             profiles: cuts.iter().map(|cut| Profile::new(&table, cut)).collect(),
@@ -112,13 +113,14 @@ impl BelievedPart {
 
     /// Takes over a changed belief or program. An axial depth that is changed in the running cut is
     /// no part of the program.
-    pub fn configure(&mut self, part: &ProgrammedPart, belief: &Belief) {
+    pub fn configure(&mut self, part: &ProgrammedPart, tool: &Tool, belief: &Belief) {
         let deeper = 1.0 + ratio_from_percent(belief.depth_error_percent);
-        let Source { cuts, depth_steps, deeper: before } = &self.source;
+        let Source { cuts, depth_steps, tool: with, deeper: before } = &self.source;
         self.shift_mm = belief.position_error_mm;
-        if cuts != part.cuts || depth_steps != part.depth_steps || *before != deeper {
+        let same = cuts == part.cuts && depth_steps == part.depth_steps && with == tool;
+        if !same || *before != deeper {
             let first_mm = self.first_mm;
-            *self = Self { first_mm, ..Self::new(part, belief) };
+            *self = Self { first_mm, ..Self::new(part, tool, belief) };
         }
     }
 
@@ -131,7 +133,9 @@ impl BelievedPart {
             let force = input.models.force(programmed.feed_mm_min, programmed.speed_rpm);
             return force.value / input.force_ref_n;
         }
-        let feed_per_tooth_mm = programmed.feed_mm_min / (2.0 * programmed.speed_rpm);
+        let tool = &self.source.tool;
+        let feed_per_tooth_mm =
+            tool.feed_per_tooth_mm(programmed.feed_mm_min, programmed.speed_rpm);
         math::pow(feed_per_tooth_mm / FEED_PER_TOOTH_MM, exponent) / input.force_ref_n
     }
 

@@ -127,7 +127,7 @@ impl ForceLaw for PreviewLaw {
         let doubt = ratio_from_percent(settings.doubt_percent);
         Self {
             settings: settings.clone(),
-            part: BelievedPart::new(&setup.part, setup.belief),
+            part: BelievedPart::new(&setup.part, setup.tool, setup.belief),
             log_gain: 0.0,
             variance: doubt * doubt,
             before: None,
@@ -137,7 +137,7 @@ impl ForceLaw for PreviewLaw {
 
     fn configure(&mut self, settings: &PreviewSettings, setup: &ControlSetup) {
         self.settings = settings.clone();
-        self.part.configure(&setup.part, setup.belief);
+        self.part.configure(&setup.part, setup.tool, setup.belief);
     }
 
     /// It looks ahead by itself.

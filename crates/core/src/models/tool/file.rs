@@ -1,0 +1,167 @@
+//! Tool files: versioned TOML, one cutter each. Every entry is wanted but the corner radius, which only a
+//! bull nose has; unknown ones are refused.
+//!
+//! ```toml
+//! version = 1
+//! title = "Square end mill 12 mm, 4 flutes"
+//! source = "where its dimensions come from"
+//! shape = "square"                  # ball, bull_nose or square
+//! diameter_mm = 12.0
+//! teeth = 4
+//! helix_deg = 30.0
+//! rake_deg = 10.0
+//! overhang_mm = 36.0                # free length from the holder
+//! elastic_modulus_n_mm2 = 5.8e5
+//! compliance_um_n = 0.02            # of tool and holder, in the regeneration
+//! runout_um = 3.0                   # the axis is shifted by so much towards tooth 0
+//! ```
+
+use super::{EndShape, Tool};
+use crate::base::settings::{Group, Kind, SettingError, Value};
+
+/// Version of the format.
+pub const FORMAT_VERSION: i64 = 1;
+/// Range of the run-out, um.
+pub(super) const RUNOUT_UM: [f64; 2] = [0.0, 50.0];
+/// Most characters of title and source.
+const MAX_CHARS: usize = 400;
+
+/// A cutter as its file describes it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ToolFile {
+    /// What it is called.
+    pub title: String,
+    /// Where its values come from.
+    pub source: String,
+    /// The cutter; its `name` stays at the default.
+    pub tool: Tool,
+    /// Run-out: how far the axis is shifted, um.
+    pub runout_um: f64,
+}
+
+fn fault(problem: String) -> SettingError {
+    SettingError::Format { what: "tool file".to_owned(), problem }
+}
+
+fn text(table: &mut toml::Table, key: &str) -> Result<String, SettingError> {
+    match table.remove(key) {
+        Some(toml::Value::String(text)) if (1..=MAX_CHARS).contains(&text.chars().count()) => {
+            Ok(text)
+        }
+        Some(_) => Err(fault(format!("`{key}` must be text of 1 to {MAX_CHARS} characters"))),
+        None => Err(fault(format!("`{key}` is missing"))),
+    }
+}
+
+/// The value of an entry in transit; written out for messages where it can be none.
+fn value(found: &toml::Value) -> Option<Value> {
+    match found {
+        toml::Value::Integer(x) => Some(Value::Int(*x)),
+        toml::Value::Float(x) => Some(Value::Float(*x)),
+        toml::Value::String(x) => Some(Value::Text(x.clone())),
+        toml::Value::Boolean(_)
+        | toml::Value::Array(_)
+        | toml::Value::Datetime(_)
+        | toml::Value::Table(_) => None,
+    }
+}
+
+fn refused(key: &str, found: &toml::Value, allowed: &str) -> SettingError {
+    let found: String = found.to_string().chars().take(60).collect();
+    fault(format!("`{key}` cannot be {found}: allowed is {allowed}"))
+}
+
+impl ToolFile {
+    /// Reads a tool file.
+    ///
+    /// # Errors
+    /// Names the entry that is missing, unknown, of the wrong type or outside its range, with what is
+    /// allowed.
+    pub fn parse(toml: &str) -> Result<Self, SettingError> {
+        let mut table: toml::Table =
+            toml.parse().map_err(|error: toml::de::Error| fault(error.to_string()))?;
+        match table.remove("version") {
+            Some(toml::Value::Integer(FORMAT_VERSION)) => {}
+            Some(other) => {
+                return Err(refused("version", &other, &FORMAT_VERSION.to_string()));
+            }
+            None => return Err(fault(format!("`version = {FORMAT_VERSION}` is missing"))),
+        }
+        let (title, source) = (text(&mut table, "title")?, text(&mut table, "source")?);
+        let mut tool = Tool::default();
+        let specs: Vec<_> = Tool::specs().into_iter().filter(|spec| spec.key != "name").collect();
+        for spec in &specs {
+            let allowed = || spec.allowed.allowed(spec.unit);
+            let Some(found) = table.remove(spec.key) else {
+                if spec.key == "corner_radius_mm" && tool.shape != EndShape::BullNose {
+                    continue;
+                }
+                return Err(fault(format!("`{}` is missing: {}", spec.key, allowed())));
+            };
+            value(&found)
+                .and_then(|value| tool.set(spec.key, &value, &spec.allowed))
+                .ok_or_else(|| refused(spec.key, &found, &allowed()))?;
+        }
+        let [min, max] = RUNOUT_UM;
+        let allowed = Kind::Float { min, max }.allowed("um");
+        let runout_um = match table.remove("runout_um") {
+            None => return Err(fault(format!("`runout_um` is missing: {allowed}"))),
+            Some(found) => found
+                .as_float()
+                .or_else(|| found.as_integer().map(|x| x as f64))
+                .filter(|x| (min..=max).contains(x))
+                .ok_or_else(|| refused("runout_um", &found, &allowed))?,
+        };
+        if let Some(key) = table.keys().next() {
+            let known: Vec<&str> = specs.iter().map(|spec| spec.key).collect();
+            let known = known.join(", ");
+            let problem = format!(
+                "unknown entry `{key}`; there are version, title, source, {known}, runout_um"
+            );
+            return Err(fault(problem));
+        }
+        if let Some(most) = tool.corner_too_large_mm() {
+            let problem = format!(
+                "`corner_radius_mm` cannot be {} mm: allowed is at most half of `diameter_mm`, {most} mm",
+                tool.corner_radius_mm
+            );
+            return Err(fault(problem));
+        }
+        Ok(Self { title, source, tool, runout_um })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::tool::ShippedTool;
+
+    #[test]
+    fn faulty_files_are_refused_by_entry_value_and_range() {
+        let good = ShippedTool::BullNose16.text();
+        let message = |from: &str, to: &str| {
+            let text = good.replacen(from, to, 1);
+            assert_ne!(text, good, "{from}");
+            ToolFile::parse(&text).unwrap_err().to_string()
+        };
+        for (from, to, wanted) in [
+            ("diameter_mm = 16.0", "diameter_mm = 1.5", ["`diameter_mm`", "1.5", "2 to 50 mm"]),
+            ("diameter_mm = 16.0", "diameter_mm = nan", ["`diameter_mm`", "nan", "2 to 50 mm"]),
+            ("teeth = 4", "teeth = 2.5", ["`teeth`", "2.5", "1 to 8"]),
+            ("teeth = 4", "teeth = true", ["`teeth`", "true", "1 to 8"]),
+            ("teeth = 4", "tooth = 4", ["`teeth`", "missing", "1 to 8"]),
+            ("\"bull_nose\"", "\"cone\"", ["`shape`", "cone", "ball, bull_nose, square"]),
+            ("runout_um", "name = \"a\"\nrunout_um", ["`name`", "unknown", "helix_deg"]),
+            ("corner_radius_mm = 2.0", "", ["`corner_radius_mm`", "missing", "0 to 25 mm"]),
+            ("corner_radius_mm = 2.0", "corner_radius_mm = 9", ["`corner_radius_mm`", "9", "8 mm"]),
+            ("runout_um = 3.0", "runout_um = -1", ["`runout_um`", "-1", "0 to 50 um"]),
+            ("version = 1", "version = 2", ["`version`", "2", "1"]),
+            ("version = 1", "", ["`version = 1`", "missing", "tool file"]),
+            ("title =", "titel =", ["`title`", "missing", "tool file"]),
+        ] {
+            let text = message(from, to);
+            assert!(wanted.iter().all(|part| text.contains(part)), "{to}: {text}");
+        }
+        assert!(ToolFile::parse("version = ").is_err());
+    }
+}
