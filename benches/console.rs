@@ -68,7 +68,7 @@ fn console(criterion: &mut Criterion) {
 
     let mut bench = Bench::new("first-cut");
     let [left, top, right, bottom] = bench.slider();
-    let at = |share: f32| egui::pos2(left + share * (right - left), 0.5 * (top + bottom));
+    let at = |fraction: f32| egui::pos2(left + fraction * (right - left), 0.5 * (top + bottom));
     let press = egui::Event::PointerButton {
         pos: at(0.5),
         button: egui::PointerButton::Primary,
@@ -81,8 +81,8 @@ fn console(criterion: &mut Criterion) {
     criterion.bench_function("edit to redraw", |bencher| {
         bencher.iter(|| {
             k += 1;
-            let share = 0.4 + 0.2 * (k % 7) as f32 / 7.0;
-            black_box(bench.frame(vec![egui::Event::PointerMoved(at(share))]))
+            let fraction = 0.4 + 0.2 * (k % 7) as f32 / 7.0;
+            black_box(bench.frame(vec![egui::Event::PointerMoved(at(fraction))]))
         });
     });
     assert_ne!(bench.state()["target_ra_um"], before, "the slider must have moved");

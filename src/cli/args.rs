@@ -435,7 +435,7 @@ pub struct RecommendArgs {
     /// Number of teeth, for the feed of all of them.
     #[arg(long, value_name = "Z", default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=8))]
     pub teeth: u32,
-    /// EngagementCode: 1 slot, 2 heavy side cut, 3 light side cut, 4 finishing.
+    /// Engagement: 1 slot, 2 heavy side cut, 3 light side cut, 4 finishing.
     #[arg(long, value_name = "1|2|3|4", required = true, value_parser = engagement)]
     pub engagement: Option<EngagementCode>,
     /// Another table in the form of the shipped one, which is synthetic.

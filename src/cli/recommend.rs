@@ -118,9 +118,9 @@ fn system(
     let rows = learned.rows();
     writeln!(out, "\n{name}, {low} to {high}: {first} x {second} rules from {rows} rows")?;
     for firing in answer.rules.iter().filter(|firing| firing.strength >= LEAST_SHOWN) {
-        let share = 100.0 * firing.strength;
+        let fraction = 100.0 * firing.strength;
         let value = rounded(firing.value);
-        writeln!(out, "  {share:>5.1} %  {:<36}{value:>9} {unit}", firing.rule)?;
+        writeln!(out, "  {fraction:>5.1} %  {:<36}{value:>9} {unit}", firing.rule)?;
     }
     for (name, errors) in
         [("learned", learned.training_errors()), ("left out", learned.left_out_errors())]

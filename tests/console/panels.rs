@@ -85,16 +85,16 @@ fn click(window: &mut Window, name: &str) {
 }
 
 /// Drags the slider of the target roughness to a share of its length.
-fn drag_target(window: &mut Window, share: f32) {
+fn drag_target(window: &mut Window, fraction: f32) {
     let rect = window.get_by_role_and_label(Role::Slider, "Target Ra").rect();
-    let at = |share: f32| egui::pos2(egui::lerp(rect.x_range(), share), rect.center().y);
+    let at = |fraction: f32| egui::pos2(egui::lerp(rect.x_range(), fraction), rect.center().y);
     window.drag_at(at(0.5));
     window.run_steps(1);
     for step in 1..=4 {
-        window.hover_at(at(0.5 + (share - 0.5) * step as f32 / 4.0));
+        window.hover_at(at(0.5 + (fraction - 0.5) * step as f32 / 4.0));
         window.run_steps(1);
     }
-    window.drop_at(at(share));
+    window.drop_at(at(fraction));
     window.run_steps(1);
 }
 

@@ -53,8 +53,8 @@ fn drag(screen: &mut Screen, from: Pos2, to: Pos2) {
     screen.run_steps(2);
     screen.event(button(from, true));
     screen.run_steps(1);
-    for share in [0.3, 0.7, 1.0] {
-        screen.event(Event::PointerMoved(from + share * (to - from)));
+    for fraction in [0.3, 0.7, 1.0] {
+        screen.event(Event::PointerMoved(from + fraction * (to - from)));
         screen.run_steps(1);
     }
     screen.event(button(to, false));
@@ -128,8 +128,11 @@ fn a_drag_draws_the_line_or_turns_the_part() {
     click(&mut screen, "Profilometer");
     let (rect, _) = picture(&screen);
     let before = field(&screen, "To x");
-    let places = [0.25, 0.6].map(|share| {
-        pos2(rect.left() + share * rect.width(), rect.top() + (0.7 - 0.35 * share) * rect.height())
+    let places = [0.25, 0.6].map(|fraction| {
+        pos2(
+            rect.left() + fraction * rect.width(),
+            rect.top() + (0.7 - 0.35 * fraction) * rect.height(),
+        )
     });
     drag(&mut screen, places[0], places[1]);
     let ends = ["From x", "To x"].map(|name| field(&screen, name));
@@ -270,8 +273,8 @@ fn swipe(screen: &mut Screen, from: Pos2, to: Pos2) {
     send(Phase::Start, from, Event::PointerGone);
     send(Phase::End, from, Event::PointerGone);
     send(Phase::Start, from, button(from, true));
-    for share in [0.3, 0.7, 1.0] {
-        let at = from + share * (to - from);
+    for fraction in [0.3, 0.7, 1.0] {
+        let at = from + fraction * (to - from);
         send(Phase::Move, at, Event::PointerMoved(at));
     }
     send(Phase::End, to, button(to, false));
@@ -286,7 +289,7 @@ fn a_finger_scrolls_the_page_or_turns_the_part_or_draws_the_line() {
     click(&mut screen, "Profilometer");
     let (rect, _) = picture(&screen);
     let [low, high] =
-        [0.8, 0.3].map(|share| pos2(rect.center().x, rect.top() + share * rect.height()));
+        [0.8, 0.3].map(|fraction| pos2(rect.center().x, rect.top() + fraction * rect.height()));
     swipe(&mut screen, low, high);
     assert_eq!(picture(&screen).0, rect, "the page stays");
     let ends = |screen: &Screen| ["From x", "To x"].map(|name| field(screen, name));

@@ -1,5 +1,5 @@
 //! What is wrong with the dynamic model of 2019 as printed; numbers measured by the tests of
-//! `base/model/machine`.
+//! `models/structure`.
 
 use super::errata::Erratum;
 

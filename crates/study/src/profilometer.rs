@@ -39,8 +39,8 @@ impl ProfileLine {
     /// The point at a distance from its beginning, mm.
     #[must_use]
     pub fn at(&self, along_mm: f64) -> [f64; 2] {
-        let share = along_mm / self.length_mm();
-        [0, 1].map(|i| self.from_mm[i] + share * (self.to_mm[i] - self.from_mm[i]))
+        let fraction = along_mm / self.length_mm();
+        [0, 1].map(|i| self.from_mm[i] + fraction * (self.to_mm[i] - self.from_mm[i]))
     }
 }
 

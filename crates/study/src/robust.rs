@@ -73,7 +73,7 @@ impl Percentiles {
     /// Without any run nothing is promised.
     fn of(values: impl Iterator<Item = f64>) -> Self {
         let sorted = Sorted::new(values);
-        let at = |share: f64| sorted.quantile(share).unwrap_or(f64::INFINITY);
+        let at = |fraction: f64| sorted.quantile(fraction).unwrap_or(f64::INFINITY);
         Self { p50: at(0.5), p95: at(0.95), largest: at(1.0) }
     }
 }

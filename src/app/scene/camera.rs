@@ -202,8 +202,8 @@ mod tests {
             z / w
         };
         let eye = camera().eye();
-        let towards = |share: f32| {
-            [0, 1, 2].map(|i| camera().target[i] + share * (eye[i] - camera().target[i]))
+        let towards = |fraction: f32| {
+            [0, 1, 2].map(|i| camera().target[i] + fraction * (eye[i] - camera().target[i]))
         };
         let (near, far) = (depth(towards(0.5)), depth(towards(0.0)));
         assert!(0.0 < near && near < far && far < 1.0, "{near} {far}");

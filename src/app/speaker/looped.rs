@@ -13,7 +13,7 @@ pub struct Looped {
     before: Vec<f32>,
     before_place: usize,
     /// Fraction of the block that sounds against the one before.
-    share: f32,
+    fraction: f32,
     volume: f32,
     wanted_volume: f32,
     /// Change of share and volume from a sample to the next.
@@ -24,14 +24,14 @@ impl Looped {
     /// Silence; blocks and volumes change over `fade` samples.
     #[must_use]
     pub fn new(fade: usize) -> Self {
-        Self { step: 1.0 / fade.max(1) as f32, share: 1.0, ..Self::default() }
+        Self { step: 1.0 / fade.max(1) as f32, fraction: 1.0, ..Self::default() }
     }
 
     /// The block that sounds from now on, from its start; an empty one is silence.
     pub fn play(&mut self, block: Vec<f32>) {
         self.before = std::mem::replace(&mut self.block, block);
         self.before_place = self.place;
-        (self.place, self.share) = (0, 0.0);
+        (self.place, self.fraction) = (0, 0.0);
     }
 
     /// The volume from now on, 0 to 1.
@@ -45,8 +45,8 @@ impl Looped {
         self.volume += off.clamp(-self.step, self.step);
         let new = next(&self.block, &mut self.place);
         let old = next(&self.before, &mut self.before_place);
-        let mixed = self.share * new + (1.0 - self.share) * old;
-        self.share = (self.share + self.step).min(1.0);
+        let mixed = self.fraction * new + (1.0 - self.fraction) * old;
+        self.fraction = (self.fraction + self.step).min(1.0);
         self.volume * mixed
     }
 }

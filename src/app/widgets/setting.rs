@@ -205,7 +205,7 @@ fn choice(
             })
             .response
     };
-    let share = if size == Size::Large { 0.68 } else { 0.52 };
+    let fraction = if size == Size::Large { 0.68 } else { 0.52 };
     let room = ui.available_width();
     let wide = |ui: &Ui, text: &str| {
         let font = egui::TextStyle::Body.resolve(ui.style());
@@ -221,7 +221,7 @@ fn choice(
         let response = combo(ui, room).labelled_by(label.id);
         return label.union(response);
     }
-    let width = needed.max(room * share).min(room - name - gap);
+    let width = needed.max(room * fraction).min(room - name - gap);
     let (label, response) = labelled(ui, param, |ui| combo(ui, width));
     // Under the label's id: a menu under that of the list would be taken for the list.
     label.union(response)

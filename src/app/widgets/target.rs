@@ -29,8 +29,8 @@ pub fn target(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
     let handle = 0.4 * rail.height();
     let span = rail.x_range().shrink(handle);
     for (name, ra_um) in GRADES {
-        let share = (ln(ra_um / min) / ln(max / min)) as f32;
-        let x = egui::lerp(span.min..=span.max, share);
+        let fraction = (ln(ra_um / min) / ln(max / min)) as f32;
+        let x = egui::lerp(span.min..=span.max, fraction);
         let place =
             egui::Rect::from_center_size(egui::pos2(x, row.center().y), egui::vec2(30.0, 20.0));
         let id = ui.scope_id().with(name);

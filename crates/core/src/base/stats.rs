@@ -75,9 +75,9 @@ impl Sorted {
 
     /// The value below which `share` of the sample lies, from 0 (the least) to 1 (the largest).
     #[must_use]
-    pub fn quantile(&self, share: f64) -> Option<f64> {
+    pub fn quantile(&self, fraction: f64) -> Option<f64> {
         let last = self.0.len().checked_sub(1)?;
-        let place = share.clamp(0.0, 1.0) * last as f64;
+        let place = fraction.clamp(0.0, 1.0) * last as f64;
         let below = self.0[place as usize];
         let above = self.0[(place as usize + 1).min(last)];
         let weight = place - place.floor();
@@ -94,10 +94,11 @@ mod tests {
     fn quantiles_are_those_of_type_7() {
         // R: quantile(c(15, 20, 35, 40, 50), c(.05, .3, .4, .5, 1)), type 7 by default.
         let sorted = Sorted::new([40.0, 15.0, 50.0, 20.0, 35.0]);
-        for (share, expected) in [(0.0, 15.0), (0.05, 16.0), (0.3, 23.0), (0.4, 29.0), (1.0, 50.0)]
+        for (fraction, expected) in
+            [(0.0, 15.0), (0.05, 16.0), (0.3, 23.0), (0.4, 29.0), (1.0, 50.0)]
         {
-            let found = sorted.quantile(share).unwrap();
-            assert!((found - expected).abs() < 1e-12, "{share}: {found}");
+            let found = sorted.quantile(fraction).unwrap();
+            assert!((found - expected).abs() < 1e-12, "{fraction}: {found}");
         }
         assert_eq!(sorted.quantile(0.5), Some(35.0));
         assert_eq!(median([4.0, 1.0, 3.0, 2.0]), Some(2.5));

@@ -122,7 +122,7 @@ pub fn metrics(recording: &Recording, rows: usize, scenario: &Scenario, edits: &
         saturated += usize::from(row.has(flag::SATURATED));
         outside += usize::from(row.has(flag::OUTSIDE));
     }
-    let share = |count: usize| percent_from_ratio(count as f64 / (rows.len() - 1).max(1) as f64);
+    let fraction = |count: usize| percent_from_ratio(count as f64 / (rows.len() - 1).max(1) as f64);
 
     let samples: Vec<&Row> =
         rows.iter().step_by(recording.control_stride()).filter(|row| !row.has(flag::AIR)).collect();
@@ -149,8 +149,8 @@ pub fn metrics(recording: &Recording, rows: usize, scenario: &Scenario, edits: &
         path_mm: last.position_mm,
         max_force_n,
         metal_removed_cm3: cm3_from_mm3(removed_mm3),
-        saturated_percent: share(saturated),
-        outside_percent: share(outside),
+        saturated_percent: fraction(saturated),
+        outside_percent: fraction(outside),
     }
 }
 

@@ -94,11 +94,11 @@ impl MarkedPart {
         let cut = &mut self.cuts[self.cut];
         // Vibration is in the marks themselves; without it, Ra with dynamics is used.
         let ra_um = if self.vibrates { to.ra_um } else { to.ra_dyn_um };
-        self.passing.advance(turned, |tooth, share| {
+        self.passing.advance(turned, |tooth, fraction| {
             if to.has(flag::AIR) {
                 return;
             }
-            let position_mm = from.position_mm + share * (to.position_mm - from.position_mm);
+            let position_mm = from.position_mm + fraction * (to.position_mm - from.position_mm);
             let teeth = self.teeth as usize;
             let tooth = (tooth % u64::from(self.teeth)) as usize;
             let back_mm = -self.runout_mm * runout_share(tooth, teeth);

@@ -14,7 +14,7 @@ use crate::run::scenario::Scenario;
 
 /// Iterations that the paper needs at most.
 const ITERATIONS: u32 = 4;
-/// Far more iterations of the internal loop than it should need.
+/// Iterations of the internal loop that never cut it short.
 const MANY_ITERATIONS: u32 = 10;
 /// Removal rate gained in Experiment 1, percent.
 const RATE_PERCENT: f64 = 27.0;

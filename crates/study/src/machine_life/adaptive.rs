@@ -140,7 +140,7 @@ impl AdaptiveLife {
         let remaining_min = prediction.remaining_min() * self.life_ratio();
         let ratio = math::pow(remaining_min / wanted_min, self.model.wear.taylor_exponent);
         let programmed = self.model.cut.cutting_speed_m_min;
-        let [low, high] = SPEED_RATIOS.map(|share| share * programmed);
+        let [low, high] = SPEED_RATIOS.map(|ratio| ratio * programmed);
         let speed = math::limit(self.cut.cutting_speed_m_min * ratio, low, high);
         self.cut.cutting_speed_m_min = speed;
     }

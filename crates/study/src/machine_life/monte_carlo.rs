@@ -101,7 +101,7 @@ pub struct Judgement {
     pub x: f64,
     /// Median error of the predicted life, percent of the true one.
     pub life_error_percent: f64,
-    /// Median error of the time that is left, percent of the true one.
+    /// Median error of the remaining life, percent of the true one.
     pub remaining_error_percent: f64,
     /// How often the true life lay in the range of ninety percent, percent.
     pub within_range_percent: f64,
@@ -131,7 +131,7 @@ impl LifeMonteCarlo {
     fn tool(&mut self, number: u64) {
         let Tools { life, believed, truth, prior_min, seed, .. } = &self.tools;
         let draw = Stream::new(*seed, "life.tools");
-        let [low, high] = LIFE_RATIOS.map(|share| share * prior_min);
+        let [low, high] = LIFE_RATIOS.map(|ratio| ratio * prior_min);
         let spread = life.prior_spread * draw.normal(16 * number);
         let life_min = (prior_min * math::exp(spread)).clamp(low, high);
         self.prior_errors.push((prior_min / life_min - 1.0).abs());

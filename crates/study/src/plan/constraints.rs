@@ -1,5 +1,5 @@
 //! The seven constraints of the plan. The papers say that there are seven and cite a list that is
-//! not available; these are the usual ones for milling, and chosen. MachineLimits limits come from the
+//! not available; these are the usual ones for milling, and chosen. The machine's limits come from the
 //! machine file, where they are marked as placeholders.
 
 use serde::Serialize;

@@ -46,8 +46,8 @@ fn cell(corners: &[([f64; 2], f64); 4], segments: &mut Vec<Segment>) {
     for side in 0..4 {
         let ((from, a), (to, b)) = (corners[side], corners[(side + 1) % 4]);
         if (a > 0.0) != (b > 0.0) {
-            let share = a / (a - b);
-            crossings[count] = [0, 1].map(|d: usize| from[d] + share * (to[d] - from[d]));
+            let fraction = a / (a - b);
+            crossings[count] = [0, 1].map(|d: usize| from[d] + fraction * (to[d] - from[d]));
             count += 1;
         }
     }

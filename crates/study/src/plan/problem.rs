@@ -28,7 +28,7 @@ pub const CUTTING_SPEED_M_MIN: [f64; 2] = [40.0, 150.0];
 pub const FEED_PER_TOOTH_MM: [f64; 2] = [0.02, 0.2];
 /// Fraction of the weight of force that goes to the removal rate, to break ties (chosen).
 const TIE_BREAK: f64 = 0.1;
-/// Least depth of cut that can be planned, mm: below it there is no cut worth the name.
+/// Least depth of cut that can be planned, mm: below it nothing is cut.
 const LEAST_DEPTH_MM: f64 = 0.01;
 
 /// The optimisation problem of a scenario.

@@ -15,7 +15,7 @@ use crate::recommend::sugeno::Sugeno;
 /// How the systems learn; the ridge, epochs, rate and widths of both.
 const RECIPE: SugenoRecipe =
     SugenoRecipe { counts: [2, 2], ridge: 1e-3, epochs: 50, rate: 0.02, widths: [0.08, 2.0] };
-/// RecommendErrors of a system, relative, in percent.
+/// Errors of a system, relative, in percent.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct RecommendErrors {
     /// Root mean square.
@@ -109,7 +109,7 @@ impl Learned {
         Answer { value: math::exp(self.system.value(x)), inside_table: held == asked, rules }
     }
 
-    /// RecommendErrors on the rows that it learned.
+    /// Errors on the rows that it learned.
     #[must_use]
     pub fn training_errors(&self) -> RecommendErrors {
         let errors = self.patterns.iter().map(|(x, target)| self.system.value(*x) - target);

@@ -39,9 +39,9 @@ impl EngagementCode {
     #[must_use]
     pub fn of(radial_depth_mm: f64, diameter_mm: f64) -> Self {
         match radial_depth_mm / diameter_mm {
-            share if share >= 0.75 => Self::Slot,
-            share if share >= 0.4 => Self::Heavy,
-            share if share >= 0.1 => Self::Light,
+            fraction if fraction >= 0.75 => Self::Slot,
+            fraction if fraction >= 0.4 => Self::Heavy,
+            fraction if fraction >= 0.1 => Self::Light,
             _ => Self::Finishing,
         }
     }
@@ -159,8 +159,8 @@ mod tests {
             assert!(off(&found.cutting_speed_m_min, speed) < 0.08, "{found:?}");
             assert!(off(&found.feed_per_tooth_mm, feed) < 0.08, "{found:?}");
             assert!(found.inside_table());
-            let shares = found.feed_per_tooth_mm.rules.iter().map(|rule| rule.strength);
-            assert!((shares.sum::<f64>() - 1.0).abs() < 1e-12);
+            let fractions = found.feed_per_tooth_mm.rules.iter().map(|rule| rule.strength);
+            assert!((fractions.sum::<f64>() - 1.0).abs() < 1e-12);
             let rules = &found.cutting_speed_m_min.rules;
             assert!(rules.windows(2).all(|pair| pair[0].strength >= pair[1].strength));
             let product: f64 = rules.iter().map(|rule| rule.strength * math::ln(rule.value)).sum();

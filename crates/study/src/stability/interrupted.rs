@@ -104,13 +104,13 @@ impl Part {
             *x = self.across * *x;
             return;
         }
-        let share = self.beta * modal.feedthrough;
+        let fraction = self.beta * modal.feedthrough;
         let mut before = nodes[0];
-        nodes[0] = (1.0 - share) * (modal.c * *x)[0] + share * before;
+        nodes[0] = (1.0 - fraction) * (modal.c * *x)[0] + fraction * before;
         for node in &mut nodes[1..] {
             *x = self.across * *x + self.of_start * before + self.of_rise * (*node - before);
             before = *node;
-            *node = (1.0 - share) * (modal.c * *x)[0] + share * before;
+            *node = (1.0 - fraction) * (modal.c * *x)[0] + fraction * before;
         }
     }
 }
@@ -127,8 +127,8 @@ pub fn multiplier(cut: &StabilityCut, speed_rpm: f64, depth_mm: f64) -> f64 {
     let parts = [(teeth - whole, whole + 1.0), (1.0 - (teeth - whole), whole)];
     let parts: Vec<Part> = parts
         .iter()
-        .filter(|(share, _)| *share > 0.0)
-        .map(|(share, teeth)| Part::new(&modal, share * period_s, teeth * kappa))
+        .filter(|(fraction, _)| *fraction > 0.0)
+        .map(|(fraction, teeth)| Part::new(&modal, fraction * period_s, teeth * kappa))
         .collect();
     let size = 8 + parts.iter().map(Part::nodes).sum::<usize>();
     // Column by column: what a period makes of each unit state.

@@ -1,8 +1,8 @@
 //! Training data of the neural force model: static cuts of the mechanistic ball-end model.
 //!
 //! The papers' 3500 measurements were never published. In their place: a Latin hypercube (McKay,
-//! Beckman, Conover 1979) over the ranges of `base/model/neural_force`, forces of
-//! `base/model/ball_end`, and the noise of a measurement. Run-out, slice and noise are chosen.
+//! Beckman, Conover 1979) over the ranges of `models/neural_force`, forces of
+//! `models/ball_end`, and the noise of a measurement. Run-out, slice and noise are chosen.
 
 use crate::base::math;
 use crate::base::rng::Stream;

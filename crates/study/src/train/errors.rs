@@ -1,4 +1,4 @@
-//! TrainingErrors of a force model over rows.
+//! Errors of a force model over rows.
 
 use serde::Serialize;
 
@@ -6,7 +6,7 @@ use super::data::{TrainingRow, fxy_n};
 use crate::base::math;
 use crate::base::stats::{self, Sorted};
 
-/// TrainingErrors in percent.
+/// Errors in percent.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TrainingErrors {
     /// Rows judged.
@@ -27,7 +27,7 @@ pub struct TrainingErrors {
 /// Above this force rows count for [`TrainingErrors::mean_above_200_n_percent`], N.
 const LARGE_N: f64 = 200.0;
 
-/// TrainingErrors of a model that gives F_xy in N.
+/// Errors of a model that gives F_xy in N.
 #[must_use]
 pub fn of_fxy(rows: &[TrainingRow], model: impl Fn(&TrainingRow) -> f64) -> TrainingErrors {
     let off = |row: &TrainingRow| {
@@ -50,7 +50,7 @@ pub fn of_fxy(rows: &[TrainingRow], model: impl Fn(&TrainingRow) -> f64) -> Trai
     }
 }
 
-/// TrainingErrors of a model that gives the three components in N.
+/// Errors of a model that gives the three components in N.
 #[must_use]
 pub fn of_components(
     rows: &[TrainingRow],

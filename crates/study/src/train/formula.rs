@@ -37,7 +37,7 @@ pub struct Formula {
     pub form: &'static str,
     /// Number of coefficients.
     pub coefficients: usize,
-    /// TrainingErrors over the fresh rows.
+    /// Errors over the fresh rows.
     pub errors: TrainingErrors,
 }
 
@@ -119,7 +119,7 @@ fn fit(form: Form, rows: &[TrainingRow]) -> Option<Vec<f64>> {
 
 /// All forms fitted to `training` and judged over `fresh`, the best first.
 ///
-/// # TrainingErrors
+/// # Errors
 /// Names the form that the rows do not determine.
 pub fn fit_all(training: &[TrainingRow], fresh: &[TrainingRow]) -> Result<Vec<Formula>, String> {
     let mut all = Vec::new();

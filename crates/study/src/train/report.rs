@@ -53,7 +53,7 @@ fn errors(network: &ScaledNetwork, rows: &[TrainingRow]) -> TrainingErrors {
 
 /// Judges a session over its rows and over fresh ones, by the network that its file holds.
 ///
-/// # TrainingErrors
+/// # Errors
 /// Where the training has diverged, or the rows do not determine a formula.
 pub fn report(
     session: &TrainingSession,

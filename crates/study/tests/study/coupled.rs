@@ -49,12 +49,16 @@ fn chatter_begins_within_5_percent_of_the_charts_depth() {
         scenario.set("machine.roughness_from", Value::Text("random".to_owned())).unwrap();
         let cut = StabilityCut::new(&scenario).unwrap();
         let limit_mm = interrupted::limit_mm(&cut, speed_rpm, 8.0).unwrap();
-        for (share, chatters) in [(0.95, false), (1.05, true)] {
-            scenario.change(|s| s.workpiece.axial_depth_mm = share * limit_mm).unwrap();
+        for (fraction, chatters) in [(0.95, false), (1.05, true)] {
+            scenario.change(|s| s.workpiece.axial_depth_mm = fraction * limit_mm).unwrap();
             let run = complete(&scenario);
             // What the first strike left dies away, or stays at the size at which teeth lose contact.
             let left = spread(&run, 2.0, 2.5) / spread(&run, 0.5, 1.0);
-            assert_eq!(left > 0.5, chatters, "{speed_rpm} 1/min, {share} of {limit_mm} mm: {left}");
+            assert_eq!(
+                left > 0.5,
+                chatters,
+                "{speed_rpm} 1/min, {fraction} of {limit_mm} mm: {left}"
+            );
         }
     }
 }
@@ -255,11 +259,11 @@ fn wear_sound_and_roughness_tell_one_story() {
     let estimates = predictions(&scenario, run.recording()).unwrap();
     assert!(estimates.len() > 200, "{}", estimates.len());
     let truth_min = scenario.wear.life_min(&programmed_cut(&scenario));
-    for (share, band) in [(0.5, 0.25), (0.8, 0.1), (0.95, 0.05)] {
-        let then = estimates.iter().find(|estimate| estimate.used_life >= share).unwrap();
+    for (fraction, band) in [(0.5, 0.25), (0.8, 0.1), (0.95, 0.05)] {
+        let then = estimates.iter().find(|estimate| estimate.used_life >= fraction).unwrap();
         let error = then.prediction.life_min / truth_min - 1.0;
-        println!("x = {share}: {:?}, error {:.2} %", then.prediction, 100.0 * error);
-        assert!(error.abs() < band, "{share}: {error}");
+        println!("x = {fraction}: {:?}, error {:.2} %", then.prediction, 100.0 * error);
+        assert!(error.abs() < band, "{fraction}: {error}");
         // The loop's sound is the closed form's; the force model gets the depth of 2 mm twice.
         assert!((2.0 * then.prediction.first_sound - 1.0).abs() < 0.02, "{:?}", then.prediction);
     }

@@ -47,10 +47,10 @@ fn from_a_cold_start_five_passes_hand_over_from_the_feedback_to_the_inverse_mode
         assert!((error(pass) - reference).abs() <= 0.01, "{pass:?}");
         assert!((pass.time_of_cut_s - time_s).abs() <= 1.0, "{pass:?}");
     }
-    for (share, reference) in
+    for (fraction, reference) in
         passes.done()[4].feedback_by_quarter.iter().zip([0.054, 0.093, 0.076, 0.060])
     {
-        assert!((share - reference).abs() <= 0.01, "{share} {reference}");
+        assert!((fraction - reference).abs() <= 0.01, "{fraction} {reference}");
     }
 }
 

@@ -174,8 +174,8 @@ fn band(
     painter.text(at, Align2::LEFT_CENTER, &said, font.clone(), palette.weak);
     painter.rect_filled(rail, 2.0, palette.card);
     let x = |time_s: f64| {
-        let share = ((time_s - from_s) / (to_s - from_s)).clamp(0.0, 1.0);
-        egui::lerp(rail.x_range(), share as f32)
+        let fraction = ((time_s - from_s) / (to_s - from_s)).clamp(0.0, 1.0);
+        egui::lerp(rail.x_range(), fraction as f32)
     };
     for stretch in stretches.iter().filter(|s| s.to_s >= from_s && s.from_s <= to_s) {
         // At least a point wide: short ones must be seen as well.

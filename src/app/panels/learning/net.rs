@@ -130,8 +130,8 @@ fn scientific(value: f64) -> String {
 fn place(rect: Rect, layer: usize, count: usize, i: usize) -> Pos2 {
     let x =
         egui::lerp(rect.left() + NAME_WIDTH..=rect.right() - NAME_WIDTH - 20.0, layer as f32 / 2.0);
-    let share = (i as f32 + 0.5) / count as f32;
-    pos2(x, egui::lerp(rect.top()..=rect.bottom(), share))
+    let fraction = (i as f32 + 0.5) / count as f32;
+    pos2(x, egui::lerp(rect.top()..=rect.bottom(), fraction))
 }
 
 fn paint(ui: &Ui, rect: Rect, drawn: &DrawnNet<'_>, values: &[f64], mark: bool) {
@@ -143,8 +143,8 @@ fn paint(ui: &Ui, rect: Rect, drawn: &DrawnNet<'_>, values: &[f64], mark: bool) 
     let sizes = SIZES[1];
     let stroke = |value: f64| {
         let look = if value < 0.0 { NEGATIVE } else { POSITIVE };
-        let share = if most > 0.0 { (value.abs() / most) as f32 } else { 0.0 };
-        Stroke::new(THICKEST * share, look.line(palette).0.color)
+        let fraction = if most > 0.0 { (value.abs() / most) as f32 } else { 0.0 };
+        Stroke::new(THICKEST * fraction, look.line(palette).0.color)
     };
     let mut at = 0;
     // Biases, and by how much a neuron's weights have changed at most.

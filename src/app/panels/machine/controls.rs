@@ -18,7 +18,7 @@ const FIRST: [&str; 6] = [
 ];
 /// Groups below a fold, with their titles.
 const FOLDS: [(&str, &str); 3] =
-    [("machine", "Machine and chip"), ("wear", "Wear"), ("life", "Sound, noise and forecast")];
+    [("machine", "Machine and chip"), ("wear", "Wear"), ("life", "Sound, noise and prediction")];
 
 /// All of them.
 pub fn show(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {

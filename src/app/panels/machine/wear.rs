@@ -126,7 +126,7 @@ impl WearView {
         });
         let points = points.collect();
         figure.curves =
-            vec![PlotCurve { name: "over the share of the life", look: Look::Produced, points }];
+            vec![PlotCurve { name: "over the fraction of life", look: Look::Produced, points }];
         figure.up = [-0.04 * wear.flank_end_mm, 1.1 * wear.flank_end_mm];
         let color = Palette::at(ui).command;
         let at = vec![[self.x, now.flank_mm]];

@@ -36,7 +36,7 @@ pub fn show(ui: &mut Ui, history: &[Iteration], height: f32) {
             points: best.map(|one| at(one, one.best.value)).collect(),
         },
     ];
-    let share = [Curve {
+    let fraction = [Curve {
         name: "particles at an allowed place [%]",
         look: Look::Reference,
         points: history.iter().map(|one| at(one, percent_from_ratio(one.feasible_share))).collect(),
@@ -45,7 +45,7 @@ pub fn show(ui: &mut Ui, history: &[Iteration], height: f32) {
     let span = [0.0, f64::from(last)];
     let draw = |ui: &mut Ui, height: f32| plot(ui, "Objective", &objective, span, None, height);
     let draw_share =
-        |ui: &mut Ui, height: f32| plot(ui, "Allowed", &share, span, Some([0.0, 100.0]), height);
+        |ui: &mut Ui, height: f32| plot(ui, "Allowed", &fraction, span, Some([0.0, 100.0]), height);
     if ui.available_width() < BESIDE_FROM {
         draw(ui, height);
         draw_share(ui, 0.7 * height);

@@ -122,9 +122,9 @@ impl Picture {
     #[must_use]
     pub fn color(&self, palette: &Palette, force_n: f64, allowed: bool) -> Color32 {
         let [low, high] = self.range_n;
-        let share = ((force_n - low) / (high - low).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0) as f32;
+        let fraction = ((force_n - low) / (high - low).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0) as f32;
         let [from, to] = if allowed { palette.force } else { palette.barred };
-        let mix = |from: u8, to: u8| lerp(f32::from(from)..=f32::from(to), share).round() as u8;
+        let mix = |from: u8, to: u8| lerp(f32::from(from)..=f32::from(to), fraction).round() as u8;
         Color32::from_rgb(mix(from.r(), to.r()), mix(from.g(), to.g()), mix(from.b(), to.b()))
     }
 
@@ -148,7 +148,7 @@ impl Picture {
             .collect();
         let size = [FINER * (columns - 1), FINER * (rows - 1)];
         let mut pixels = Vec::with_capacity(size[0] * size[1]);
-        let mix = |from: f64, to: f64, share: f64| from + share * (to - from);
+        let mix = |from: f64, to: f64, fraction: f64| from + fraction * (to - from);
         for pixel_row in (0..size[1]).rev() {
             let (row, up) = between(pixel_row);
             for pixel in 0..size[0] {
@@ -169,8 +169,8 @@ impl Picture {
 
 /// The sample before the middle of a pixel, and how far the pixel lies beyond it.
 fn between(pixel: usize) -> (usize, f64) {
-    let share = ((pixel % FINER) as f64 + 0.5) / FINER as f64;
-    (pixel / FINER, share)
+    let fraction = ((pixel % FINER) as f64 + 0.5) / FINER as f64;
+    (pixel / FINER, fraction)
 }
 
 #[cfg(test)]

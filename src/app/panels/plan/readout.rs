@@ -72,9 +72,9 @@ pub fn scale(ui: &mut Ui, picture: &Picture) {
     let said = "Force: in colour where the cut is allowed, grey where a constraint forbids it";
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, said));
     for step in 0..STEPS {
-        let share = step as f32 / STEPS as f32;
-        let force_n = low + (high - low) * f64::from(share);
-        let left = rect.left() + share * rect.width();
+        let fraction = step as f32 / STEPS as f32;
+        let force_n = low + (high - low) * f64::from(fraction);
+        let left = rect.left() + fraction * rect.width();
         let right = left + rect.width() / STEPS as f32 + 0.5;
         for (allowed, top, bottom) in
             [(true, rect.top(), rect.center().y), (false, rect.center().y, rect.bottom())]

@@ -1,4 +1,4 @@
-//! RecommendedCard conditions for the workpiece and the cutter, from the shipped cutting-data table,
+//! Recommended conditions for the workpiece and the cutter, from the shipped cutting-data table,
 //! and their way into the programmed values.
 
 use egui::{CollapsingHeader, ComboBox, RichText, Role, Ui, WidgetInfo};

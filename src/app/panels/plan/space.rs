@@ -35,8 +35,8 @@ impl Space {
     /// The place of a point of cutting speed in m/min, feed per tooth in mm and force in N.
     #[must_use]
     pub fn at(&self, [speed, feed]: [f64; 2], force_n: f64) -> Pos2 {
-        let share = |[low, high]: [f64; 2], value: f64| (value - low) / (high - low) - 0.5;
-        let (x, y) = (share(CUTTING_SPEED_M_MIN, speed), share(FEED_PER_TOOTH_MM, feed));
+        let fraction = |[low, high]: [f64; 2], value: f64| (value - low) / (high - low) - 0.5;
+        let (x, y) = (fraction(CUTTING_SPEED_M_MIN, speed), fraction(FEED_PER_TOOTH_MM, feed));
         let z = HEIGHT * (force_n / self.force_n - 0.5);
         let [c, s] = self.turn;
         let (right, away) = (x * c - y * s, x * s + y * c);

@@ -95,10 +95,10 @@ impl Part<'_> {
     fn normal(&self, [ahead, y]: [f32; 2], height: f32) -> Point {
         let (outline, off) = (self.surface.outline(), ahead.hypot(y));
         let beyond = outline.beyond_mm(f64::from(off)) as f32;
-        let share = if beyond > 0.0 { beyond / off } else { 0.0 };
+        let fraction = if beyond > 0.0 { beyond / off } else { 0.0 };
         // A sharp corner is all flat.
         let up = (outline.corner_radius_mm as f32 - height).max(1e-3);
-        unit([-ahead * share, -y * share, up])
+        unit([-ahead * fraction, -y * fraction, up])
     }
 
     /// Height drawn at a point of the machined surface, mm.

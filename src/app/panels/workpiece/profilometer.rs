@@ -151,22 +151,22 @@ impl Profilometer {
         }
         let color = if ok { palette.playhead } else { palette.bad };
         let [dx, dy] = [0, 1].map(|i| (line.to_mm[i] - line.from_mm[i]) as f32 / length);
-        let at = |share: f32| line.at(f64::from(share * length)).map(|x| x as f32);
-        let shares: Vec<f32> = (0..=PIECES).map(|i| i as f32 / PIECES as f32).collect();
+        let at = |fraction: f32| line.at(f64::from(fraction * length)).map(|x| x as f32);
+        let fractions: Vec<f32> = (0..=PIECES).map(|i| i as f32 / PIECES as f32).collect();
         // Straight over the highest of the fine surface.
-        let rise = |share: &f32| {
-            let [x, y] = at(*share);
+        let rise = |fraction: &f32| {
+            let [x, y] = at(*fraction);
             part.height(x, y) - part.outline(y)
         };
-        let above = shares.iter().map(rise).fold(0.0, f32::max) + WIDTH * distance;
-        let mut row = |share: f32, half: f32| -> [u32; 2] {
-            let [x, y] = at(share);
+        let above = fractions.iter().map(rise).fold(0.0, f32::max) + WIDTH * distance;
+        let mut row = |fraction: f32, half: f32| -> [u32; 2] {
+            let [x, y] = at(fraction);
             let z = part.outline(y) + above;
             [half, -half]
                 .map(|side| mesh.corner([x - side * dy, y + side * dx, z], [0.0; 3], color))
         };
         let half = WIDTH * distance;
-        let middle: Vec<[u32; 2]> = shares.iter().map(|share| row(*share, half)).collect();
+        let middle: Vec<[u32; 2]> = fractions.iter().map(|fraction| row(*fraction, half)).collect();
         // Bars at both ends.
         let bar = 2.0 * half / length;
         let bars = [[0.0, bar], [1.0 - bar, 1.0]].map(|ends| ends.map(|x| row(x, 5.0 * half)));

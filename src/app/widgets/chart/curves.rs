@@ -45,14 +45,14 @@ pub(super) fn band(
     width: f32,
     palette: &Palette,
 ) -> Option<FilledArea> {
-    let (signal, share) = chart.band?;
+    let (signal, fraction) = chart.band?;
     let points = visible(session.chosen(), signal, range, session.revealed().len(), width);
     if points.len() < 2 {
         return None;
     }
     let side = |factor: f64| points.iter().map(|[_, y]| y * factor).collect::<Vec<_>>();
     let times: Vec<f64> = points.iter().map(|[x, _]| *x).collect();
-    let area = FilledArea::new("", &times, &side(1.0 - share), &side(1.0 + share));
+    let area = FilledArea::new("", &times, &side(1.0 - fraction), &side(1.0 + fraction));
     let edge = egui::Stroke::new(0.8, palette.reference.gamma_multiply(0.5));
     Some(area.fill_color(palette.band).stroke(edge).allow_hover(false))
 }

@@ -88,7 +88,7 @@ impl Backprop {
 /// How a training learns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LearningParameters {
-    /// LearningParameters rate of the first epoch.
+    /// Learning rate of the first epoch.
     pub rate: f64,
     /// Momentum, 0 to 1.
     pub momentum: f64,

@@ -55,8 +55,8 @@ impl MaterialField {
             self.here = self.next;
             self.next = self.after(self.cell + 1, self.here);
         }
-        let share = place - self.cell as f64;
-        self.here + share * (self.next - self.here)
+        let fraction = place - self.cell as f64;
+        self.here + fraction * (self.next - self.here)
     }
 }
 

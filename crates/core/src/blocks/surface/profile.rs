@@ -84,9 +84,9 @@ impl ToothMarks {
     pub fn update(&mut self, step: &CutStep, mut leave: impl FnMut(ProfileMark)) {
         let Self { stands_back_mm, random, passing, last } = self;
         let teeth = stands_back_mm.len();
-        passing.advance(step.turns * teeth as f64, |tooth, share| {
+        passing.advance(step.turns * teeth as f64, |tooth, fraction| {
             // Between the ends of the step position and vibration are lines.
-            let between = |from: f64, to: f64| from + share * (to - from);
+            let between = |from: f64, to: f64| from + fraction * (to - from);
             let back = stands_back_mm[(tooth % teeth as u64) as usize];
             leave(ProfileMark {
                 x_mm: between(last.position_mm, step.position_mm),

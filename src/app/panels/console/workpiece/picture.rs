@@ -202,7 +202,7 @@ fn tool_from_side(sheet: &Sheet<'_>, tool: &Outline, x_mm: f64, tip_mm: f64) {
     // The left corner, the flat between the two halves of the arc, the right corner.
     outline.extend((0..=ARC).map(|i| {
         let angle = PI * (1.0 + i as f64 / ARC as f64);
-        let [across, up] = [cos(angle), sin(angle)].map(|share| corner_mm * share);
+        let [across, up] = [cos(angle), sin(angle)].map(|fraction| corner_mm * fraction);
         let side_mm = match (2 * i).cmp(&ARC) {
             Ordering::Less => -flat_mm,
             Ordering::Equal => 0.0,

@@ -114,11 +114,11 @@ impl Part<'_> {
         }
         let mut before: Option<Vec<u32>> = None;
         for i in 0..=FRONT_COLUMNS {
-            let share = i as f32 / FRONT_COLUMNS as f32;
+            let fraction = i as f32 / FRONT_COLUMNS as f32;
             let corners: Vec<u32> = (0..ROWS)
                 .map(|j| {
                     let y = across(s, j);
-                    let ahead = share * self.reach(s, y);
+                    let ahead = fraction * self.reach(s, y);
                     let place = [x + ahead, y, self.outline(ahead.hypot(y)).min(s.depth)];
                     let inside = place[0].clamp(s.from, s.to);
                     let normal = self.normal([ahead, y], place[2]);

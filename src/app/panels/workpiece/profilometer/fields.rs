@@ -16,7 +16,7 @@ use crate::study::profilometer::{Measurement, ProfileLine};
 const FIELDS: [[f64; 2]; 2] = [[-100.0, 100_000.0], [-8.0, 8.0]];
 
 impl Profilometer {
-    /// ProfileLine, figures and profile.
+    /// Line, figures and profile.
     pub fn show(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let palette = Palette::at(ui);
         ui.horizontal_wrapped(|ui| {
