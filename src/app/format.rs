@@ -34,7 +34,7 @@ pub fn quantity(value: f64, unit_text: &str) -> String {
     format!("{} {unit}", number(value, unit_text)).trim_end().to_owned()
 }
 
-/// A deviation in percent with its sign; one that is none to the digits shown has no minus.
+/// A deviation in percent with its sign; one that rounds to zero has no minus.
 #[must_use]
 pub fn deviation(percent: f64) -> String {
     let value = number(percent, "%");

@@ -22,7 +22,7 @@ pub struct LearningSample {
     pub error: f64,
     /// Iterations of the internal loop.
     pub iterations: u32,
-    /// Samples that NM-1 and NM-2 have learned from.
+    /// Number of samples that NM-1 and NM-2 were trained with.
     pub lessons: [u32; 2],
     /// Weights of NM-1 and NM-2, in the order of their files.
     pub weights: [Vec<f64>; 2],

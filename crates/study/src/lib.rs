@@ -1,4 +1,20 @@
-//! Many runs, and what is made of them: identification, published tables against runs, exports.
+//! Many runs of the loop in `steadycut-core`, and what is made of them.
+//!
+//! | question | module |
+//! | --- | --- |
+//! | Which controller is better on the same part with the same noise? | [`compare`] |
+//! | How does one controller do on plants drawn at random? | [`robust`] |
+//! | Do the published tables come out of runs in time? | [`papers`], [`papers_2019`], [`published`] |
+//! | What is wrong with what was printed? | [`errata`], [`errata_2019`] |
+//! | Where do the shipped models and networks come from? | [`identify`], [`mod@train`] |
+//! | Which feed and speed should be programmed? | [`plan`], [`recommend`], [`combined`] |
+//! | Does the machine chatter, and how does its tool age? | [`stability`], [`machine_life`], [`sound`] |
+//! | What does UNKS learn from pass to pass? | [`unks_passes`] |
+//! | How rough is the machined surface? | [`profilometer`] |
+//! | Are the bits the same here as elsewhere? | [`golden`] |
+//! | How does a run get into a spreadsheet? | [`export`] |
+//!
+//! One run is `steadycut_core`: dead time, controllers and plant are there, in `blocks`.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]

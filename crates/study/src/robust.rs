@@ -1,5 +1,5 @@
-//! How robust a controller is: many runs of a scenario whose plant is drawn at random, while what the
-//! controller believes does not change with it.
+//! Robustness of a controller: many runs of a scenario whose plant is drawn at random, while the
+//! controller's beliefs stay as they are.
 //!
 //! Drawn for every run, before any of them begins: seed of the noise, hardness (uniform in +-20 %), wear
 //! factor (1 to 1.3), dead time of the machine (0 to 80 ms), errors of the believed depth (+-10 %) and

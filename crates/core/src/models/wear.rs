@@ -32,7 +32,7 @@ crate::settings! {
         model: WearModel = WearModel::Fixed, [], "", live, "Wear in the run";
         /// Fraction of its life that the tool has behind it when the run begins.
         used_life: f64 = 0.0, [0.0, 1.0], "", setup, "Life used at the start";
-        /// The life passes this many times as fast as the run.
+        /// Rate at which the tool's life passes, relative to the time of the run.
         time_scale: f64 = 1.0, [1.0, 100_000.0], "", live, "Wear speed-up";
         /// Life of the tool at the reference speed.
         taylor_life_min: f64 = 15.0, [1.0, 600.0], "min", live, "Life at reference speed";

@@ -168,7 +168,7 @@ pub fn verdicts(table: &[Compared]) -> Vec<Table1Verdict> {
         let band = format!("{name}: {} within {percent} % of {wanted}", told(measure));
         let off = percent_from_ratio(methods[row].mean(measure) / wanted - 1.0);
         let mut found = format!("{:.3}, {off:+.1} %", methods[row].mean(measure));
-        // A mean over those that came through is none of the method.
+        // A mean over the finished runs alone would not be that of the method.
         let Compared { runs, finished, .. } = methods[row];
         let whole = measure != Measure::Time || finished == runs;
         if !whole {

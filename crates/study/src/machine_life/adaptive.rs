@@ -26,7 +26,7 @@ const PERIOD_MIN: u64 = 10;
 const SPEED_RATIOS: [f64; 2] = [0.5, 1.5];
 /// No adjustment in the last minutes: the remaining life wanted is too short to divide by.
 const LAST_MIN: f64 = 10.0;
-/// A tool that lives longer than this many times the wish is given up.
+/// Multiple of the desired life after which a tool is given up.
 const LONGEST: f64 = 10.0;
 
 /// One minute of the tool.

@@ -17,7 +17,7 @@ use crate::base::network::Activation;
 pub const EPOCHS: u32 = 1000;
 /// Epochs from one hold-out error to the next.
 const CHECK_EVERY: u32 = 10;
-/// A network's error is the mean over this many last checks: a constant rate leaves it restless.
+/// Number of last checks whose mean is a network's error, since a constant rate makes it fluctuate.
 const LAST_CHECKS: usize = 10;
 /// The error level whose first reaching counts as training cycles, percent (chosen).
 pub const LEVEL_PERCENT: f64 = 12.0;

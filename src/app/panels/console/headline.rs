@@ -25,7 +25,7 @@ struct Item {
 const FORCE_LEVELS: [f64; 2] = [5.0, 15.0];
 /// Fractions of the length in tolerance from the first on count as good, below the second as bad, %.
 const TOLERANCE_LEVELS: [f64; 2] = [90.0, 50.0];
-/// The worst deviation leaves the time before out, s: so long there is none.
+/// Time at the start that the worst deviation leaves out, s.
 const WORST_FROM_S: f64 = 1.0;
 
 /// Good, bad, or neither.

@@ -3,7 +3,7 @@
 use crate::base::math;
 
 crate::choice! {
-    /// What a neuron makes of its weighted sum.
+    /// The activation: what a neuron gives for its weighted sum.
     pub enum Activation {
         /// arctan(s), the papers' choice: -pi/2 to pi/2, slope 1/(1 + s^2).
         Arctan = "arctan", "arc tangent";

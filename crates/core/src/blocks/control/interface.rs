@@ -76,7 +76,7 @@ pub struct ControlOutput {
     pub speed_model_valid: bool,
 }
 
-/// Everything that a controller is set up from.
+/// The inputs to the construction of a controller.
 #[derive(Clone, Copy, Debug)]
 pub struct ControlSetup<'a> {
     /// Which controller, and the settings of each.

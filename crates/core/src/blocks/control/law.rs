@@ -45,7 +45,7 @@ pub trait ControlLaw: Sized {
         overrides.within_force_model()
     }
 
-    /// What can be seen of its networks that learn in the cut.
+    /// Its networks that learn in the cut, for display.
     fn learning(&self) -> Option<Learning<'_>> {
         None
     }

@@ -121,7 +121,7 @@ impl MracLaw {
         limit(asked, sample.sent - STEP[0], sample.sent + STEP[1])
     }
 
-    /// One step of recursive least squares with forgetting.
+    /// One step of recursive least squares with forgetting factor lambda.
     fn adapt(&mut self, phi: &[f64; N], error: f64, forgetting: f64) {
         let spread: [f64; N] = std::array::from_fn(|i| dot(&self.covariance[i], phi));
         let power = dot(&spread, phi);

@@ -50,7 +50,7 @@ pub struct ForceSample<'a> {
     pub taken_over: bool,
     /// Least and largest override.
     pub range: [f64; 2],
-    /// Everything that the controller was given.
+    /// The complete input of the controller.
     pub input: &'a ControlInput<'a>,
     /// The shared part, which knows the commands on their way.
     pub override_loop: &'a OverrideLoop,
@@ -85,7 +85,7 @@ pub trait ForceLaw: Sized {
     fn gain(&self) -> f64 {
         1.0
     }
-    /// What can be seen of its networks that learn in the cut.
+    /// Its networks that learn in the cut, for display.
     fn learning(&self) -> Option<Learning<'_>> {
         None
     }

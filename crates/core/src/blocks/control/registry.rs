@@ -175,7 +175,7 @@ macro_rules! controllers {
                 match self { $( Self::$name(law) => law.update(input), )+ }
             }
 
-            /// What can be seen of the networks that learn in the cut; none where there are none.
+            /// The networks that learn in the cut, for display; none where there are none.
             #[must_use]
             pub fn learning(&self) -> Option<unks::Learning<'_>> {
                 match self { $( Self::$name(law) => law.learning(), )+ }

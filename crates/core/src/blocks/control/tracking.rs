@@ -83,7 +83,7 @@ pub struct Tracking {
     setpoint_n: f64,
     /// Whether a command has been sent already that the predictor must follow.
     started: bool,
-    /// Whether the first command must equal the one that is being sent.
+    /// Whether the first command must equal the one being sent (bumpless transfer).
     bumpless: bool,
     /// Last request, including the quantisation error carried over from the period before it.
     asked: FeedSpeed,
@@ -304,8 +304,8 @@ fn lambda_s(settings: &TrackingSettings, dead_time_s: f64) -> f64 {
     settings.response_s + settings.dead_time_share * dead_time_s
 }
 
-/// What rounding to steps of `resolution` took from a request: at most half a step. What limits or
-/// a rate took is not owed.
+/// Quantisation error of a request rounded to steps of `resolution`: at most half a step. What limits
+/// or a rate took is not carried over.
 fn owed(asked: f64, applied: f64, resolution: f64) -> f64 {
     let half = 0.5 * resolution;
     limit(asked - applied, -half, half)

@@ -18,7 +18,7 @@ use crate::base::units::{ratio_from_percent, rev_s_from_rpm};
 crate::settings! {
     /// The dynamic component of the force and the sensor's noise.
     pub struct NoiseSettings {
-        /// Multiplies all noise sources: 0 switches them off, 1 is their size as set below (chosen; the
+        /// Factor on all noise sources: 0 switches them off, 1 is their size as set below (chosen; the
         /// paper sizes them like measured oscillations).
         level: f64 = 0.0, [0.0, 5.0], "", live, "Noise";
         /// Standard deviation of the band-limited noise, in percent of the force.

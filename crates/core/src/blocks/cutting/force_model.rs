@@ -82,7 +82,7 @@ impl ForceModel {
         }
     }
 
-    /// The network; `None` for what is none.
+    /// The network; `None` for the other force models.
     #[must_use]
     pub fn network(self) -> Option<NeuralKind> {
         match self {

@@ -99,7 +99,7 @@ impl ToolConditionEstimator {
         }
     }
 
-    /// Takes over how fast the life passes and what the speed does to it; the belief stays.
+    /// Takes over the time scale and the exponents of Taylor's equation; the belief stays.
     pub fn reconfigure(&mut self, wear: &WearSettings) {
         self.setup.wear = wear.clone();
         self.prior_min = wear.taylor_min(&self.setup.programmed);

@@ -54,7 +54,7 @@ impl Finish {
         self.settings.short_um = self.settings.short_um.max(SHORT_UM);
     }
 
-    /// Forgets the surface: the tool is in the air, or a new cut begins.
+    /// Discards the surface: the tool is in the air, or a new cut begins.
     pub fn clear(&mut self) {
         self.marks.clear();
         self.added_um = 0.0;

@@ -57,7 +57,7 @@ pub struct CutStep {
 /// The turning cutter, as far as it leaves marks.
 #[derive(Clone, Debug)]
 pub struct ToothMarks {
-    /// How far each tooth stands back, mm.
+    /// Run-out: how far each tooth stands back, mm.
     stands_back_mm: Vec<f64>,
     random: Stream,
     passing: Passing,
@@ -80,7 +80,7 @@ impl ToothMarks {
         }
     }
 
-    /// Lets a step pass; the marks of the teeth that pass in it go to `leave`, first to last.
+    /// Advances by a step; `leave` gets the marks of the teeth that pass in it, first to last.
     pub fn update(&mut self, step: &CutStep, mut leave: impl FnMut(ProfileMark)) {
         let Self { stands_back_mm, random, passing, last } = self;
         let teeth = stands_back_mm.len();

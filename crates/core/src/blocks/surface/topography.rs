@@ -34,7 +34,7 @@ const REACH_TEETH: f64 = 3.0;
 pub struct ToothMark {
     /// Where along the cut, mm.
     pub x_mm: f64,
-    /// How much too high, mm.
+    /// Height above the ideal surface, mm.
     pub z_mm: f64,
     /// Ra that the surface has here according to the run, um.
     pub ra_um: f64,
@@ -58,7 +58,7 @@ impl Topography {
         Self { outline, texture, marks: Vec::new(), deepest_mm: 0.0 }
     }
 
-    /// Adds the mark of the next tooth; those that do not come on are left out.
+    /// Adds the mark of the next tooth; one that does not lie further along is left out.
     pub fn push(&mut self, mark: ToothMark) {
         if self.marks.last().is_none_or(|last| mark.x_mm > last.x_mm) {
             self.deepest_mm = self.deepest_mm.max(mark.z_mm.abs());

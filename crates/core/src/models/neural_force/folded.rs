@@ -9,7 +9,7 @@ use super::cut_point::{
 use crate::base::math;
 use crate::base::network::{Activation, ScaledNetwork};
 
-/// Hidden neurons are summed in this many interleaved sums, which do not wait for each other.
+/// Number of interleaved sums over the hidden neurons: the processor need not wait for one to end.
 const LANES: usize = 4;
 /// Most hidden neurons; whole lanes.
 pub const MAX_HIDDEN: usize = 24;

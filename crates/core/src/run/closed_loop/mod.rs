@@ -284,7 +284,7 @@ impl ClosedLoop {
         self.teeth_n.zip(self.process.spindle_turn())
     }
 
-    /// What can be seen of the controller's networks that learn in the cut, if it has any.
+    /// The controller's networks that learn in the cut, for display, if it has any.
     #[must_use]
     pub fn learning(&self) -> Option<Learning<'_>> {
         self.controller.learning()

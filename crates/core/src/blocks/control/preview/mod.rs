@@ -37,13 +37,13 @@ crate::settings! {
         aim_percent: f64 = 100.0, [50.0, 120.0], "%", live, "Force aimed at";
         /// Exponent alpha of the feed in the force.
         exponent: f64 = 0.8, [0.2, 1.5], "", live, "Exponent of feed";
-        /// How far the force at the first contact may lie off the belief, standard deviation.
+        /// Standard deviation of the force at the first contact about the believed one.
         doubt_percent: f64 = 15.0, [1.0, 100.0], "%", live, "Doubt at first";
-        /// How far the gain drifts in a control period, standard deviation.
+        /// Standard deviation of the gain's drift in a control period.
         drift_percent: f64 = 1.5, [0.1, 20.0], "%", live, "Drift of gain";
         /// Scatter of the measured gain: run-out, sensor, inhomogeneity; standard deviation.
         scatter_percent: f64 = 5.0, [0.5, 50.0], "%", live, "Scatter of gain";
-        /// How far around the place ahead the heaviest force counts.
+        /// Half width of the window around the place ahead in which the largest believed force counts.
         margin_mm: f64 = 0.25, [0.0, 5.0], "mm", live, "Margin of place";
         /// Standard deviation of the part's true place about the believed one: a measurement taken where
         /// the believed force is steep weighs less by it.
@@ -73,7 +73,7 @@ pub struct PreviewLaw {
 }
 
 impl PreviewLaw {
-    /// What the last period says about the gain: ln g and its variance.
+    /// Measurement of the gain from the last period: ln g and its variance.
     fn measured(&self, sample: &ForceSample, level: f64) -> (f64, f64) {
         let (input, PreviewSettings { exponent, place_doubt_mm, .. }) =
             (sample.input, &self.settings);

@@ -8,7 +8,7 @@ use crate::base::network::{Backprop, ScaledNetwork};
 pub struct Learner {
     pub(super) scaled: ScaledNetwork,
     memory: Backprop,
-    /// Samples it has learned from.
+    /// Number of samples that it was trained with.
     pub(super) lessons: u32,
 }
 

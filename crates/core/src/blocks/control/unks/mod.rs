@@ -137,7 +137,7 @@ impl LearningTrace {
     }
 }
 
-/// What can be seen of the learning from outside.
+/// The state of the learning, for display.
 #[derive(Clone, Copy, Debug)]
 pub struct Learning<'a> {
     /// What the scheme began with, and so its law.
@@ -148,7 +148,7 @@ pub struct Learning<'a> {
     pub forward: &'a ScaledNetwork,
     /// NM-2 as it is now.
     pub inverse: &'a ScaledNetwork,
-    /// Samples that NM-1 and NM-2 have learned from.
+    /// Number of samples that NM-1 and NM-2 were trained with.
     pub lessons: [u32; 2],
     /// What the scheme did last.
     pub trace: LearningTrace,
