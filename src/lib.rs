@@ -3,6 +3,8 @@
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
+// A new command, screen, controller or force model must be met wherever there is a choice of them.
+#![deny(clippy::wildcard_enum_match_arm)]
 
 pub use steadycut_core::{base, blocks, models, run};
 pub use steadycut_study as study;

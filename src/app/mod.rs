@@ -185,11 +185,11 @@ impl Console {
     #[must_use]
     pub fn state_json(&self) -> String {
         let playback = self.session.playback();
-        let screen = |(place, panel): (usize, &Box<dyn Panel>)| {
+        let screens = self.panels.iter().enumerate().map(|(place, panel)| {
             let key = shortcuts::screen_key(place).map(egui::Key::symbol_or_name);
             serde_json::json!({ "id": panel.id(), "title": panel.title(), "key": key })
-        };
-        let screens: Vec<_> = self.panels.iter().enumerate().map(screen).collect();
+        });
+        let screens: Vec<_> = screens.collect();
         let rect = self.target_slider.map_or_else(Vec::new, |rect| {
             vec![rect.left(), rect.top(), rect.right(), rect.bottom()]
         });

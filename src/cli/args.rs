@@ -360,6 +360,9 @@ pub struct ListArgs {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
+    /// List the block diagram: its boxes with signals, equations, sources and settings.
+    #[arg(long)]
+    pub diagram: bool,
 }
 
 /// Arguments of `plan`.

@@ -1,5 +1,7 @@
 //! `steadycut list`: what there is to choose from, and every setting.
 
+mod diagram;
+
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -28,6 +30,9 @@ const CHOICES: &[(&str, &[Choice])] = &[
 ];
 
 pub fn execute(args: &ListArgs) -> Outcome {
+    if args.diagram {
+        return diagram::print(args.json);
+    }
     let mut described = Vec::new();
     for preset in PRESETS {
         described.push((preset.name, presets::load(preset.name)?.info.description.clone()));

@@ -196,6 +196,34 @@ fn list_names_everything() {
 }
 
 #[test]
+fn the_diagram_is_listed_with_every_box_wire_signal_and_source() {
+    let diagram = json(&["list", "--diagram", "--json"]);
+    let text = String::from_utf8(steadycut(&["list", "--diagram"]).stdout).unwrap();
+    let ids: Vec<&str> =
+        diagram["blocks"].as_array().unwrap().iter().map(|b| b["id"].as_str().unwrap()).collect();
+    assert_eq!(ids.len(), 11);
+    for block in diagram["blocks"].as_array().unwrap() {
+        for key in ["inputs", "outputs", "printed", "settings"] {
+            assert!(!block[key].as_array().unwrap().is_empty(), "{key} of {block}");
+        }
+        for equation in block["printed"].as_array().unwrap() {
+            for key in ["formula", "source"] {
+                assert!(text.contains(equation[key].as_str().unwrap()), "{equation}");
+            }
+        }
+        assert!(text.contains(block["title"].as_str().unwrap()), "{block}");
+    }
+    let wires = diagram["wires"].as_array().unwrap();
+    for wire in wires {
+        let ends = [&wire["from"]].into_iter().chain(wire["to"].as_array().unwrap());
+        for end in ends.filter(|end| !end.is_null()) {
+            assert!(ids.contains(&end.as_str().unwrap()), "{wire}");
+        }
+        assert!(text.contains(wire["name"].as_str().unwrap()), "{wire}");
+    }
+}
+
+#[test]
 fn bad_input_is_answered_by_name() {
     let error = refused(&["run", "table3-11"]);
     assert!(error.contains("table3-11") && error.contains("depth-step"), "{error}");

@@ -6,12 +6,12 @@ use crate::screen::{Screen, texts};
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT, Queryable};
 use steadycut::app::Console;
-use steadycut::app::panels::equation_cards::CARDS;
 use steadycut::base::settings::Value;
 use steadycut::blocks::control::ControllerKind;
 use steadycut::blocks::cutting::process::ForceModel;
 use steadycut::models::feed_drive::FeedDriveKind;
 use steadycut::models::genetic::{Calibration, ModelSet};
+use steadycut::run::diagram::BLOCKS;
 use steadycut::study::errata;
 use steadycut::study::published::PaperId;
 
@@ -74,11 +74,11 @@ fn every_card_opens_for_every_controller_calibration_set_and_force_model() {
         ];
         let mut harness = open("table3-5-noise", [1280.0, 1400.0], "Block diagram", &change);
         let scenario = console(&harness).session().current().clone();
-        for card in CARDS {
-            harness.get_by_role_and_label(Role::Button, &card.title(&scenario)).click();
+        for info in BLOCKS {
+            harness.get_by_role_and_label(Role::Button, &info.title(&scenario)).click();
             harness.run_steps(2);
             let shown = texts(&harness);
-            for printed in card.block.printed(&scenario) {
+            for printed in info.block.printed(&scenario) {
                 assert!(shown.contains(printed.formula), "{} in {shown}", printed.formula);
             }
         }

@@ -7,7 +7,6 @@ mod draw;
 mod layout;
 mod moment;
 mod signal_plot;
-mod wires;
 
 use egui::{Frame, Margin, Rect, ScrollArea, UiBuilder, pos2};
 
@@ -15,8 +14,9 @@ use super::equation_cards::Block;
 use super::learning::LearningView;
 use super::{Panel, View};
 use crate::app::command::Command;
+use crate::run::diagram::Wire;
+use crate::run::diagram::wires::RA;
 use moment::Now;
-use wires::{RA, Wire};
 
 /// Fraction of the height that plot and card take.
 const DETAILS_FRACTION: f32 = 0.33;

@@ -1,6 +1,7 @@
 //! One run: a pure function of a scenario (with its seed) and its edits.
 
 pub mod closed_loop;
+pub mod diagram;
 pub mod digest;
 pub mod durability;
 pub mod edits;

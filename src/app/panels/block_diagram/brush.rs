@@ -8,9 +8,10 @@ use egui::{
 
 use super::layout::{Course, Style};
 use super::moment::Now;
+use crate::app::panels::equation_cards::Block;
 use crate::app::panels::equation_cards::formula::{number, typeset};
-use crate::app::panels::equation_cards::{Block, Lamp};
 use crate::app::theme::Palette;
+use crate::run::diagram::Lamp;
 use crate::run::explanation::explain_controller;
 
 const TITLE: f32 = 13.0;
@@ -27,7 +28,7 @@ fn detail(block: Block, now: &Now<'_>) -> String {
     match block {
         Block::Reference | Block::Surface | Block::SurfaceDynamic => {
             let calibration = block.using(scenario).map_or("", |using| using.calibration.label());
-            format!("{} {calibration}", block.card().models(scenario))
+            format!("{} {calibration}", block.info().models(scenario))
         }
         Block::Controller => {
             let beside = explain_controller(scenario, now.moment.row).beside_name;
@@ -170,8 +171,8 @@ impl Brush {
     /// A block with its settings and lamps.
     pub fn block(&self, block: Block, rect: Rect, now: &Now<'_>, chosen: bool, hovered: bool) {
         let palette = self.palette;
-        let card = block.card();
-        let lit = card.lamps.iter().any(|lamp| now.moment.row.has(lamp.bits));
+        let info = block.info();
+        let lit = info.lamps.iter().any(|lamp| now.moment.row.has(lamp.bits));
         let color = match (chosen, lit) {
             (true, _) => palette.accent,
             (false, true) => palette.bad,
@@ -186,9 +187,9 @@ impl Brush {
         let inner = rect.shrink(self.s(PADDING));
         // In a flat block the lamps stand beside the title, in a high one at its foot.
         let flat = rect.width() > 2.5 * rect.height();
-        let lamps = self.lamps(inner, card.lamps, now, flat);
+        let lamps = self.lamps(inner, info.lamps, now, flat);
         let room = if flat { inner.width() - lamps } else { inner.width() };
-        let title = self.plain(&card.title(now.moment.scenario), TITLE, palette.text);
+        let title = self.plain(&info.title(now.moment.scenario), TITLE, palette.text);
         let lines = if flat { 1 } else { 2 };
         let title = self.text(inner.min, Align2::LEFT_TOP, title, room, lines);
         let mut at = pos2(inner.left(), title.bottom());

@@ -3,10 +3,10 @@
 use egui::{Color32, Label, Response, RichText, Role, Sense, Stroke, Ui, Vec2, WidgetInfo};
 
 use super::moment::Now;
-use super::wires::{WIRES, Wire};
 use crate::app::panels::equation_cards::formula::typeset;
 use crate::app::panels::equation_cards::{Block, Live, live};
 use crate::app::theme::{self, Palette};
+use crate::run::diagram::{WIRES, Wire};
 use crate::run::signals::signal;
 
 const FORMULA: f32 = 14.0;
@@ -15,12 +15,12 @@ const NOTE: f32 = 11.5;
 /// Shows the card of `block`; gives back a signal that was asked to be plotted.
 pub fn show(ui: &mut Ui, block: Block, now: &Now<'_>, explain: &mut bool) -> Option<Wire> {
     let palette = Palette::at(ui);
-    let card = block.card();
+    let info = block.info();
     theme::card(palette)
         .show(ui, |ui| {
             ui.set_width(ui.available_width());
             ui.horizontal(|ui| {
-                ui.heading(card.title(now.moment.scenario));
+                ui.heading(info.title(now.moment.scenario));
                 let help = ui.selectable_label(*explain, "?").on_hover_text("What is this?");
                 help.widget_info(|| {
                     WidgetInfo::selected(Role::Button, true, *explain, "What is this?")
@@ -30,9 +30,9 @@ pub fn show(ui: &mut Ui, block: Block, now: &Now<'_>, explain: &mut bool) -> Opt
                 }
             });
             if *explain {
-                ui.label(card.meaning);
+                ui.label(info.meaning);
             }
-            let asked = signals(ui, card.signals);
+            let asked = signals(ui, &block.signals(now.moment.scenario));
             section(ui, "As printed");
             for printed in block.printed(now.moment.scenario) {
                 formula(ui, printed.formula, palette.text);
@@ -89,7 +89,8 @@ fn signals(ui: &mut Ui, ids: &[&'static str]) -> Option<Wire> {
             let Some(info) = signal(id) else { continue };
             if ui.small_button(info.label).on_hover_text(info.doc.trim()).clicked() {
                 let known = WIRES.iter().find(|wire| wire.signal == *id && !wire.delayed);
-                let bare = Wire { signal: info.id, symbol: "", delayed: false };
+                let bare =
+                    Wire { signal: info.id, symbol: "", delayed: false, from: None, to: &[] };
                 asked = Some(known.copied().unwrap_or(bare));
             }
         }

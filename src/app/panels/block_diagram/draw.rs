@@ -5,8 +5,8 @@ use egui::{Id, Rect, Response, Role, Sense, Ui, WidgetInfo};
 use super::brush::Brush;
 use super::layout::Layout;
 use super::moment::Now;
-use super::wires::Wire;
-use crate::app::panels::equation_cards::{Block, Lamp, Moment, Names};
+use crate::app::panels::equation_cards::{Block, Moment};
+use crate::run::diagram::{Lamp, Names, Wire};
 use crate::run::signals::FLAGS;
 
 /// What was clicked.
@@ -83,12 +83,12 @@ fn wire_label(ui: &Ui, id: Id, rect: Rect, wire: Wire, now: &Now<'_>) -> Respons
 }
 
 fn block_button(ui: &Ui, block: Block, rect: Rect, now: &Now<'_>) -> Response {
-    let card = block.card();
-    let title = card.title(now.moment.scenario);
+    let info = block.info();
+    let title = info.title(now.moment.scenario);
     let id = ui.scope_id().with(("block", block as usize));
     let response = ui.interact(rect, id, Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, title.clone()));
-    let state = state_in_words(card.lamps, now);
+    let state = state_in_words(info.lamps, now);
     ui.ctx().accesskit_node_builder(id, |node| node.set_value(state.clone()));
     reveal(&response);
     response.on_hover_text(format!("{title}: {state}"))

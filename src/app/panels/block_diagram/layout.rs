@@ -6,8 +6,8 @@ mod ring;
 
 use egui::{Pos2, Rect, Vec2, pos2};
 
-use super::wires::Wire;
 use crate::app::panels::equation_cards::Block;
+use crate::run::diagram::{BLOCKS, Wire};
 
 /// How a label lies on its wire.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,9 +55,9 @@ impl Layout {
         Self { size, scale, blocks: Vec::new(), courses: Vec::new(), hint: None }
     }
 
-    fn block(&mut self, block: Block, rect: Rect) -> Rect {
-        self.blocks.push((block, rect));
-        rect
+    /// Every box of the diagram, where `place` puts it.
+    fn boxes(&mut self, place: impl Fn(Block) -> Rect) {
+        self.blocks.extend(BLOCKS.iter().map(|info| (info.block, place(info.block))));
     }
 
     fn course(&mut self, wire: Wire, points: &[Pos2], label: Rect, style: Style) {
@@ -100,9 +100,8 @@ pub fn arrange(available: Vec2, narrow: bool) -> Layout {
 
 #[cfg(test)]
 mod tests {
-    use super::super::wires::WIRES;
     use super::*;
-    use crate::app::panels::equation_cards::CARDS;
+    use crate::run::diagram::WIRES;
     use egui::vec2;
 
     fn sizes() -> Vec<(Vec2, bool)> {
@@ -128,6 +127,29 @@ mod tests {
                     let common = rect.intersect(*second);
                     assert!(!common.shrink(0.01).is_positive(), "{name} on {other} at {size}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn every_wire_joins_the_boxes_that_the_diagram_says() {
+        for (size, narrow) in sizes() {
+            let layout = arrange(size, narrow);
+            let rect = |block: Block| {
+                let found = layout.blocks.iter().find(|(other, _)| *other == block);
+                found.expect("every box has its place").1.expand(0.1)
+            };
+            for course in &layout.courses {
+                let Course { wire, branches, .. } = course;
+                if let Some(from) = wire.from {
+                    assert!(rect(from).contains(branches[0][0]), "{wire:?} at {size}");
+                }
+                let tips = || branches.iter().filter_map(|branch| branch.last());
+                for to in wire.to {
+                    assert!(tips().any(|tip| rect(*to).contains(*tip)), "{wire:?} at {size}");
+                }
+                let reached = wire.to.len().max(1);
+                assert_eq!(branches.len(), reached, "{wire:?} at {size}");
             }
         }
     }
@@ -166,7 +188,7 @@ mod tests {
     fn every_block_and_wire_is_there_once() {
         for narrow in [false, true] {
             let layout = arrange(vec2(650.0, 500.0), narrow);
-            assert_eq!(layout.blocks.len(), CARDS.len());
+            assert_eq!(layout.blocks.len(), BLOCKS.len());
             for wire in WIRES {
                 assert_eq!(layout.courses.iter().filter(|c| c.wire == wire).count(), 1);
             }

@@ -1,9 +1,9 @@
 //! The state of the loop at the playhead, with the commands under way in the dead-time queue.
 
-use super::wires::Wire;
 use crate::app::format;
 use crate::app::panels::equation_cards::Moment;
 use crate::app::session::Session;
+use crate::run::diagram::Wire;
 use crate::run::signals::Row;
 
 /// Most dots in the queue: more would run into each other.

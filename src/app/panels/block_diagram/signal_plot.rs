@@ -4,10 +4,10 @@ use egui::{Label, RichText};
 use egui_plot::{Line, Plot, PlotPoints};
 
 use super::moment::Now;
-use super::wires::Wire;
 use crate::app::format;
 use crate::app::session::Session;
 use crate::app::theme::{Look, Palette};
+use crate::run::diagram::Wire;
 use crate::run::signals::{SIGNALS, SignalInfo, signal};
 
 /// Length of the plotted part, s.

@@ -5,11 +5,11 @@
 use egui::{Align2, Color32, Rangef, Rect, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use crate::app::panels::View;
-use crate::app::panels::equation_cards::Names;
 use crate::app::theme::Palette;
 use crate::app::trace::FLAG_ROWS;
 use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
+use crate::run::diagram::Names;
 use crate::run::signals::{FLAGS, flag};
 
 const HEIGHT: f32 = 13.0;

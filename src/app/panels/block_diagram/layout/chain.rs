@@ -3,9 +3,9 @@
 
 use egui::{Rect, Vec2, pos2, vec2};
 
-use super::super::wires as w;
 use super::{Layout, Style, at};
 use crate::app::panels::equation_cards::Block;
+use crate::run::diagram::wires as w;
 
 const LEAST_WIDTH: f32 = 300.0;
 const MARGIN: f32 = 8.0;
@@ -51,21 +51,19 @@ pub(super) fn arrange(available: Vec2) -> Layout {
     let (surface_dynamic, sensor) = halves(second);
 
     let mut out = Layout::new(vec2(width, y), scale);
-    for (block, rect) in [
-        (Block::Reference, reference),
-        (Block::Controller, controller),
-        (Block::Override, limits),
-        (Block::DeadTime, dead_time),
-        (Block::FeedDrive, feed),
-        (Block::SpindleDrive, spindle),
-        (Block::Cutting, cutting),
-        (Block::Dynamic, dynamic),
-        (Block::Dynamometer, sensor),
-        (Block::Surface, surface),
-        (Block::SurfaceDynamic, surface_dynamic),
-    ] {
-        out.block(block, rect);
-    }
+    out.boxes(|block| match block {
+        Block::Reference => reference,
+        Block::Controller => controller,
+        Block::Override => limits,
+        Block::DeadTime => dead_time,
+        Block::FeedDrive => feed,
+        Block::SpindleDrive => spindle,
+        Block::Cutting => cutting,
+        Block::Dynamic => dynamic,
+        Block::Dynamometer => sensor,
+        Block::Surface => surface,
+        Block::SurfaceDynamic => surface_dynamic,
+    });
 
     // Upright wires between rows, the label in one line to the right of each.
     let beside = |x: f32, top: f32, gap: f32, room: f32| {

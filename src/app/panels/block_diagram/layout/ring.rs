@@ -12,9 +12,9 @@
 
 use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
-use super::super::wires as w;
 use super::{Layout, Style, at};
 use crate::app::panels::equation_cards::Block;
+use crate::run::diagram::wires as w;
 
 /// Least size that can be read.
 const LEAST: Vec2 = Vec2::new(676.0, 420.0);
@@ -58,17 +58,29 @@ pub(super) fn arrange(available: Vec2) -> Layout {
     };
     let mut out = Layout::new(size, scale);
 
-    let reference = out.block(Block::Reference, grid.cell(0.0, 0.0));
-    let controller = out.block(Block::Controller, grid.cell(1.0, 0.0));
-    let limits = out.block(Block::Override, grid.cell(2.0, 0.0));
-    let dead_time = out.block(Block::DeadTime, grid.cell(3.0, 0.0));
-    let feed = out.block(Block::FeedDrive, grid.cell(3.0, 1.0));
-    let spindle = out.block(Block::SpindleDrive, grid.cell(3.0, 2.0));
-    let cutting = out.block(Block::Cutting, grid.cell(2.0, 1.0));
-    let dynamic = out.block(Block::Dynamic, grid.cell(1.0, 1.0));
-    let sensor = out.block(Block::Dynamometer, grid.cell(0.0, 1.0));
-    let surface_dynamic = out.block(Block::SurfaceDynamic, grid.cell(1.0, 2.0));
-    let surface = out.block(Block::Surface, grid.cell(2.0, 2.0));
+    let place = |block: Block| {
+        let (column, row) = match block {
+            Block::Reference => (0.0, 0.0),
+            Block::Controller => (1.0, 0.0),
+            Block::Override => (2.0, 0.0),
+            Block::DeadTime => (3.0, 0.0),
+            Block::FeedDrive => (3.0, 1.0),
+            Block::SpindleDrive => (3.0, 2.0),
+            Block::Cutting => (2.0, 1.0),
+            Block::Dynamic => (1.0, 1.0),
+            Block::Dynamometer => (0.0, 1.0),
+            Block::Surface => (2.0, 2.0),
+            Block::SurfaceDynamic => (1.0, 2.0),
+        };
+        grid.cell(column, row)
+    };
+    out.boxes(place);
+    let [reference, controller, limits, dead_time] =
+        [Block::Reference, Block::Controller, Block::Override, Block::DeadTime].map(place);
+    let [feed, spindle, cutting] =
+        [Block::FeedDrive, Block::SpindleDrive, Block::Cutting].map(place);
+    let [dynamic, sensor] = [Block::Dynamic, Block::Dynamometer].map(place);
+    let [surface, surface_dynamic] = [Block::Surface, Block::SurfaceDynamic].map(place);
     out.hint = Some(grid.cell(0.0, 2.0));
 
     // A label over a level piece of wire, and one beside an upright piece.

@@ -1,6 +1,6 @@
 //! Cards against runs, and against a calculation of what they write.
 
-use super::super::CARDS;
+use super::super::BLOCKS;
 use super::repeat::repeated;
 use super::*;
 use crate::base::settings::Value;
@@ -95,7 +95,7 @@ fn cards_show_what_the_run_recorded_in_every_set_and_calibration() {
                 (Block::Surface, 0),
                 (Block::SurfaceDynamic, 0),
             ] {
-                let lamp = block.card().lamps[usize::from(line == 2)];
+                let lamp = block.info().lamps[usize::from(line == 2)];
                 let (valid, lit) = (live(block, &moment)[line].valid, row.has(lamp.bits));
                 assert_eq!(valid, !lit, "{block:?} {line} {set:?} {calibration:?}");
             }
@@ -204,9 +204,9 @@ fn every_controller_explains_itself() {
         let mut scenario = presets::load("depth-step").expect("shipped");
         scenario.change(|s| s.controller.kind = *kind).unwrap();
         let row = Row { gain_estimate: 1.0, force_ref_n: 180.0, ..Row::default() };
-        for card in CARDS {
-            let lines = live(card.block, &at(&row, &scenario));
-            assert!(!lines.is_empty(), "{}", card.title(&scenario));
+        for info in BLOCKS {
+            let lines = live(info.block, &at(&row, &scenario));
+            assert!(!lines.is_empty(), "{}", info.title(&scenario));
             assert!(lines.iter().all(|line| !line.values.contains("NaN")), "{lines:?}");
         }
     }

@@ -1,12 +1,11 @@
 //! The equations as their sources print them, for the model sets and the drive in use.
 
+use super::super::scenario::Scenario;
 use super::Block;
 use crate::blocks::control::law::Held;
-use crate::blocks::cutting::process::ForceModel;
 use crate::models::feed_drive::FeedDriveKind;
 use crate::models::genetic::ModelSet;
-pub use crate::models::printed::Printed;
-use crate::run::scenario::Scenario;
+use crate::models::printed::Printed;
 
 const fn eq(formula: &'static str, source: &'static str) -> Printed {
     Printed::new(formula, source)
@@ -15,10 +14,6 @@ const fn eq(formula: &'static str, source: &'static str) -> Printed {
 const K1: Printed = eq("F_d = 293 - 593 / √(39.37 Ra)", "SDNRP 2007, eq. 4");
 const K2: Printed = eq("f_c = 25.4 (189 - 5926160 / F_s^2)", "SDNRP 2007, eq. 5");
 const K3: Printed = eq("n_c = √(30064193 - 2.28 F_s^3)", "SDNRP 2007, eq. 6");
-const K4: Printed = eq(
-    "F = 286.44 - 5.82·10^{-10} n^3 - 8973 ln(0.039 f) / f",
-    "SDNRP 2007, eq. 7 (Ck45, A_D 2 mm, R_D 3 mm, sharp tool)",
-);
 const K5: Printed = eq("Ra = 0.0254 (593 / (293 - F))^2", "SDNRP 2007, eq. 8");
 const M1: Printed =
     eq("F = 69.306 Ra^3 - 270.18 Ra^2 + 398.82 Ra + 14.875", "Control strategy 2013, eq. 2");
@@ -27,29 +22,7 @@ const M2: Printed = eq(
     "Control strategy 2013, eq. 3 (\"10^05\" can only be 10^-5)",
 );
 const M3: Printed = eq("n_c = 7641.3 e^{-0.004 F}", "Control strategy 2013, eq. 4");
-const M4: Printed = eq(
-    "F = 265.11 (1 - 2.0·10^{-12} n^3 - (31.32 / f) ln(0.039 f))",
-    "Control strategy 2013, eq. 5; the paper then takes its neural network in place of it",
-);
 const M5: Printed = eq("Ra = 0.0001 F^2 - 0.0341 F + 3.018", "Control strategy 2013, eq. 6");
-const NETWORK: Printed = eq(
-    "F_x, F_y, F_z = NN(f, n, R_D, A_D, material, hardness, D, geometry)",
-    "Control strategy 2013, section 2.3: 8 inputs, 15 hidden neurons, 3 outputs; its weights were \
-     never published",
-);
-
-const CHIP: Printed = eq(
-    "h = [(f_t + X_m) sin φ + Y_m cos φ + Δρ] sin κ",
-    "Combined system 2005, Fig. 3 (lost), as ball-end geometry after Lee and Altintas",
-);
-const DEFLECTION: Printed = eq(
-    "X_m = G [F_x(t) - F_x(t - T)],  Y_m = G [F_y(t) - F_y(t - T)]",
-    "Combined system 2005, eq. 1: compliance with the delay of one tooth period",
-);
-const KIENZLE: Printed = eq(
-    "dF_i = k_i h^{1 - m} db",
-    "Kienzle's laws, tangential, radial and axial (constants of published tables, in part chosen)",
-);
 
 /// The transfer function of a drive.
 fn drive(kind: FeedDriveKind) -> Printed {
@@ -119,11 +92,7 @@ impl Block {
                 "n_a' = limit((n_c - n_a) / τ, ± rate)",
                 "chosen: no paper gives a spindle drive",
             )],
-            Self::Cutting if scenario.plant.force_model.network().is_some() => vec![NETWORK],
-            Self::Cutting if scenario.plant.force_model == ForceModel::Mechanistic => {
-                vec![CHIP, DEFLECTION, KIENZLE]
-            }
-            Self::Cutting => vec![if of_2007 { K4 } else { M4 }],
+            Self::Cutting => scenario.plant.force_model.printed(set).to_vec(),
             Self::Dynamic => vec![eq(
                 "F_{dyn} = F (1 + level (b(t) + ripple sin θ + w(x)))",
                 "SDNRP 2007, Fig. 10 (lost): random, sized like measured oscillations; form chosen",

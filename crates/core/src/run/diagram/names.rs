@@ -1,11 +1,11 @@
 //! What boxes, models and lamps are called: K1..K6 or M1..M6, as the model set in use has it.
 
-use super::{Block, Card, Lamp};
+use super::super::scenario::Scenario;
+use super::super::signals::{FlagInfo, flag};
+use super::{Block, BlockInfo, Lamp};
 use crate::blocks::control::law::Held;
 use crate::blocks::cutting::process::{ForceModel, Plant};
 use crate::models::genetic::{Calibration, ModelSet};
-use crate::run::scenario::Scenario;
-use crate::run::signals::{FlagInfo, flag};
 
 /// The models that a box computes with.
 #[derive(Clone, Copy, Debug)]
@@ -106,7 +106,7 @@ impl Names {
     }
 }
 
-impl Card {
+impl BlockInfo {
     /// The models of the box by name, joined by commas; empty for a box without.
     #[must_use]
     pub fn models(&self, scenario: &Scenario) -> String {
@@ -146,12 +146,12 @@ impl Lamp {
 
 #[cfg(test)]
 mod tests {
-    use super::super::CARDS;
+    use super::super::BLOCKS;
     use super::*;
     use crate::run::signals::FLAGS;
 
     fn titles(scenario: &Scenario) -> Vec<String> {
-        CARDS.iter().map(|card| card.title(scenario)).collect()
+        BLOCKS.iter().map(|info| info.title(scenario)).collect()
     }
 
     fn flags(scenario: &Scenario) -> Vec<String> {
