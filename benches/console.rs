@@ -88,7 +88,7 @@ fn console(criterion: &mut Criterion) {
     assert_ne!(bench.state()["target_ra_um"], before, "the slider must have moved");
 }
 
-/// The screen with the part in space: turned under a drag, so that all of it is made anew in every
+/// The screen with the part in space: turned under a drag, so that all of it is made again in every
 /// frame, and at rest. What the graphics adapter does comes on top.
 fn part(criterion: &mut Criterion) {
     let mut bench = Bench::new("first-cut");

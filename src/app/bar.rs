@@ -55,7 +55,7 @@ pub fn show(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &
             }
             let taken = ui.min_rect().width() + GAP;
             if taken != room {
-                // The tabs beside them are laid out anew.
+                // The tabs beside them are laid out again.
                 ui.data_mut(|data| data.insert_temp(id, taken));
                 ui.ctx().request_repaint();
             }

@@ -74,7 +74,7 @@ impl Playback {
             Speed::Times(factor) => self.playhead_s + dt_s * factor,
             Speed::Max => f64::INFINITY,
         };
-        // A run that is being simulated anew behind the playhead does not pull it back.
+        // A run that is being simulated again behind the playhead does not pull it back.
         self.playhead_s = wish.min(simulated_s.max(self.playhead_s));
         if over && self.playhead_s >= simulated_s {
             (self.playhead_s, self.playing, self.at_end) = (simulated_s, false, true);

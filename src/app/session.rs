@@ -4,7 +4,7 @@
 //! Both runs are simulated ahead to their end, a budget of ticks at a time; the playhead reveals
 //! them. A live setting changed while the cut is running becomes an edit at the playhead and the
 //! run branches there; every other change is one of the scenario itself, and the runs are done
-//! anew under a playhead that stays.
+//! again under a playhead that stays.
 
 mod change;
 

@@ -64,7 +64,7 @@ pub struct Palette {
     pub line: Color32,
     /// Grid lines of plots.
     pub grid: Color32,
-    /// Text that stands back.
+    /// Text of minor importance.
     pub weak: Color32,
     /// Text.
     pub text: Color32,
@@ -180,7 +180,7 @@ pub enum Look {
     Dynamics,
     /// What a controller commands.
     Command,
-    /// What the controller asks its models for.
+    /// The force that the controller asks its models for.
     Setpoint,
     /// Target or reference.
     Reference,

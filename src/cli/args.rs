@@ -463,7 +463,7 @@ fn engagement(text: &str) -> Result<EngagementCode, String> {
 /// What `recommend` does besides.
 #[derive(Debug, Subcommand)]
 pub enum RecommendWhat {
-    /// Make the shipped table anew from its formulas, and compare.
+    /// Make the shipped table again from its formulas, and compare.
     Table(RecommendTableArgs),
 }
 

@@ -156,7 +156,7 @@ fn line(out: &mut impl Write, name: &str, errors: &TrainingErrors) -> std::io::R
     }
 }
 
-/// Trains the shipped networks anew.
+/// Trains the shipped networks again.
 fn check(json: bool) -> Outcome {
     let mut out = std::io::stdout().lock();
     let mut results = serde_json::Map::new();

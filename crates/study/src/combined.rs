@@ -152,7 +152,7 @@ impl Combined {
         })
     }
 
-    /// Goes on with steps 3 to 5 for at most `ticks`; `true` when the run is over or there is none.
+    /// Advances steps 3 to 5 by at most `ticks`; `true` when the run is over or there is none.
     pub fn advance(&mut self, ticks: u64) -> bool {
         self.run.as_mut().is_none_or(|run| run.advance(ticks))
     }

@@ -273,7 +273,7 @@ pub fn beginning_with(stored: &Stored) -> Vec<(String, Value)> {
     ]
 }
 
-/// The settings by which a scenario begins anew, with the networks of this start.
+/// The settings by which a scenario begins again, with the networks of this start.
 #[must_use]
 pub fn beginning_anew(start: UnksStart) -> Vec<(String, Value)> {
     vec![

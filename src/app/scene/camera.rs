@@ -12,7 +12,7 @@ pub type Matrix = [[f32; 4]; 4];
 const VIEW_RAD: f32 = 0.6;
 /// Turn and tilt per point of a drag, rad.
 const PER_POINT: f32 = 0.008;
-/// Fraction of the picture that what is fitted takes at most.
+/// Largest fraction of the picture that the fitted object takes.
 const FITTED: f32 = 0.9;
 /// The tilts allowed, rad: from just above the ground to nearly from above.
 const TILT: [f32; 2] = [0.06, 1.5];

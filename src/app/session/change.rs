@@ -161,7 +161,7 @@ impl Session {
         self.set_up(&changes).map_err(|error| error.to_string())
     }
 
-    /// Goes over to another plan, as a part of the gesture of this name.
+    /// Replaces the plan, as a part of the gesture of this name.
     fn take(&mut self, plan: Plan, gesture: &str) {
         if plan != self.plan {
             self.remember(Some(gesture));
@@ -190,7 +190,7 @@ impl Session {
     }
 
     /// The plan with the scenario itself changed, and the edits that no longer fit it: those after a
-    /// shorter run, or that break a rule with the new settings. A setting that is set anew loses its
+    /// shorter run, or that break a rule with the new settings. A setting that is set again loses its
     /// edits.
     fn rewritten(&self, changes: &[(String, Value)]) -> Result<(Plan, Vec<Unfit>), SettingError> {
         let (mut scenario, old) = self.plan.clone();

@@ -83,7 +83,7 @@ impl Shared {
     }
 }
 
-/// No panic can leave the values behind a lock half done.
+/// A panic cannot leave the values behind the lock half written.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

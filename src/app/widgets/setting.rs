@@ -10,7 +10,7 @@ use super::number::NumberField;
 use crate::base::settings::{DepthStep, Kind, MAX_STEPS, Value};
 use crate::run::scenario::{Param, Scenario, param, parse_value};
 
-/// How much room an editor takes.
+/// The size of an editor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Size {
     /// A line for name and value, and a slider below over the whole width.

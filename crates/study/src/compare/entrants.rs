@@ -1,4 +1,4 @@
-//! Who takes part in a comparison.
+//! The entrants of a comparison.
 
 use crate::blocks::control::ControllerKind;
 use crate::blocks::control::mrac::Adapted;

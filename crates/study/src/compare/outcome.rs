@@ -122,7 +122,7 @@ impl Outcome {
 }
 
 /// Force over desired force as running means of four control samples in contact, with the place of
-/// the last sample of each; air begins the mean anew.
+/// the last sample of each; air begins the mean again.
 pub(super) fn means(samples: &[&Row]) -> Vec<(usize, f64)> {
     let mut found = Vec::new();
     for (i, window) in samples.windows(MEAN_OF).enumerate() {

@@ -137,7 +137,7 @@ pub fn rows(table: Vec<Compared>) -> Vec<RobustnessRow> {
 /// Growth in error and largest force that still counts as insensitive (chosen).
 const INSENSITIVE: f64 = 1.05;
 
-/// The paper's claim about materials; none while a run of it is missing.
+/// The paper's claim about materials; none while one of its runs is missing.
 #[must_use]
 pub fn material_claim(rows: &[RobustnessRow]) -> Option<ControlClaim> {
     let find = |condition: &str, name: &str| {

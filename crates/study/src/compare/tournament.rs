@@ -60,7 +60,7 @@ impl Tournament {
         Self { entrants, seeds: seeds.max(1), outcomes: Vec::new(), running: None }
     }
 
-    /// Goes on to another number of seeds; runs that are done or on their way are never given up.
+    /// Changes the number of seeds; runs that are done or under way are never given up.
     pub fn set_seeds(&mut self, seeds: u32) {
         let entrants = self.entrants.len().max(1);
         let begun = self.outcomes.len() + usize::from(self.running.is_some());

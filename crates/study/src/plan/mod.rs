@@ -86,7 +86,7 @@ impl PlanJob {
         Self { problem, swarm }
     }
 
-    /// Goes on for at most `iterations` of the swarm; `true` when the plan is done.
+    /// Advances by at most `iterations` of the swarm; `true` when the plan is done.
     pub fn advance(&mut self, iterations: u32) -> bool {
         let problem = &self.problem;
         self.swarm.advance(iterations, |point| problem.score(point))

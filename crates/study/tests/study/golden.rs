@@ -13,10 +13,10 @@ fn every_preset_has_its_golden_digest() {
     if std::env::var_os("STEADYCUT_WRITE_GOLDEN").is_some() {
         std::fs::write(FILE, &now).unwrap();
         // A run that rewrites what it is to hold shows nothing.
-        panic!("tests/golden.json is written anew: look at what moved, then test without");
+        panic!("tests/golden.json is written again: look at what moved, then test without");
     }
     let golden = std::fs::read_to_string(FILE).unwrap();
-    assert_eq!(now, golden, "write it anew with STEADYCUT_WRITE_GOLDEN=1 if the change is meant");
+    assert_eq!(now, golden, "write it again with STEADYCUT_WRITE_GOLDEN=1 if the change is meant");
 }
 
 /// The variants of every base in the file, by base.

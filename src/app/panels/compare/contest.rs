@@ -49,7 +49,7 @@ steadycut_core::choice! {
 }
 
 steadycut_core::choice! {
-    /// Material of the part; no controller is set anew for it.
+    /// Material of the part; no controller is retuned for it.
     pub enum Stock {
         /// As the part's scenario has it.
         AsIs = "as_is", "as it is";
@@ -316,7 +316,7 @@ impl Contests {
         self.setup.is_table_1()
     }
 
-    /// Goes on for a frame if it runs; the last frame took `frame_s` seconds.
+    /// Advances for one frame if it runs; the last frame took `frame_s` seconds.
     pub fn advance(&mut self, frame_s: f64) -> bool {
         if !self.running && !self.robust.running {
             return false;

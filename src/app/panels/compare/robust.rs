@@ -1,4 +1,4 @@
-//! Experiment 2 under other dead times and in another steel, nothing set anew, beside the figures of
+//! Experiment 2 under other dead times and in another steel, nothing retuned, beside the figures of
 //! an independent prototype.
 
 use egui::{Grid, ProgressBar, RichText, ScrollArea, TextWrapMode, Ui};
@@ -19,7 +19,7 @@ const MEASURES: [Measure; 3] = [Measure::Nsn, Measure::Time, Measure::Force];
 pub fn show(ui: &mut Ui, robust: &mut Robust) {
     let palette = Palette::at(ui);
     ui.add_space(8.0);
-    ui.heading("Without setting anything anew");
+    ui.heading("Without retuning anything");
     let text = "Experiment 2 at other dead times, which the controllers know, and in another steel, \
                 which they do not. Below each figure that of an independent prototype of the same \
                 equations, where it has one: it is no figure of the paper.";

@@ -48,7 +48,7 @@ pub struct RevolutionWindow {
     /// What the last job was begun for, and when.
     made: Option<(Key, f64)>,
     job: Option<RevolutionJob>,
-    /// Where the last job has come to, and the number of changes that it belongs to.
+    /// The state of the last job, and the number of changes that it belongs to.
     repeat: Option<(u64, Repeat)>,
     shown: Option<Revolution>,
 }

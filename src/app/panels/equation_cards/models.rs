@@ -146,7 +146,7 @@ pub fn roughness(plant: &GeneticModels, force_n: f64, ra_symbol: &str, force_sym
     live(ra_symbol, law, ra, "um")
 }
 
-/// K5, beyond its end with the slope that the model goes on with.
+/// K5, beyond its end continued with the model's end slope.
 fn k5(plant: &GeneticModels, force_n: f64, symbol: &str) -> Law {
     let values = if force_n <= K5_MAX_N {
         format!("0.0254 (593 / (293 - {}))^2", number(force_n))

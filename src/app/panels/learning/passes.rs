@@ -31,7 +31,7 @@ impl PassesView {
         }
         let ticks = TICKS_PER_FRAME / u64::from(begun.run.steps_per_control);
         job.advance(ticks.max(1));
-        // What was changed meanwhile would make a table of two minds.
+        // A change made meanwhile would mix two set-ups in one table.
         self.stopped = begun != scenario;
         ui.ctx().request_repaint();
     }

@@ -62,7 +62,7 @@ impl Life {
         }
     }
 
-    /// Keeps up with the scenario: begins anew what a change has made wrong, and goes on with the
+    /// Follows the scenario: starts again what a change has made wrong, and continues the
     /// rest by a slice. `true` while there is more to do.
     pub fn follow(&mut self, scenario: &Scenario, adjusts: bool) -> bool {
         let key = Key::new(scenario, adjusts);

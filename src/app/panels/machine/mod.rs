@@ -94,7 +94,7 @@ impl Panel for MachinePanel {
 }
 
 impl MachinePanel {
-    /// Keeps up with the scenario and goes on with what is being worked out.
+    /// Follows the scenario and continues what is being computed.
     fn advance(&mut self, ui: &Ui, view: &View<'_>, dt_s: f64) {
         let scenario = view.session.current();
         if self.machine.as_ref().is_none_or(|machine| !machine.is_of(&scenario.machine)) {

@@ -1,4 +1,4 @@
-//! The machine that is shown: its modes and its frequency response, made anew when its settings
+//! The machine that is shown: its modes and its frequency response, made again when its settings
 //! change.
 
 use crate::models::structure::frf::{FrequencyResponse, LAST_HZ, tree};

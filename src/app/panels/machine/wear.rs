@@ -43,7 +43,7 @@ impl Default for WearView {
 }
 
 impl WearView {
-    /// Takes over how much of its life the tool has behind it in the cut; none where it does not
+    /// Takes over the used life of the tool in the cut; none where it does not
     /// wear.
     pub fn follow(&mut self, used_life: Option<f64>) {
         if let Some(used_life) = used_life.filter(|_| self.follows) {

@@ -128,7 +128,7 @@ impl Picture {
         Color32::from_rgb(mix(from.r(), to.r()), mix(from.g(), to.g()), mix(from.b(), to.b()))
     }
 
-    /// The image in the colours of `palette`; drawn anew only where they have changed.
+    /// The image in the colours of `palette`; drawn again only where they have changed.
     pub fn texture(&mut self, ctx: &Context, palette: &Palette, dark: bool) -> egui::TextureId {
         match &self.texture {
             Some((drawn, texture)) if *drawn == dark => texture.id(),

@@ -1,5 +1,5 @@
 //! The plan that the screen shows: the swarm on its way, and the map that it flies over. Both are
-//! made anew when something changes that they depend on, and only then.
+//! made again when something changes that they depend on, and only then.
 
 use crate::app::playback::Speed;
 use crate::base::settings::SettingError;
@@ -100,7 +100,7 @@ impl Default for Search {
 }
 
 impl Search {
-    /// Begins anew if the scenario is another one in what matters here.
+    /// Starts again if a setting that matters here has changed.
     pub fn follow(&mut self, scenario: &Scenario) {
         let key = Key::of(scenario);
         if self.key.as_ref() != Some(&key) {
@@ -110,7 +110,7 @@ impl Search {
         }
     }
 
-    /// Begins anew: the swarm at its random start.
+    /// Begins again: the swarm at its random start.
     pub fn again(&mut self, scenario: &Scenario) {
         self.begin(scenario, true);
     }

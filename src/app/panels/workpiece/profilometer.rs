@@ -74,7 +74,7 @@ fn middle_mm(cut: &MeasuredLine<'_>, ends_mm: [f64; 2]) -> f64 {
     0.5 * (a[0].max(b[0]) + a[1].min(b[1]))
 }
 
-/// The line right behind the tool, as long as five sampling lengths take, or as is cut yet.
+/// The line right behind the tool: five sampling lengths, or what is cut so far.
 fn behind_tool(cut: &MeasuredLine<'_>, settings: &ProfileSettings) -> Option<ProfileLine> {
     let [first_mm, last_mm] = cut.surface.range_mm()?;
     let first_mm = first_mm.max(0.0) + BORDER_MM;

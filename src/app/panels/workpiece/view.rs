@@ -26,7 +26,7 @@ const TIMES_BY_ITSELF: f64 = 200.0;
 /// Factors of the heights that can be chosen.
 const TIMES: [f64; 2] = [1.0, 5000.0];
 
-/// What the eye goes along with.
+/// What the view follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Follows {
     /// All of the part.

@@ -163,7 +163,7 @@ impl ControlLaw for Tracking {
         tracking
     }
 
-    /// A new cut begins at rest at `current`: the gain stays, the predictor starts anew.
+    /// A new cut begins at rest at `current`: the gain stays, the predictor starts again.
     fn restart(&mut self, current: FeedSpeed) {
         self.sent.fill(current);
         self.feed = DriveState::settled(current.feed_mm_min);

@@ -121,7 +121,7 @@ impl Coupled {
         self.damping_n_s_m = damping_n_s_m;
     }
 
-    /// A plant step begins: contact is judged anew.
+    /// A plant step begins: contact is judged again.
     pub fn begin(&mut self) {
         self.lost_contact = false;
     }

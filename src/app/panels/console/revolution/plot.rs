@@ -34,7 +34,7 @@ fn lines_along(axis: Axis, input: GridInput, count: f32) -> Vec<GridMark> {
     (first..=last).map(|k| GridMark { value: k as f64 * step, step_size: step }).collect()
 }
 
-/// A place on the horizontal axis as its scale counts it: angles begin anew with every turn.
+/// A place on the horizontal axis as its scale counts it: angles begin again with every turn.
 fn scale(axis: Axis, place: f64) -> f64 {
     if axis == Axis::Angle { place.rem_euclid(360.0) } else { place }
 }

@@ -35,7 +35,7 @@ const BEFORE_MM: f64 = 10.0;
 const STEP_MM: f64 = 0.5;
 const MAX_POINTS: f64 = 2000.0;
 
-/// What a map was made from; made anew only when this changes.
+/// What a map was made from; made again only when this changes.
 #[derive(Clone, Debug, PartialEq)]
 struct Source {
     cuts: Vec<Vec<Section>>,
