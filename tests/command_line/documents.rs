@@ -1,5 +1,5 @@
-//! What the documents say is true: every command of README.md and CONTRIBUTING.md runs, and versions
-//! agree.
+//! What the documents say is true: every command of README.md and CONTRIBUTING.md runs, every file that
+//! they and ARCHITECTURE.md name is there, and versions agree.
 //!
 //! A command that is too slow for every `cargo test` is shortened by its own options or watched for
 //! its first seconds ([`SHORTER`], [`WATCHED`]); `STEADYCUT_DOCUMENTS=whole cargo test --release
@@ -36,10 +36,8 @@ fn document(name: &str) -> String {
     fs::read_to_string(top().join(name)).unwrap()
 }
 
-/// README.md, and CONTRIBUTING.md where there is one.
 fn both() -> String {
-    let contributing = fs::read_to_string(top().join("CONTRIBUTING.md")).unwrap_or_default();
-    document("README.md") + "\n" + &contributing
+    document("README.md") + "\n" + &document("CONTRIBUTING.md")
 }
 
 /// The lines of the fenced blocks marked `sh`, comments left out.
@@ -164,6 +162,61 @@ fn every_script_of_the_documents_is_there() {
         scripts += 1;
     }
     assert!(scripts >= 2, "README.md names web/build and web/serve");
+}
+
+/// The file of the worked example in CONTRIBUTING.md, which is not there until somebody follows it.
+const TO_BE_WRITTEN: [&str; 1] = ["crates/core/src/blocks/control/integral.rs"];
+
+/// Every file and folder below the top, as `/path/from/the/top`, folders with a `/` behind too.
+fn tree() -> Vec<String> {
+    let (mut found, mut open) = (Vec::new(), vec![top().to_owned()]);
+    while let Some(folder) = open.pop() {
+        for entry in fs::read_dir(&folder).unwrap().map(Result::unwrap) {
+            let name = entry.file_name().into_string().unwrap();
+            if [".git", "target", "node_modules", "dist"].contains(&name.as_str()) {
+                continue;
+            }
+            let path = entry.path();
+            let from_top = path.strip_prefix(top()).unwrap().to_str().unwrap().replace('\\', "/");
+            if path.is_dir() {
+                found.push(format!("/{from_top}/"));
+                open.push(path);
+            } else {
+                found.push(format!("/{from_top}"));
+            }
+        }
+    }
+    found
+}
+
+/// Whether a name in a document is there: a path from the top, or the end of one; a module without
+/// its ending; `study/` is the source of the crate of studies.
+fn is_there(tree: &[String], name: &str) -> bool {
+    let name = name.trim_end_matches('/');
+    let in_study = name.strip_prefix("study/").map(|rest| format!("study/src/{rest}"));
+    [Some(name.to_owned()), in_study].into_iter().flatten().any(|name| {
+        let ends = [format!("/{name}"), format!("/{name}/"), format!("/{name}.rs")];
+        tree.iter().any(|path| ends.iter().any(|end| path.ends_with(end)))
+    })
+}
+
+#[test]
+fn every_file_that_the_documents_name_is_there() {
+    let tree = tree();
+    let text = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"].map(document).join("\n");
+    let is_path = |name: &&str| {
+        name.chars().all(|c| c.is_ascii_alphanumeric() || "_./-".contains(c))
+            && (name.contains('/') || [".rs", ".toml", ".md"].iter().any(|end| name.ends_with(end)))
+    };
+    // Every second piece between backticks stands inside a pair; a fence makes an empty one.
+    let names: Vec<&str> =
+        text.lines().flat_map(|line| line.split('`').skip(1).step_by(2)).collect();
+    let paths: Vec<&str> = names.into_iter().filter(is_path).collect();
+    assert!(paths.len() > 60, "only {} paths found", paths.len());
+    for path in paths {
+        assert!(TO_BE_WRITTEN.contains(&path) || is_there(&tree, path), "there is no {path}");
+    }
+    assert!(!is_there(&tree, "run/closed_loops.rs") && !is_there(&tree, "base/model"));
 }
 
 #[test]

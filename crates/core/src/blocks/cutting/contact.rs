@@ -9,7 +9,7 @@
 //!
 //! A tooth is loaded most where it is furthest ahead as material begins, and where it is not as material
 //! ends. The two stretches are chosen: with them the ramps lie where those of the force tooth by
-//! tooth do (`tests/milling.rs`).
+//! tooth do (`crates/study/tests/study/milling.rs`).
 
 use super::tool_path::{Engagement, met_mm};
 use crate::base::math;
