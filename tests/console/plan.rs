@@ -1,15 +1,18 @@
 //! The screen "Plan", driven by its accessible names.
 
-use crate::screen;
+use crate::{drawn, screen};
 
 use crate::screen::{Screen, texts};
 use egui::accesskit::{Role, Toggled};
-use egui::{Key, Vec2, vec2};
+use egui::{Key, Theme, Vec2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::{Harness, SnapshotOptions, SnapshotResults};
 use steadycut::app::Console;
 use steadycut::base::settings::Value;
 use steadycut::models::tool::Tool;
+use steadycut::run::edits::Edits;
 use steadycut::run::scenario::Scenario;
+use steadycut::run::{Start, presets};
 use steadycut::study::plan::PlanJob;
 use steadycut::study::plan::constraints::CONSTRAINTS;
 use steadycut::study::recommend::table::Table;
@@ -318,9 +321,48 @@ fn the_surface_can_be_seen_and_turned_in_space() {
         screen.run_steps(1);
         screen.drop_at(rect.center() + vec2(-50.0, 40.0));
         screen.run_steps(1);
-        assert!(figure(&screen, "Force surface in space, turned by 40°, seen 50° from above"));
+        assert!(figure(&screen, "Force surface in space, turned by -6°, seen 50° from above"));
         click(&mut screen, "3-D");
         assert!(figure(&screen, "Force over cutting speed"));
+    }
+}
+
+/// Pictures of the surface in space. `UPDATE_SNAPSHOTS=1` renews them.
+#[test]
+fn the_surface_in_space_looks_as_its_picture() {
+    if !drawn::in_software() {
+        return;
+    }
+    let mut results = SnapshotResults::new();
+    let builder = Harness::builder().with_size(DESKTOP).with_step_dt(0.05);
+    let mut screen: Screen<'_> = builder.wgpu().build_ui_state(
+        |ui, console: &mut Option<Console>| {
+            let start = || {
+                let mut scenario = presets::load("first-cut").expect("shipped");
+                scenario
+                    .set_all(&fixed_limit(665.0).map(|(path, x)| (path.to_owned(), x)))
+                    .unwrap();
+                Start { scenario, edits: Edits::none(), notice: None }
+            };
+            console.get_or_insert_with(|| Console::new(ui.ctx(), start())).ui(ui);
+        },
+        None,
+    );
+    screen.run_steps(40);
+    screen.key_press(Key::Space);
+    screen.run_steps(2);
+    screen::show(&mut screen, "Plan");
+    finish(&mut screen);
+    click(&mut screen, "3-D");
+    for (size_name, size) in [("desktop", DESKTOP), ("phone", vec2(390.0, 844.0))] {
+        screen.set_size(size);
+        for (theme_name, theme) in [("light", Theme::Light), ("dark", Theme::Dark)] {
+            screen.ctx.set_theme(theme);
+            screen.run_steps(20);
+            let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(40);
+            let name = format!("plan-space-{size_name}-{theme_name}");
+            results.add(screen.try_snapshot_options(name, &options));
+        }
     }
 }
 

@@ -95,8 +95,8 @@ impl CallbackTrait for Picture {
         queue.write_buffer(&gpu.look, 0, &look);
         if !same_mesh {
             gpu.corners.write(device, queue, &self.mesh.corners);
-            let triangles: Vec<u8> =
-                self.mesh.triangles.iter().flat_map(|number| number.to_ne_bytes()).collect();
+            let numbers = self.mesh.triangles.iter().chain(&self.mesh.glass);
+            let triangles: Vec<u8> = numbers.flat_map(|number| number.to_ne_bytes()).collect();
             gpu.triangles.write(device, queue, &triangles);
         }
         gpu.drawn = Some(Drawn { mesh: Arc::clone(&self.mesh), look, pixels, background });
@@ -124,12 +124,17 @@ impl CallbackTrait for Picture {
             }),
             ..wgpu::RenderPassDescriptor::default()
         });
-        if !self.mesh.triangles.is_empty() {
-            pass.set_pipeline(&gpu.scene);
-            pass.set_bind_group(0, &gpu.look_group, &[]);
+        // What is seen through comes after what hides it.
+        let solid = self.mesh.triangles.len() as u32;
+        let all = solid + self.mesh.glass.len() as u32;
+        let parts =
+            [(&gpu.scene, &gpu.scene_group, 0..solid), (&gpu.glass, &gpu.glass_group, solid..all)];
+        for (pipeline, group, range) in parts.into_iter().filter(|(.., range)| !range.is_empty()) {
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(0, group, &[]);
             pass.set_vertex_buffer(0, gpu.corners.buffer.slice(..));
             pass.set_index_buffer(gpu.triangles.buffer.slice(..), wgpu::IndexFormat::Uint32);
-            pass.draw_indexed(0..self.mesh.triangles.len() as u32, 0, 0..1);
+            pass.draw_indexed(range, 0, 0..1);
         }
         drop(pass);
         Vec::new()

@@ -8,12 +8,15 @@ use super::camera::{Point, cross, minus};
 pub const CORNER_BYTES: usize = 28;
 
 /// Corners and triangles.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// Corners, [`CORNER_BYTES`] each.
     pub corners: Vec<u8>,
     /// Triangles, three numbers of corners each.
     pub triangles: Vec<u32>,
+    /// Triangles that are seen through, by the opacity of their corners' colours: drawn after the
+    /// others and over each other in their order.
+    pub glass: Vec<u32>,
     count: u32,
 }
 
@@ -31,6 +34,11 @@ impl Mesh {
     /// Adds a triangle between corners.
     pub fn triangle(&mut self, a: u32, b: u32, c: u32) {
         self.triangles.extend_from_slice(&[a, b, c]);
+    }
+
+    /// Adds a triangle that is seen through.
+    pub fn pane(&mut self, a: u32, b: u32, c: u32) {
+        self.glass.extend_from_slice(&[a, b, c]);
     }
 
     /// Adds a flat four-cornered face, counted anticlockwise as seen from outside.

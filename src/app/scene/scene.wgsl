@@ -29,12 +29,12 @@ fn lit(at: Corner) -> @location(0) vec4<f32> {
     // A normal of length zero: a line, which shines by itself.
     let length = length(at.normal);
     if length < 0.5 {
-        return vec4<f32>(at.color.rgb, 1.0);
+        return at.color;
     }
     let slope = dot(at.normal / length, look.lamp.xyz);
     // Faces turned away from the lamp differ too.
     let light = 0.3 + 0.75 * (0.5 + 0.5 * slope);
-    return vec4<f32>(min(at.color.rgb * light, vec3<f32>(1.0)), 1.0);
+    return vec4<f32>(min(at.color.rgb * light, vec3<f32>(1.0)), at.color.a);
 }
 
 // The finished picture onto the screen.

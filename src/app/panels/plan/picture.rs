@@ -122,7 +122,8 @@ impl Picture {
     #[must_use]
     pub fn color(&self, palette: &Palette, force_n: f64, allowed: bool) -> Color32 {
         let [low, high] = self.range_n;
-        let fraction = ((force_n - low) / (high - low).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0) as f32;
+        let fraction =
+            ((force_n - low) / (high - low).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0) as f32;
         let [from, to] = if allowed { palette.force } else { palette.barred };
         let mix = |from: u8, to: u8| lerp(f32::from(from)..=f32::from(to), fraction).round() as u8;
         Color32::from_rgb(mix(from.r(), to.r()), mix(from.g(), to.g()), mix(from.b(), to.b()))

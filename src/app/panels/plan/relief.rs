@@ -1,38 +1,46 @@
 //! The map in space: the force surface, cut by the plane of the force limit and bounded by the
 //! other constraints, as the 2013 paper draws it. It is turned by dragging or by its buttons.
 
-use egui::{Align2, Color32, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
+use std::sync::Arc;
+
+use egui::{Align2, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 use egui_plot::LineStyle;
 
 use super::layers::{Layers, MapLayer};
 use super::marks::{self, Moving};
 use super::search::Found;
-use super::space::{Space, top};
+use super::space::{Space, floor_corners, top};
 use crate::app::format::{self, round_step};
+use crate::app::scene;
+use crate::app::scene::camera::Camera;
+use crate::app::scene::mesh::Mesh;
 use crate::app::theme::{Look, Palette};
 use crate::app::widgets::zoom::by_touch;
 use crate::study::plan::constraints::CONSTRAINTS;
 use crate::study::plan::problem::{CUTTING_SPEED_M_MIN, FEED_PER_TOOTH_MM};
 
-/// Turn per point of a drag, and of a button, rad.
-const TURN_PER_POINT: f64 = 0.008;
-const TURN_PER_PRESS: f64 = 0.25;
-/// The tilts allowed, rad: from above, for the surface hides nothing then.
-const TILT: [f64; 2] = [0.3, 1.4];
+/// Turn of a button, rad.
+const TURN_PER_PRESS: f32 = 0.25;
+/// The tilts allowed, rad: from above, for lines and marks then lie on the side that is seen.
+const TILT: [f32; 2] = [0.3, 1.4];
+/// Opacity of the plane of the force limit, and of the walls of the other constraints.
+const PLANE: f32 = 0.28;
+const WALL: f32 = 0.16;
 
 /// Where the title of a scale stands from the middle of its edge, points.
-const TITLE_OFF: egui::Vec2 = vec2(14.0, 18.0);
+const TITLE_OFF: Vec2 = vec2(14.0, 18.0);
 
-/// How it is turned.
-#[derive(Clone, Copy, Debug)]
+/// How it is turned, and the triangles drawn last.
 pub struct Relief {
-    turn_rad: f64,
-    tilt_rad: f64,
+    camera: Camera,
+    mesh: Arc<Mesh>,
 }
 
 impl Default for Relief {
     fn default() -> Self {
-        Self { turn_rad: 0.55, tilt_rad: 0.55 }
+        // Target and distance follow from the room there is.
+        let camera = Camera { target: [0.0; 3], distance: 1.0, turn_rad: -0.55, tilt_rad: 0.55 };
+        Self { camera, mesh: Arc::default() }
     }
 }
 
@@ -40,9 +48,9 @@ impl Relief {
     /// The buttons that turn it.
     pub fn buttons(&mut self, ui: &mut Ui) {
         let help = "Turns the surface; so does a drag with the mouse";
-        for (name, by) in [("Turn left", TURN_PER_PRESS), ("Turn right", -TURN_PER_PRESS)] {
+        for (name, by) in [("Turn left", -TURN_PER_PRESS), ("Turn right", TURN_PER_PRESS)] {
             if ui.small_button(name).on_hover_text(help).clicked() {
-                self.turn_rad += by;
+                self.camera.turn_rad += by;
             }
         }
     }
@@ -61,32 +69,52 @@ impl Relief {
         let sense = if by_touch(ui) { Sense::hover() } else { Sense::drag() };
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), sense);
         response.widget_info(|| {
-            let [turn, tilt] = [self.turn_rad, self.tilt_rad].map(f64::to_degrees);
+            let [turn, tilt] = [-self.camera.turn_rad, self.camera.tilt_rad].map(f32::to_degrees);
             let name =
                 format!("Force surface in space, turned by {turn:.0}°, seen {tilt:.0}° from above");
             WidgetInfo::labeled(egui::Role::Figure, true, name)
         });
-        let drag = response.drag_delta();
-        self.turn_rad -= TURN_PER_POINT * f64::from(drag.x);
-        let tilt_rad = self.tilt_rad + TURN_PER_POINT * f64::from(drag.y);
-        self.tilt_rad = tilt_rad.clamp(TILT[0], TILT[1]);
+        self.camera.orbit(response.drag_delta());
+        self.camera.tilt_rad = self.camera.tilt_rad.clamp(TILT[0], TILT[1]);
+        if !ui.is_rect_visible(rect) {
+            return;
+        }
 
-        let problem = found.job.problem();
         let checked = found.job.optimum().constraints;
         let force = CONSTRAINTS.iter().position(|constraint| constraint.id == "force");
         let limit_n = force.and_then(|force| checked[force].high);
         let limit_n = limit_n.filter(|_| force.is_some_and(|f| layers.show(MapLayer::Boundary(f))));
         let top_n = top(found.picture.range_n()[1], limit_n);
-        let space = Space::new(rect, self.turn_rad, self.tilt_rad, top_n);
-        let painter = ui.painter().with_clip_rect(rect);
-        let on_surface = |point: [f64; 2]| space.at(point, problem.cut(point).force_n);
+        let space = Space::new(rect, self.camera, top_n);
+        let force_n = |place: [f64; 2]| found.job.problem().cut(place).force_n;
+        let on_surface = |place: [f64; 2]| space.at(place, force_n(place));
+        let shown = || (0..CONSTRAINTS.len()).filter(|n| layers.show(MapLayer::Boundary(*n)));
 
-        frame(&painter, &space, palette, top_n);
-        let plane = limit_n
-            .filter(|limit| *limit <= top_n)
-            .zip(force)
-            .map(|(limit, force)| (limit, palette.constraints[force].gamma_multiply(0.28)));
-        painter.add(Shape::mesh(space.skin(&found.picture, palette, plane)));
+        let mut mesh = Mesh::default();
+        space.floor(&mut mesh, palette.line);
+        space.skin(&mut mesh, &found.picture, palette);
+        for number in shown() {
+            let color = palette.constraints[number];
+            if Some(number) == force {
+                if let Some(limit_n) = limit_n.filter(|limit| *limit <= top_n) {
+                    space.level(&mut mesh, limit_n, color.gamma_multiply(PLANE));
+                }
+                continue;
+            }
+            for line in &found.picture.boundary(number).lines {
+                space.wall(&mut mesh, line, force_n, color.gamma_multiply(WALL));
+            }
+        }
+        // The same triangles again need not go to the graphics adapter again.
+        if *self.mesh != mesh {
+            self.mesh = Arc::new(mesh);
+        }
+        let painter = ui.painter().with_clip_rect(rect);
+        let background = ui.visuals().panel_fill;
+        let mesh = Arc::clone(&self.mesh);
+        painter.add(scene::picture(ui.ctx(), rect, space.camera(), mesh, background));
+
+        scales(&painter, &space, palette, top_n);
         if layers.show(MapLayer::ForceLines) {
             let stroke = Stroke::new(0.8, palette.text.gamma_multiply(0.35));
             for (force_n, lines) in found.picture.force_lines() {
@@ -96,15 +124,10 @@ impl Relief {
                 }
             }
         }
-        for number in (0..CONSTRAINTS.len()).filter(|n| layers.show(MapLayer::Boundary(*n))) {
-            let look = Look::Constraint(number);
+        for number in shown() {
             for line in &found.picture.boundary(number).lines {
-                if Some(number) != force {
-                    let color = palette.constraints[number].gamma_multiply(0.16);
-                    wall(&painter, &space, line, &on_surface, top_n, color);
-                }
                 let points: Vec<Pos2> = line.iter().map(|point| on_surface(*point)).collect();
-                stroked(&painter, &points, look, palette);
+                stroked(&painter, &points, Look::Constraint(number), palette);
             }
         }
         marks::all(&painter, palette, found, layers, moving, &on_surface);
@@ -123,37 +146,14 @@ fn stroked(painter: &Painter, points: &[Pos2], look: Look, palette: &Palette) {
     });
 }
 
-/// The part above the surface of the upright plane that a constraint cuts it with.
-fn wall(
-    painter: &Painter,
-    space: &Space,
-    line: &[[f64; 2]],
-    on_surface: &dyn Fn([f64; 2]) -> Pos2,
-    top_n: f64,
-    color: Color32,
-) {
-    let mut mesh = egui::Mesh::default();
-    for (i, point) in line.iter().enumerate() {
-        mesh.colored_vertex(on_surface(*point), color);
-        mesh.colored_vertex(space.at(*point, top_n), color);
-        if let Some(before) = i.checked_sub(1) {
-            let corner = |k: usize| (2 * before + k) as u32;
-            mesh.add_triangle(corner(0), corner(1), corner(2));
-            mesh.add_triangle(corner(1), corner(2), corner(3));
-        }
-    }
-    painter.add(Shape::mesh(mesh));
-}
-
-/// The floor, the upright edge at the left, and their scales.
-fn frame(painter: &Painter, space: &Space, palette: &Palette, top_n: f64) {
+/// The upright edge at the left, and the scales of edge and floor.
+fn scales(painter: &Painter, space: &Space, palette: &Palette, top_n: f64) {
     let [x, y] = [CUTTING_SPEED_M_MIN, FEED_PER_TOOTH_MM];
     let stroke = Stroke::new(1.0, palette.line);
-    let corners = [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]];
-    let floor = corners.map(|corner| space.at(corner, 0.0));
-    painter.add(Shape::closed_line(floor.to_vec(), stroke));
-    let left =
-        corners.into_iter().min_by(|a, b| space.at(*a, 0.0).x.total_cmp(&space.at(*b, 0.0).x));
+    let floor = floor_corners().map(|corner| space.at(corner, 0.0));
+    let left = floor_corners()
+        .into_iter()
+        .min_by(|a, b| space.at(*a, 0.0).x.total_cmp(&space.at(*b, 0.0).x));
     let font = egui::FontId::proportional(10.5);
     let write = |at: Pos2, anchor: Align2, text: &str| {
         let galley = painter.layout_no_wrap(text.to_owned(), font.clone(), palette.weak);

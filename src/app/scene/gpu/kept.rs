@@ -19,9 +19,11 @@ const LOOK_BYTES: u64 = 80;
 /// What is kept on the adapter from frame to frame.
 pub(super) struct Gpu {
     pub(super) scene: wgpu::RenderPipeline,
+    pub(super) glass: wgpu::RenderPipeline,
     pub(super) screen: wgpu::RenderPipeline,
     pub(super) look: wgpu::Buffer,
-    pub(super) look_group: wgpu::BindGroup,
+    pub(super) scene_group: wgpu::BindGroup,
+    pub(super) glass_group: wgpu::BindGroup,
     reader: wgpu::Sampler,
     pub(super) corners: Store,
     pub(super) triangles: Store,
@@ -72,13 +74,26 @@ impl Store {
     }
 }
 
+/// What a pipeline draws.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Draws {
+    /// Triangles in space that hide what is behind them.
+    Solid,
+    /// Triangles in space that are seen through.
+    Glass,
+    /// The finished picture onto the screen.
+    Screen,
+}
+
 fn pipeline(
     device: &wgpu::Device,
     shader: &wgpu::ShaderModule,
     [vertex, fragment]: [&str; 2],
     target: wgpu::TextureFormat,
-    in_space: bool,
+    draws: Draws,
 ) -> wgpu::RenderPipeline {
+    let in_space = draws != Draws::Screen;
+    let blend = (draws == Draws::Glass).then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
     let attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4];
     let corners = [Some(wgpu::VertexBufferLayout {
         array_stride: CORNER_BYTES as u64,
@@ -97,7 +112,7 @@ fn pipeline(
         primitive: wgpu::PrimitiveState::default(),
         depth_stencil: in_space.then(|| wgpu::DepthStencilState {
             format: DEPTH,
-            depth_write_enabled: Some(true),
+            depth_write_enabled: Some(draws == Draws::Solid),
             depth_compare: Some(wgpu::CompareFunction::LessEqual),
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
@@ -110,7 +125,11 @@ fn pipeline(
             module: shader,
             entry_point: Some(fragment),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(target.into())],
+            targets: &[Some(wgpu::ColorTargetState {
+                format: target,
+                blend,
+                write_mask: wgpu::ColorWrites::ALL,
+            })],
         }),
         multiview_mask: None,
         cache: None,
@@ -120,14 +139,17 @@ fn pipeline(
 impl Gpu {
     pub(super) fn new(device: &wgpu::Device, screen_format: wgpu::TextureFormat) -> Self {
         let shader = device.create_shader_module(wgpu::include_wgsl!("../scene.wgsl"));
-        let scene = pipeline(device, &shader, ["corner", "lit"], PICTURE, true);
+        let scene = pipeline(device, &shader, ["corner", "lit"], PICTURE, Draws::Solid);
+        let glass = pipeline(device, &shader, ["corner", "lit"], PICTURE, Draws::Glass);
         let onto = if screen_format.is_srgb() { "shown_linear" } else { "shown" };
-        let screen = pipeline(device, &shader, ["whole", onto], screen_format, false);
+        let screen = pipeline(device, &shader, ["whole", onto], screen_format, Draws::Screen);
         let look = Store::new(device, wgpu::BufferUsages::UNIFORM, LOOK_BYTES).buffer;
-        let look_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("scene look"),
-            layout: &scene.get_bind_group_layout(0),
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: look.as_entire_binding() }],
+        let [scene_group, glass_group] = [&scene, &glass].map(|pipeline| {
+            device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some("scene look"),
+                layout: &pipeline.get_bind_group_layout(0),
+                entries: &[wgpu::BindGroupEntry { binding: 0, resource: look.as_entire_binding() }],
+            })
         });
         let reader = device.create_sampler(&wgpu::SamplerDescriptor {
             mag_filter: wgpu::FilterMode::Linear,
@@ -138,9 +160,11 @@ impl Gpu {
         let triangles = Store::new(device, wgpu::BufferUsages::INDEX, 1 << 16);
         Self {
             scene,
+            glass,
             screen,
             look,
-            look_group,
+            scene_group,
+            glass_group,
             reader,
             corners,
             triangles,
