@@ -100,3 +100,31 @@ fn pure_layers_have_no_clock_thread_file_or_environment() {
         }
     }
 }
+
+/// A search for a public type finds one: no two modules have one of the same name. The loudspeaker is
+/// another one on each platform, so its name is the platform's choice.
+#[test]
+fn public_types_have_names_of_their_own() {
+    let mut all = Vec::new();
+    for root in ["crates/core/src", "crates/study/src", "src"] {
+        sources(Path::new(root), &mut all);
+    }
+    let mut names = Vec::new();
+    for file in &all {
+        for line in code(file).lines().map(str::trim_start) {
+            let kinds = ["pub struct ", "pub enum ", "pub trait "];
+            let Some(rest) = kinds.iter().find_map(|kind| line.strip_prefix(kind)) else {
+                continue;
+            };
+            let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+            names.push((rest[..end].to_owned(), file.display().to_string()));
+        }
+    }
+    assert!(names.len() > 300, "only {} public types found", names.len());
+    names.retain(|(name, file)| {
+        !(name == "Speaker" && file.contains("speaker")) && !name.is_empty()
+    });
+    names.sort();
+    let twice: Vec<_> = names.windows(2).filter(|pair| pair[0].0 == pair[1].0).collect();
+    assert!(twice.is_empty(), "{twice:#?}");
+}

@@ -73,7 +73,7 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, String> {
 
 /// How a JSON text is laid out.
 #[derive(Clone, Copy, Debug)]
-pub enum Layout {
+pub enum JsonLayout {
     /// All in one line.
     Line,
     /// Every field of the outermost object in a line of its own, so far from the margin.
@@ -85,7 +85,7 @@ pub enum Layout {
 /// # Panics
 /// Never for structures of numbers, text, lists and fields: these can all be written.
 #[must_use]
-pub fn to_json(value: &impl Serialize, layout: Layout) -> String {
+pub fn to_json(value: &impl Serialize, layout: JsonLayout) -> String {
     let mut text = Vec::new();
     let fields = Fields { layout, depth: 0 };
     let mut writer = Serializer::with_formatter(&mut text, fields);
@@ -94,7 +94,7 @@ pub fn to_json(value: &impl Serialize, layout: Layout) -> String {
 }
 
 struct Fields {
-    layout: Layout,
+    layout: JsonLayout,
     depth: u32,
 }
 
@@ -107,8 +107,8 @@ impl Formatter for Fields {
     fn end_object<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
         self.depth -= 1;
         match self.layout {
-            Layout::FieldALine(_) if self.depth == 0 => writer.write_all(b"\n}\n"),
-            Layout::FieldALine(_) | Layout::Line => writer.write_all(b"}"),
+            JsonLayout::FieldALine(_) if self.depth == 0 => writer.write_all(b"\n}\n"),
+            JsonLayout::FieldALine(_) | JsonLayout::Line => writer.write_all(b"}"),
         }
     }
 
@@ -121,8 +121,8 @@ impl Formatter for Fields {
             writer.write_all(b",")?;
         }
         match self.layout {
-            Layout::FieldALine(margin) if self.depth == 1 => write!(writer, "\n{margin}"),
-            Layout::FieldALine(_) | Layout::Line => Ok(()),
+            JsonLayout::FieldALine(margin) if self.depth == 1 => write!(writer, "\n{margin}"),
+            JsonLayout::FieldALine(_) | JsonLayout::Line => Ok(()),
         }
     }
 
@@ -152,9 +152,9 @@ mod tests {
     #[test]
     fn what_is_written_is_read() {
         let outer = Outer { count: 2, inner: Inner { values: [1.0, -0.5, 1e-9] } };
-        let line = to_json(&outer, Layout::Line);
+        let line = to_json(&outer, JsonLayout::Line);
         assert_eq!(line, "{\"count\": 2,\"inner\": {\"values\": [1.0,-0.5,1e-9]}}");
-        let fields = to_json(&outer, Layout::FieldALine("  "));
+        let fields = to_json(&outer, JsonLayout::FieldALine("  "));
         assert_eq!(fields, "{\n  \"count\": 2,\n  \"inner\": {\"values\": [1.0,-0.5,1e-9]}\n}\n");
         assert_eq!(from_json::<Outer>(&line).as_ref(), Ok(&outer));
         assert_eq!(from_json::<Outer>(&fields).as_ref(), Ok(&outer));

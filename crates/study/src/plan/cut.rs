@@ -8,7 +8,7 @@ pub const REFERENCE: [f64; 2] = [80.0, 0.08];
 
 /// Everything that follows from a cutting speed and a feed per tooth.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlannedCut {
+pub struct CutAtPoint {
     /// Spindle speed, 1/min.
     pub speed_rpm: f64,
     /// Feed, mm/min.
@@ -27,7 +27,7 @@ pub struct PlannedCut {
     pub tool_life_min: f64,
 }
 
-impl PlannedCut {
+impl CutAtPoint {
     /// The values of the seven constraints, in their order.
     #[must_use]
     #[inline]
@@ -100,7 +100,7 @@ impl Economy {
     /// C = t_m C_m + (t_m / T) (C_m t_ch + C_t).
     #[must_use]
     #[inline]
-    pub fn yield_of(&self, cut: &PlannedCut) -> Yield {
+    pub fn yield_of(&self, cut: &CutAtPoint) -> Yield {
         let cut_min = self.length_mm / cut.feed_mm_min;
         let lives = cut_min / cut.tool_life_min;
         let change_cost = self.machine_cost_per_min * self.tool_change_min + self.tool_cost;

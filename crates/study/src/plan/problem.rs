@@ -11,7 +11,7 @@
 //! tie (chosen): for the force alone, all cutting speeds at which it reaches its limit are equal.
 
 use super::constraints::{Bounds, Checked, bounds, check};
-use super::cut::{Economy, PlannedCut, REFERENCE, TABLE_2005, Yield};
+use super::cut::{CutAtPoint, Economy, REFERENCE, TABLE_2005, Yield};
 use super::machine::MachineLimits;
 use super::score::Score;
 use super::surface::ForceSurface;
@@ -160,7 +160,7 @@ impl Problem {
     /// Everything that follows from a point (cutting speed in m/min, feed per tooth in mm).
     #[must_use]
     #[inline]
-    pub fn cut(&self, [cutting_speed_m_min, feed_per_tooth_mm]: [f64; 2]) -> PlannedCut {
+    pub fn cut(&self, [cutting_speed_m_min, feed_per_tooth_mm]: [f64; 2]) -> CutAtPoint {
         // (v_c^5 f_z)^(-4/5) is v_c^-4 f_z^-0.8, from one root.
         let squared = cutting_speed_m_min * cutting_speed_m_min;
         let root =
@@ -172,7 +172,7 @@ impl Problem {
         let components_n = self.surface.components_n(feed_mm_min, speed_rpm);
         let [x, y, _] = components_n;
         let force_n = (x * x + y * y).sqrt();
-        PlannedCut {
+        CutAtPoint {
             speed_rpm,
             feed_mm_min,
             components_n,
@@ -187,7 +187,7 @@ impl Problem {
     /// What a cut yields.
     #[must_use]
     #[inline]
-    pub fn yield_of(&self, cut: &PlannedCut) -> Yield {
+    pub fn yield_of(&self, cut: &CutAtPoint) -> Yield {
         self.economy.yield_of(cut)
     }
 

@@ -3,7 +3,7 @@
 use egui::{Id, Rect, Response, Role, Sense, Ui, WidgetInfo};
 
 use super::brush::Brush;
-use super::layout::Layout;
+use super::layout::DiagramLayout;
 use super::moment::Now;
 use crate::app::panels::equation_cards::{Block, Moment};
 use crate::run::diagram::{Lamp, Names, Wire};
@@ -20,7 +20,7 @@ pub enum Clicked {
 /// Draws the diagram with its live values; `wire` and `block` are the selected ones.
 pub fn diagram(
     ui: &mut Ui,
-    layout: &Layout,
+    layout: &DiagramLayout,
     now: &Now<'_>,
     wire: Wire,
     block: Block,

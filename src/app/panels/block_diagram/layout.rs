@@ -37,7 +37,7 @@ pub struct Course {
 
 /// A drawn-out diagram.
 #[derive(Clone, Debug)]
-pub struct Layout {
+pub struct DiagramLayout {
     /// Its size.
     pub size: Vec2,
     /// Scale of type and lines.
@@ -50,7 +50,7 @@ pub struct Layout {
     pub hint: Option<Rect>,
 }
 
-impl Layout {
+impl DiagramLayout {
     fn new(size: Vec2, scale: f32) -> Self {
         Self { size, scale, blocks: Vec::new(), courses: Vec::new(), hint: None }
     }
@@ -94,7 +94,7 @@ fn at(rect: Rect, x: f32, y: f32) -> Pos2 {
 /// The diagram for an area: a ring on a desktop, a chain from top to bottom where it is narrow.
 /// It is never smaller than it can be read; a larger one than the area must be scrolled.
 #[must_use]
-pub fn arrange(available: Vec2, narrow: bool) -> Layout {
+pub fn arrange(available: Vec2, narrow: bool) -> DiagramLayout {
     if narrow { chain::arrange(available) } else { ring::arrange(available) }
 }
 

@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Activation, Network, ScaledNetwork, Scaling};
-use crate::base::files::{Layout, from_json, to_json};
+use crate::base::files::{JsonLayout, from_json, to_json};
 
 /// Where a network's weights come from: enough to train it again.
 #[derive(Clone, Debug, PartialEq)]
@@ -150,7 +150,7 @@ fn ranges(names: [&str; 2], lows: Vec<f64>, highs: Vec<f64>) -> Result<Vec<[f64;
 /// The text of a network file.
 #[must_use]
 pub fn write(scaled: &ScaledNetwork, provenance: &Provenance) -> String {
-    to_json(&NetworkFile::new(scaled, provenance), Layout::FieldALine("  "))
+    to_json(&NetworkFile::new(scaled, provenance), JsonLayout::FieldALine("  "))
 }
 
 /// Reads a network file.

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{SIZES, UnksNetworks, UnksStart};
-use crate::base::files::{Layout, from_json, to_json};
+use crate::base::files::{JsonLayout, from_json, to_json};
 use crate::base::network::{NetworkFile, Provenance, ScaledNetwork};
 use crate::base::settings::{Field, Kind, Value};
 
@@ -86,12 +86,12 @@ impl Stored {
     /// The text of the file; reading it gives the same networks to the bit.
     #[must_use]
     pub fn write(&self) -> String {
-        to_json(&self.file(), Layout::FieldALine(""))
+        to_json(&self.file(), JsonLayout::FieldALine(""))
     }
 
     /// The same in one line: the value of the setting.
     fn write_line(&self) -> String {
-        to_json(&self.file(), Layout::Line)
+        to_json(&self.file(), JsonLayout::Line)
     }
 
     fn file(&self) -> StoredFile {

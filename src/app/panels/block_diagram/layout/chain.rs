@@ -3,7 +3,7 @@
 
 use egui::{Rect, Vec2, pos2, vec2};
 
-use super::{Layout, Style, at};
+use super::{DiagramLayout, Style, at};
 use crate::app::panels::equation_cards::Block;
 use crate::run::diagram::wires as w;
 
@@ -21,7 +21,7 @@ const FEEDBACK_GAP: f32 = 48.0;
 const BETWEEN: f32 = 14.0;
 const LINE: f32 = 18.0;
 
-pub(super) fn arrange(available: Vec2) -> Layout {
+pub(super) fn arrange(available: Vec2) -> DiagramLayout {
     let width = available.x.max(LEAST_WIDTH);
     let scale = (width / 390.0).clamp(1.0, 1.3);
     let s = |x: f32| x * scale;
@@ -50,7 +50,7 @@ pub(super) fn arrange(available: Vec2) -> Layout {
     let (surface, dynamic) = halves(first);
     let (surface_dynamic, sensor) = halves(second);
 
-    let mut out = Layout::new(vec2(width, y), scale);
+    let mut out = DiagramLayout::new(vec2(width, y), scale);
     out.boxes(|block| match block {
         Block::Reference => reference,
         Block::Controller => controller,

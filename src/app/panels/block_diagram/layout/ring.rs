@@ -12,7 +12,7 @@
 
 use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
-use super::{Layout, Style, at};
+use super::{DiagramLayout, Style, at};
 use crate::app::panels::equation_cards::Block;
 use crate::run::diagram::wires as w;
 
@@ -45,7 +45,7 @@ impl Grid {
     }
 }
 
-pub(super) fn arrange(available: Vec2) -> Layout {
+pub(super) fn arrange(available: Vec2) -> DiagramLayout {
     let size = available.max(LEAST);
     let scale = (size.x / 900.0).min(size.y / LEAST.y).clamp(1.0, 1.8);
     let s = |x: f32| x * scale;
@@ -56,7 +56,7 @@ pub(super) fn arrange(available: Vec2) -> Layout {
         block: vec2(0.148 * inner, (size.y - s(2.0 * STRIP + 2.0 * ROW_GAP)) / 3.0),
         gap: vec2(0.408 / 3.0 * inner, s(ROW_GAP)),
     };
-    let mut out = Layout::new(size, scale);
+    let mut out = DiagramLayout::new(size, scale);
 
     let place = |block: Block| {
         let (column, row) = match block {
