@@ -95,7 +95,7 @@ pub fn screen_key(place: usize) -> Option<Key> {
     DIGITS.get(place).copied()
 }
 
-/// The line of the sheet that tells how the screens are shown, where there are `count` of them.
+/// The line of the sheet that says how the screens are shown, where there are `count` of them.
 fn screens_line(ctx: &Context, count: usize) -> Option<(String, &'static str)> {
     let name = |key| ctx.format_shortcut(&KeyboardShortcut::new(Modifiers::COMMAND, key));
     let last = *DIGITS.get(..count).unwrap_or(&DIGITS).last()?;
@@ -133,7 +133,7 @@ pub fn read(ctx: &Context, screens: &[&'static str], commands: &mut Vec<Command>
     });
 }
 
-/// The sheet that lists all keys, where there are so many screens.
+/// The sheet that lists all keys, for this number of screens.
 pub fn sheet(ctx: &Context, screens: usize, open: &mut bool) {
     egui::Window::new("Keyboard")
         .open(open)

@@ -269,7 +269,7 @@ fn swipe(screen: &mut Screen, from: Pos2, to: Pos2) {
         modifiers: Modifiers::NONE,
     };
     use egui::TouchPhase as Phase;
-    // The first touch only tells that there is a finger.
+    // The first touch only shows that there is a finger.
     send(Phase::Start, from, Event::PointerGone);
     send(Phase::End, from, Event::PointerGone);
     send(Phase::Start, from, button(from, true));

@@ -64,7 +64,7 @@ pub const COMBINED_2005: &[Erratum] = errata! { "2005":
     6, "Experiment 1: \"a time saving of 40 % with one cut\"",
         "with an override of at most 150 % no more than 33.3 % is possible, and 27 % more removal \
          rate is 21 % of time",
-        "the gain in removal rate is judged; the time is told";
+        "the gain in removal rate is judged; the time is reported";
     7, "Table 1: times of 88 to 115 s",
         "0.08 mm, two teeth and 1591.5 1/min are 254.65 mm/min, so 115 s are a path of 488 mm and \
          76.7 s the least at 150 %",

@@ -50,7 +50,7 @@ crate::settings! {
 }
 
 /// Mean number of engaged teeth of the papers' cut as the model was calibrated: two teeth, 51.3 degrees
-/// each at 3 mm of 16 mm. Other cuts engage as many more as their window is longer.
+/// each at 3 mm of 16 mm. Other cuts engage more in proportion to their window.
 pub const ENGAGED: f64 = 0.285;
 /// Radial depth of that cut, mm.
 const ENGAGED_RADIAL_MM: f64 = 3.0;

@@ -31,7 +31,7 @@ fn links_of_0_4_0_open_to_the_same_scenario() {
             presets += 1;
             let now = load(name).unwrap();
             let moved = scenario.difference(&now).into_iter().map(|(param, _)| param.path.as_str());
-            // What is told of a preset may be told better.
+            // The description of a preset may be improved.
             let moved: Vec<&str> = moved.filter(|path| *path != "description").collect();
             assert!(moved.is_empty(), "{name}: {moved:?}");
             assert_eq!(edits, Edits::none());
@@ -50,7 +50,7 @@ fn edits_and_every_setting_of_a_link_of_0_4_0_are_read() {
     assert_eq!(scenario.get("controller.kind").unwrap(), Value::Text("tracking".to_owned()));
     let everything = of("everything");
     let (scenario, _) = parse(everything).unwrap();
-    // As many settings as the link names, but for those that came with a choice.
+    // The settings that the link names, without those that came with a choice.
     let moved = scenario.difference(&Scenario::default()).len();
     assert!(moved + 4 >= everything.split('&').count(), "{moved}");
     assert!(moved > 140, "{moved}");

@@ -103,7 +103,7 @@ pub fn verdicts(rows: &[BeyondRow]) -> Vec<Table1Verdict> {
         let of = rows.iter().skip(condition * each).take(each);
         of.clone().find(|row| row.found.name == name).map_or(f64::NAN, |r| r.found.mean(measure))
     };
-    let told = |measure: Measure| match measure.unit() {
+    let with_unit = |measure: Measure| match measure.unit() {
         "" => measure.label().to_owned(),
         unit => format!("{} in {unit}", measure.label()),
     };
@@ -112,7 +112,10 @@ pub fn verdicts(rows: &[BeyondRow]) -> Vec<Table1Verdict> {
         .map(|(measure, wanted)| {
             let found = mean("UNKS", 2, *measure);
             Table1Verdict {
-                band: format!("UNKS with a feed for every cut: {} near {wanted}", told(*measure)),
+                band: format!(
+                    "UNKS with a feed for every cut: {} near {wanted}",
+                    with_unit(*measure)
+                ),
                 found: format!("{found:.3}"),
                 ok: found <= NEAR * wanted,
             }
@@ -123,7 +126,7 @@ pub fn verdicts(rows: &[BeyondRow]) -> Vec<Table1Verdict> {
             let [unks, own] = ["UNKS", "Preview"].map(|name| mean(name, condition, measure));
             let label = CONDITIONS[condition].label();
             all.push(Table1Verdict {
-                band: format!("{label}: Preview's {} below that of UNKS", told(measure)),
+                band: format!("{label}: Preview's {} below that of UNKS", with_unit(measure)),
                 found: format!("{own:.4} against {unks:.4}"),
                 ok: own < unks,
             });

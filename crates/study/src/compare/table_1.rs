@@ -56,7 +56,7 @@ pub const NOT_REACHED: &[&str] = &[
     "MRAC 0.90, UNKS 0.91 and PI 1.00 kN: reached on a smooth plant only; tooth by tooth, run-out \
      and inhomogeneity put their peaks on top of what is held",
     "the time of an optimisation step: what was timed, and what its iterations are, is not said; \
-     told here are the cost of an update and the control periods after a load step",
+     reported here are the cost of an update and the control periods after a load step",
     "MRAC's response 8 % longer, constant roughness, the learning curves: the paper has no data",
 ];
 
@@ -165,7 +165,7 @@ pub fn verdicts(table: &[Compared]) -> Vec<Table1Verdict> {
     let against = |row: usize, measure: Measure, percent: f64| {
         let wanted = printed[row].get(measure).unwrap_or(f64::NAN);
         let name = &methods[row].name;
-        let band = format!("{name}: {} within {percent} % of {wanted}", told(measure));
+        let band = format!("{name}: {} within {percent} % of {wanted}", with_unit(measure));
         let off = percent_from_ratio(methods[row].mean(measure) / wanted - 1.0);
         let mut found = format!("{:.3}, {off:+.1} %", methods[row].mean(measure));
         // A mean over the finished runs alone would not be that of the method.
@@ -192,14 +192,14 @@ pub fn verdicts(table: &[Compared]) -> Vec<Table1Verdict> {
     ));
     all.extend(UNKS_AT_MOST.map(|(measure, most)| {
         let found = methods[UNKS].mean(measure);
-        let band = format!("UNKS: {} at most {most}", told(measure));
+        let band = format!("UNKS: {} at most {most}", with_unit(measure));
         Table1Verdict::new(band, format!("{found:.3}"), found, found <= most)
     }));
     all
 }
 
 /// A measure's name with its unit.
-fn told(measure: Measure) -> String {
+fn with_unit(measure: Measure) -> String {
     let unit = if measure.unit().is_empty() { "" } else { " in " };
     format!("{}{unit}{}", measure.label(), measure.unit())
 }

@@ -126,7 +126,7 @@ fn words(cold: bool) -> &'static [&'static str] {
     } else {
         &[
             "NM-2 is the inverse model: it asks for the override that gives the wanted force. NM-1 is \
-             the forward model: it foretells the force of an override, and an internal loop corrects \
+             the forward model: it predicts the force of an override, and an internal loop corrects \
              the override with it before it is sent.",
             "Both were trained before and go on learning in the cut: NM-1 from what the force came \
              to, NM-2 from what the loops have added to it.",

@@ -66,7 +66,7 @@ impl<'a> DrawnNet<'a> {
         let (title, role, inputs, output) = match (i, cold) {
             (0, false) => {
                 let inputs = ["ln F", "ln F/F1", "ln F/F2", "ln u/a"];
-                ("NM-1", "foretells the force", inputs, "change of ln F")
+                ("NM-1", "predicts the force", inputs, "change of ln F")
             }
             (0, true) => {
                 let inputs = ["ln F", "ln F/F1", "ln F/F2", "ln u/a"];

@@ -59,7 +59,7 @@ impl SoundControl {
     pub fn show(&mut self, ui: &mut Ui, playing: bool) {
         let palette = Palette::at(ui);
         let help = "The sound of the cut as the model gives it: passing teeth and random force at \
-                    this speed, louder with wear. It is heard while the cut plays.";
+                    this speed, louder with wear. It sounds while the cut plays.";
         let sign = if self.on { Icon::Sound } else { Icon::Silence };
         let response = icon::button(ui, sign, "Sound of the cut", help, true);
         response.widget_info(|| {
