@@ -1,4 +1,8 @@
 //! One run: a pure function of a scenario (with its seed) and its edits.
+//!
+//! A [`scenario`] goes in, from a file, a link or [`presets`], with [`edits`] for what changes on the way;
+//! [`one_run`] advances the [`closed_loop`] and keeps a [`recording`], from which [`metrics`] and the
+//! [`digest`] come.
 
 pub mod closed_loop;
 pub mod diagram;

@@ -1,4 +1,5 @@
-//! The CNC: overrides, the dead time of its PLC, feed drive and spindle drive.
+//! The CNC: overrides ([`feed_override`]), the dead time of its PLC ([`dead_time`]), feed drive and spindle
+//! drive.
 
 pub mod dead_time;
 pub mod feed_drive;

@@ -1,4 +1,8 @@
-//! Cutting: workpiece, material and the force of the cut.
+//! Cutting, the plant: the true force of the cut, as opposed to what a controller believes.
+//!
+//! [`process`] computes the force in the way that [`force_model`] chooses; [`tool_path`] and [`workpiece`]
+//! give the depth at the tool, [`material`] and [`wear`] factors on the force, [`disturbance`] its dynamic
+//! component.
 
 pub mod contact;
 pub mod disturbance;
