@@ -5,22 +5,17 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::Outcome;
 use super::args::CombineArgs;
 use super::plan::read_machine;
 use super::recommend::{print as print_recommended, read_table};
 use super::run::{apply, end_text, load};
-use super::train::bar;
+use super::{Outcome, out_file, progress};
 use crate::run::edits::Edits;
-use crate::run::one_run::Run;
 use crate::run::scenario_file;
 use crate::study::combined::{Adjusted, Combined, Planned, Recommended, STEPS};
 use crate::study::plan::optimum::Optimum;
 use crate::study::plan::remarks::remarks;
 use crate::study::recommend::{Advisor, EngagementCode, NOTE};
-
-/// Ticks between updates of the progress bar.
-const SLICE: u64 = 100_000;
 
 pub fn execute(args: &CombineArgs) -> Outcome {
     let (mut scenario, _) = load(&args.scenario)?;
@@ -28,11 +23,7 @@ pub fn execute(args: &CombineArgs) -> Outcome {
     let (table, source) = read_table(args.table.as_deref())?;
     let machine = read_machine(args.machine.as_deref())?;
     let mut combined = Combined::new(&scenario, &Advisor::new(&table), &machine, args.section)?;
-    let progress = bar(combined.run().map_or(0, Run::last_tick), "ticks");
-    while !combined.advance(SLICE) {
-        progress.inc(SLICE);
-    }
-    progress.finish_and_clear();
+    progress::work(&mut combined, "combined system", args.json)?;
     let mut out = std::io::stdout().lock();
     if args.json {
         writeln!(out, "{}", serde_json::to_string_pretty(&to_json(&combined, &source))?)?;
@@ -44,7 +35,7 @@ pub fn execute(args: &CombineArgs) -> Outcome {
             return Err(format!("{}: not written: the plan is not feasible", path.display()).into());
         }
         let text = scenario_file::write(combined.scenario(), &Edits::none());
-        std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))?;
+        out_file::write(path, &text)?;
         if !args.json {
             writeln!(out, "scenario with these programmed values written to {}", path.display())?;
         }

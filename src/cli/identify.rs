@@ -5,8 +5,8 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::Outcome;
 use super::args::{IdentifyArgs, IdentifyTarget};
+use super::{Outcome, out_file};
 use crate::study::identify::{Identified, identify, identify_milling, model_file};
 use crate::study::published::{PaperId, parse_table};
 
@@ -45,7 +45,7 @@ pub fn execute(args: &IdentifyArgs) -> Outcome {
     }
     match &args.out {
         Some(path) => {
-            std::fs::write(path, &file).map_err(|error| format!("{}: {error}", path.display()))?;
+            out_file::write(path, &file)?;
             if !args.json {
                 writeln!(out, "model file written to {}", path.display())?;
             }

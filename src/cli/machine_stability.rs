@@ -5,10 +5,9 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::Outcome;
 use super::machine::{deliver, name, scenario};
 use super::machine_args::StabilityArgs;
-use super::train::bar;
+use super::{Outcome, progress};
 use crate::study::stability::chart::{BAND_PERCENT, ChartJob, DT_S, LobePoint, Range};
 
 /// Greatest depth that is looked at, in depths that are stable at every speed.
@@ -30,14 +29,11 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
     };
     range.highest_mm = HIGHEST * ChartJob::new(&scenario, range)?.any_speed_mm();
     let mut job = ChartJob::new(&scenario, range)?;
-    let progress = bar(u64::from(job.steps()), "curves");
-    while !job.advance() {
-        progress.inc(1);
-    }
-    progress.finish_and_clear();
-    let worst = [0, 1].map(|which| worst(job.points(), which));
+    progress::work(&mut job, "stability", args.model.json)?;
+    let points = job.points();
+    let worst = [0, 1].map(|which| worst(&points, which));
     let agreed = worst.iter().all(|(speeds, _)| *speeds >= CHECKED_SPEEDS)
-        && job.points().iter().all(LobePoint::agrees);
+        && points.iter().all(LobePoint::agrees);
     let cut = job.cut();
     let mut text = String::new();
     if args.model.json {
@@ -52,7 +48,7 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
             "stiffness_per_mm": cut.stiffness_per_mm,
             "any_speed_mm": job.any_speed_mm(),
             "highest_mm": range.highest_mm,
-            "points": job.points(),
+            "points": points,
         });
         if args.check {
             let verdict = |(speeds, percent): (usize, f64)| json!({"speeds": speeds, "worst_percent": percent});
@@ -80,17 +76,17 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
         } else {
             writeln!(text, "no chatter: the chip does not feel the displacement\n")?;
         }
-        print(&mut text, args.check, job.points())?;
+        print(&mut text, args.check, &points)?;
         if args.check {
             for (label, (speeds, percent)) in ["mean", "interrupted"].iter().zip(worst) {
                 writeln!(
                     text,
                     "{label}: simulation (steps of {DT_S} s) off its chart by at most {percent:+.2} % at \
                      {speeds} of {} speeds",
-                    job.points().len()
+                    points.len()
                 )?;
             }
-            for point in job.points().iter().filter(|point| point.interrupted_beside_mm.is_some()) {
+            for point in points.iter().filter(|point| point.interrupted_beside_mm.is_some()) {
                 writeln!(
                     text,
                     "at {} 1/min the limit jumps: {} mm half a percent beside this speed, as simulated",

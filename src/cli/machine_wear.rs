@@ -7,10 +7,9 @@ use std::process::ExitCode;
 use serde::Serialize;
 use serde_json::json;
 
-use super::Outcome;
 use super::machine::{deliver, name, scenario};
 use super::machine_args::{LifeArgs, MachineModel};
-use super::train::bar;
+use super::{Outcome, progress};
 use crate::models::machine_trend::TrendPoint;
 use crate::models::tool_life::Growth;
 use crate::run::scenario::Scenario;
@@ -22,8 +21,6 @@ use crate::study::machine_life::monte_carlo::{
 use crate::study::machine_life::surface::surface;
 use crate::study::machine_life::{CLAIMS, LifeFindings, LifeJob};
 
-/// Points of time between two reports of progress.
-const SLICE: usize = 200;
 /// Fractions of the life at which the trends are printed.
 const PRINTED: [f64; 10] = [0.0, 0.02, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 1.0];
 /// Fractions of the life at which a profile is measured.
@@ -53,11 +50,7 @@ fn r(correlation: Option<f64>) -> String {
 pub fn wear(args: &MachineModel) -> Outcome {
     let scenario = scenario(args)?;
     let mut job = LifeJob::of(&scenario);
-    let progress = bar(job.progress().1 as u64, "points of time");
-    while !job.advance(SLICE) {
-        progress.set_position(job.progress().0 as u64);
-    }
-    progress.finish_and_clear();
+    progress::work(&mut job, "tool life", args.json)?;
     let findings = job.findings().ok_or("the life is not over")?;
     let measured = measure(
         job.points(),
@@ -134,11 +127,10 @@ struct Group {
     reference_life_error_percent: Option<[f64; SHARES.len()]>,
 }
 
-fn groups(scenario: &Scenario, count: u32) -> Vec<Group> {
+fn groups(scenario: &Scenario, count: u32, quiet: bool) -> Result<Vec<Group>, progress::NotDone> {
     let model = crate::study::machine_life::model(scenario);
     let calibrated = Growth::calibrated(&model);
     let linear = Growth::linear(calibrated.lambda());
-    let progress = bar(4 * u64::from(count), "tools");
     let group = |tools, believed: &Growth, truth: &Growth, other_shapes, reference| {
         let setup = Tools {
             wear: model.wear.clone(),
@@ -150,37 +142,38 @@ fn groups(scenario: &Scenario, count: u32) -> Vec<Group> {
             seed: u64::from(scenario.run.seed),
         };
         let mut study = LifeMonteCarlo::new(setup, count as usize);
-        while !study.advance() {
-            progress.inc(1);
-        }
-        Group {
+        progress::work(&mut study, tools, quiet)?;
+        Ok(Group {
             tools,
             prior_error_percent: study.prior_error_percent(),
             predictions: study.table(),
             reference_life_error_percent: reference,
-        }
+        })
     };
     let [right, other] = REFERENCE_PERCENT;
-    let groups = vec![
-        group("sound in proportion to wear", &linear, &linear, false, Some(right)),
-        group("the same, every tool of its own shape", &linear, &linear, true, Some(other)),
-        group("sound of the machine, known", &calibrated, &calibrated, false, None),
-        group("sound of the machine, believed in proportion", &linear, &calibrated, false, None),
-    ];
-    progress.finish_and_clear();
-    groups
+    Ok(vec![
+        group("sound in proportion to wear", &linear, &linear, false, Some(right))?,
+        group("the same, every tool of its own shape", &linear, &linear, true, Some(other))?,
+        group("sound of the machine, known", &calibrated, &calibrated, false, None)?,
+        group("sound of the machine, believed in proportion", &linear, &calibrated, false, None)?,
+    ])
 }
 
-fn lived(scenario: &Scenario, adjusts: bool) -> AdaptiveLife {
+fn lived(
+    scenario: &Scenario,
+    adjusts: bool,
+    quiet: bool,
+) -> Result<AdaptiveLife, progress::NotDone> {
     let mut life = AdaptiveLife::new(scenario, adjusts);
-    while !life.advance(SLICE) {}
-    life
+    progress::work(&mut life, if adjusts { "adjusted speed" } else { "constant speed" }, quiet)?;
+    Ok(life)
 }
 
 pub fn life(args: &LifeArgs) -> Outcome {
     let scenario = scenario(&args.model)?;
-    let groups = groups(&scenario, args.tools);
-    let [fixed, adjusted] = [false, true].map(|adjusts| lived(&scenario, adjusts));
+    let quiet = args.model.json;
+    let groups = groups(&scenario, args.tools, quiet)?;
+    let (fixed, adjusted) = (lived(&scenario, false, quiet)?, lived(&scenario, true, quiet)?);
     let wanted_min = scenario.life.tool_life_min;
     let mut text = String::new();
     if args.model.json {

@@ -10,11 +10,13 @@ mod machine;
 mod machine_args;
 mod machine_stability;
 mod machine_wear;
+mod out_file;
 mod papers;
 mod papers_2005;
 mod papers_2019;
 mod plan;
 mod profile;
+mod progress;
 mod recommend;
 mod robust;
 mod run;
@@ -54,7 +56,9 @@ pub fn execute(command: &CliCommand) -> ExitCode {
         Err(error) if is_broken_pipe(error.as_ref()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
-            ExitCode::from(2)
+            let interrupted =
+                matches!(error.downcast_ref(), Some(progress::NotDone::Interrupted { .. }));
+            ExitCode::from(if interrupted { progress::INTERRUPTED } else { 2 })
         }
     }
 }

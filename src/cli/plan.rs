@@ -6,9 +6,9 @@ use std::process::ExitCode;
 
 use serde::Serialize;
 
-use super::Outcome;
 use super::args::PlanArgs;
 use super::run::{apply, load};
+use super::{Outcome, out_file, progress};
 use crate::run::scenario_file;
 use crate::study::plan::PlanJob;
 use crate::study::plan::constraints::{Checked, ORIGIN};
@@ -47,7 +47,7 @@ pub fn execute(args: &PlanArgs) -> Outcome {
         return super::schedule::execute(args, &scenario, &edits, &machine, sized_by);
     }
     let mut job = PlanJob::on(&scenario, &machine)?;
-    job.advance(u32::MAX);
+    progress::work(&mut job, "plan", args.json)?;
     let optimum = job.optimum();
     let grid = exhaustive(job.problem(), GRID, GRID);
     let report = Report {
@@ -55,8 +55,8 @@ pub fn execute(args: &PlanArgs) -> Outcome {
         machine: &machine,
         verdict: optimum.verdict(),
         optimum: &optimum,
-        iterations: job.progress().iteration,
-        evaluations: job.progress().evaluations,
+        iterations: job.counts().iteration,
+        evaluations: job.counts().evaluations,
         history: job.history(),
         grid: &Optimum::at(job.problem(), grid.point),
         grid_evaluations: grid.evaluations,
@@ -74,7 +74,7 @@ pub fn execute(args: &PlanArgs) -> Outcome {
             return Err(format!("{}: not written: {}", path.display(), report.verdict).into());
         }
         let text = scenario_file::write(&optimum.apply(&scenario)?, &edits);
-        std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))?;
+        out_file::write(path, &text)?;
         if !args.json {
             writeln!(out, "scenario with these programmed values written to {}", path.display())?;
         }

@@ -5,8 +5,7 @@ use std::process::ExitCode;
 
 use serde::Serialize;
 
-use super::Outcome;
-use super::run::complete;
+use super::{Outcome, progress};
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
@@ -39,7 +38,7 @@ pub fn execute(
     json: bool,
 ) -> Outcome {
     let mut run = Run::new(scenario, edits);
-    complete(&mut run);
+    progress::work(&mut run, "run", json)?;
     let mut marks = MarkedPart::new(scenario);
     marks.extend(run.recording().rows());
     let number = cut.unwrap_or(marks.cut() + 1);

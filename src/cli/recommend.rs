@@ -6,8 +6,8 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::Outcome;
 use super::args::{RecommendArgs, RecommendTableArgs, RecommendWhat};
+use super::{Outcome, out_file};
 use crate::models::tool::Tool;
 use crate::study::recommend::learned::{Answer, Learned};
 use crate::study::recommend::table::{NOTE as TABLE_NOTE, SHIPPED, Table, synthetic};
@@ -141,7 +141,7 @@ fn make_table(args: &RecommendTableArgs) -> Outcome {
     let same = text == SHIPPED;
     match &args.out {
         Some(path) => {
-            std::fs::write(path, &text).map_err(|error| format!("{}: {error}", path.display()))?;
+            out_file::write(path, &text)?;
             writeln!(out, "table written to {}", path.display())?;
         }
         None if args.check => {

@@ -3,17 +3,12 @@
 use std::io::Write;
 use std::process::ExitCode;
 
-use indicatif::ProgressBar;
 use serde_json::json;
 
-use super::Outcome;
 use super::args::RobustArgs;
 use super::run::{apply, load};
-use super::train::bar;
-use crate::base::settings::SettingError;
-use crate::run::edits::Edits;
-use crate::run::one_run::Run;
-use crate::study::robust::{self, DRAWN, LIMIT_KN, Percentiles, RobustFindings, Robustness};
+use super::{Outcome, progress};
+use crate::study::robust::{DRAWN, LIMIT_KN, Percentiles, RobustFindings, Robustness};
 
 /// Runs the command.
 pub fn execute(args: &RobustArgs) -> Outcome {
@@ -21,10 +16,7 @@ pub fn execute(args: &RobustArgs) -> Outcome {
     apply(&mut scenario, &args.set)?;
     let kind = args.controller.unwrap_or(scenario.controller.kind);
     let mut study = Robustness::new(&scenario, kind, args.runs, args.seed);
-    let progress = bar(study.runs() as u64, "runs");
-    let outcomes = all(&study, &progress)?;
-    study.take(outcomes);
-    progress.finish_and_clear();
+    progress::work(&mut study, "robustness", args.json)?;
     let findings = study.findings();
     let mut out = std::io::stdout().lock();
     if args.json {
@@ -51,35 +43,6 @@ pub fn execute(args: &RobustArgs) -> Outcome {
         print(&mut out, &findings)?;
     }
     Ok(if findings.passed { ExitCode::SUCCESS } else { ExitCode::from(1) })
-}
-
-/// All runs, spread over the machine's cores: runs are independent, so how they are spread changes
-/// nothing.
-#[expect(clippy::disallowed_methods, reason = "threads come from the front end")]
-fn all(
-    study: &Robustness,
-    progress: &ProgressBar,
-) -> Result<Vec<robust::RobustOutcome>, SettingError> {
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let share = |first: usize| -> Result<Vec<(usize, robust::RobustOutcome)>, SettingError> {
-        let mine = (first..study.runs()).step_by(threads);
-        mine.map(|index| {
-            let run = Run::complete(&study.scenario(index)?, &Edits::none());
-            progress.inc(1);
-            Ok((index, study.outcome(index, &run)))
-        })
-        .collect()
-    };
-    let mut found = std::thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|first| scope.spawn(move || share(first))).collect();
-        let mut found = Vec::with_capacity(study.runs());
-        for worker in workers {
-            found.extend(worker.join().expect("a run does not panic")?);
-        }
-        Ok(found)
-    })?;
-    found.sort_by_key(|(index, _)| *index);
-    Ok(found.into_iter().map(|(_, outcome)| outcome).collect())
 }
 
 fn print(out: &mut impl Write, findings: &RobustFindings) -> std::io::Result<()> {

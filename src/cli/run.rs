@@ -1,16 +1,14 @@
 //! `steadycut run`: one scenario, its metrics, its signals as CSV.
 
-use std::fs::File;
-use std::io::{BufWriter, IsTerminal, Write};
+use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
-use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 
 use super::args::RunArgs;
-use super::{Outcome, profile, unks};
+use super::out_file::OutFile;
+use super::{Outcome, profile, progress, unks};
 use crate::base::settings::SettingError;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::tool_path::ToolPath;
@@ -61,25 +59,6 @@ pub fn apply(scenario: &mut Scenario, sets: &[String]) -> Result<(), SettingErro
     scenario.set_all(&changes)
 }
 
-/// Ticks between updates of the progress bar.
-const SLICE: u64 = 100_000;
-
-pub fn complete(run: &mut Run) {
-    let bar = ProgressBar::new(run.last_tick());
-    if !std::io::stderr().is_terminal() {
-        bar.set_draw_target(indicatif::ProgressDrawTarget::hidden());
-    }
-    bar.set_style(
-        ProgressStyle::with_template("{bar:40} {percent}% {eta} left")
-            .expect("the template is constant"),
-    );
-    bar.enable_steady_tick(Duration::from_millis(200));
-    while !run.advance(SLICE) {
-        bar.set_position(run.ticks());
-    }
-    bar.finish_and_clear();
-}
-
 pub fn execute(args: &RunArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
     apply(&mut scenario, &args.set)?;
@@ -107,15 +86,11 @@ pub fn execute(args: &RunArgs) -> Outcome {
     }
     // The file is opened first: a path that cannot be written should not cost a run.
     let out = match &args.out {
-        Some(path) => {
-            let file =
-                File::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
-            Some((path, BufWriter::new(file)))
-        }
+        Some(path) => Some((path, OutFile::create(path)?)),
         None => None,
     };
     let mut run = Run::new(&scenario, &checked);
-    complete(&mut run);
+    progress::work(&mut run, "run", args.json)?;
 
     let metrics = run.metrics();
     let mut stdout = std::io::stdout().lock();
@@ -133,8 +108,8 @@ pub fn execute(args: &RunArgs) -> Outcome {
     }
     if let Some((path, mut file)) = out {
         csv::write(&mut file, run.recording())
-            .and_then(|()| file.flush())
             .map_err(|error| format!("{}: {error}", path.display()))?;
+        file.keep()?;
         if !args.json {
             writeln!(stdout, "signals written to {}", path.display())?;
         }

@@ -5,8 +5,8 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::Outcome;
 use super::args::PlanArgs;
+use super::{Outcome, out_file, progress};
 use crate::models::plan::PlannedSection;
 use crate::run::edits::Edits;
 use crate::run::scenario::Scenario;
@@ -23,7 +23,7 @@ pub fn execute(
     sized_by: PlannedSection,
 ) -> Outcome {
     let mut job = ScheduleJob::on(scenario, machine, sized_by)?;
-    while !job.advance()? {}
+    progress::work(&mut job, "plans of the cuts", args.json)?;
     let feasible = job.planned().iter().all(|cut| cut.optimum.feasible);
     let mut out = std::io::stdout().lock();
     if args.json {
@@ -62,7 +62,7 @@ pub fn execute(
             );
         }
         let text = scenario_file::write(&job.apply(scenario)?, edits);
-        std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))?;
+        out_file::write(path, &text)?;
         if !args.json {
             writeln!(out, "scenario with these feeds written to {}", path.display())?;
         }

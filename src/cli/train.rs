@@ -4,15 +4,14 @@
 use std::io::Write;
 use std::process::ExitCode;
 
-use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
-use super::Outcome;
 use super::args::{TrainArgs, TrainForceArgs, TrainWhat};
+use super::{Outcome, out_file, progress};
 use crate::models::neural_force::INPUTS;
 use crate::study::train::TrainingSession;
-use crate::study::train::comparison::{EPOCHS, LEVEL_PERCENT, Trial, recipes, trial};
-use crate::study::train::data::{FRESH_ROWS, Generator, NOTE, TrainingRow};
+use crate::study::train::comparison::{ComparisonJob, EPOCHS, LEVEL_PERCENT, Trial, recipes};
+use crate::study::train::data::{FRESH_ROWS, NOTE, RowsJob, TrainingRow};
 use crate::study::train::errors::TrainingErrors;
 use crate::study::train::findings::{TrainingFindings, findings};
 use crate::study::train::recipe::{LN_INPUTS, RecipeKind, TrainingRecipe};
@@ -28,28 +27,18 @@ pub fn execute(args: &TrainArgs) -> Outcome {
     }
 }
 
-/// A progress bar on stderr; invisible where stderr is no terminal.
-pub(super) fn bar(length: u64, what: &'static str) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg:<20} {wide_bar} {pos}/{len} {eta}");
-    let bar = ProgressBar::new(length).with_message(what);
-    style.map_or(bar.clone(), |style| bar.with_style(style))
+fn rows(mut job: RowsJob, what: &str, quiet: bool) -> Result<Vec<TrainingRow>, progress::NotDone> {
+    progress::work(&mut job, what, quiet)?;
+    Ok(job.rows().to_vec())
 }
 
-fn rows(generator: Generator, what: &'static str) -> Vec<TrainingRow> {
-    let bar = bar(generator.len() as u64, what);
-    let rows = bar.wrap_iter(generator).collect();
-    bar.finish_and_clear();
-    rows
-}
-
-fn trained(recipe: &TrainingRecipe, measured: &[TrainingRow]) -> Result<TrainingSession, String> {
+fn trained(
+    recipe: &TrainingRecipe,
+    measured: &[TrainingRow],
+    quiet: bool,
+) -> Result<TrainingSession, Box<dyn std::error::Error>> {
     let mut session = TrainingSession::new(recipe, measured)?;
-    let bar = bar(recipe.epochs.into(), "epochs");
-    for _ in 0..recipe.epochs {
-        session.epoch();
-        bar.inc(1);
-    }
-    bar.finish_and_clear();
+    progress::work(&mut session, "training", quiet)?;
     Ok(session)
 }
 
@@ -74,13 +63,12 @@ fn recipe_of(args: &TrainForceArgs) -> TrainingRecipe {
 
 fn train_force(args: &TrainForceArgs) -> Outcome {
     let recipe = recipe_of(args);
-    let measured = rows(Generator::measured(recipe.rows, recipe.seed), "rows");
-    let session = trained(&recipe, &measured)?;
-    let fresh = rows(Generator::fresh(FRESH_ROWS, recipe.seed), "fresh rows");
+    let measured = rows(RowsJob::measured(recipe.rows, recipe.seed), "rows", args.json)?;
+    let session = trained(&recipe, &measured, args.json)?;
+    let fresh = rows(RowsJob::fresh(FRESH_ROWS, recipe.seed), "fresh rows", args.json)?;
     let report = report(&session, &measured, &fresh)?;
     if let Some(path) = &args.out {
-        std::fs::write(path, &report.file)
-            .map_err(|error| format!("{}: {error}", path.display()))?;
+        out_file::write(path, &report.file)?;
     }
     let shipped = args.recipe.shipped().map(|kind| kind.file() == report.file);
     let mut out = std::io::stdout().lock();
@@ -167,9 +155,9 @@ fn check(json: bool) -> Outcome {
         let key = (recipe.rows, recipe.seed);
         let data = match measured.take() {
             Some((made, data)) if made == key => data,
-            _ => rows(Generator::measured(recipe.rows, recipe.seed), "rows"),
+            _ => rows(RowsJob::measured(recipe.rows, recipe.seed), "rows", json)?,
         };
-        let same = trained(&recipe, &data)?.file() == shipped.file();
+        let same = trained(&recipe, &data, json)?.file() == shipped.file();
         results.insert(kind.id().to_owned(), same.into());
         if !json {
             let word = if same { "equals" } else { "DIFFERS FROM" };
@@ -187,15 +175,11 @@ fn check(json: bool) -> Outcome {
 fn study(json: bool) -> Outcome {
     let recipes = recipes();
     let first = &recipes[0];
-    let measured = rows(Generator::measured(first.rows, first.seed), "rows");
-    let bar = bar(recipes.len() as u64, "networks");
-    let mut trials = Vec::new();
-    for recipe in &recipes {
-        trials.push(trial(recipe, &measured)?);
-        bar.inc(1);
-    }
-    bar.finish_and_clear();
-    let findings = findings(&trials).ok_or("the comparison has no networks")?;
+    let measured = rows(RowsJob::measured(first.rows, first.seed), "rows", json)?;
+    let mut comparison = ComparisonJob::new(recipes, &measured);
+    progress::work(&mut comparison, "networks", json)?;
+    let trials = comparison.trials();
+    let findings = findings(trials).ok_or("the comparison has no networks")?;
     let mut out = std::io::stdout().lock();
     if json {
         let object = json!({
@@ -204,7 +188,7 @@ fn study(json: bool) -> Outcome {
         });
         writeln!(out, "{}", serde_json::to_string_pretty(&object)?)?;
     } else {
-        print_study(&mut out, &trials, &findings)?;
+        print_study(&mut out, trials, &findings)?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -5,22 +5,20 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::Outcome;
 use super::args::TrainUnksArgs;
-use super::train::bar;
+use super::{Outcome, out_file, progress};
 use crate::models::unks::FILES;
-use crate::study::train::unks::{
-    CUTS, NOTE, SEED, Trained, WORKPIECES, networks, process_patterns,
-};
+use crate::study::train::unks::{CUTS, NOTE, NetworksJob, PatternsJob, SEED, Trained, WORKPIECES};
 
 /// Names of the shipped files, in their order.
 const NAMES: [&str; 3] = ["unks_nmr.json", "unks_nm1.json", "unks_nm2.json"];
 
 pub fn execute(args: &TrainUnksArgs) -> Outcome {
-    let progress = bar(WORKPIECES * CUTS, "cuts");
-    let patterns = process_patterns(|| progress.inc(1));
-    progress.finish_and_clear();
-    let trained = networks(&patterns)?;
+    let mut patterns = PatternsJob::default();
+    progress::work(&mut patterns, "patterns", args.json)?;
+    let mut training = NetworksJob::new(patterns.patterns());
+    progress::work(&mut training, "networks", args.json)?;
+    let trained = training.trained();
     let same = |i: usize| trained[i].file == FILES[i];
     let mut out = std::io::stdout().lock();
     if args.json {
@@ -42,10 +40,9 @@ pub fn execute(args: &TrainUnksArgs) -> Outcome {
         }
     }
     if let Some(folder) = &args.out {
-        for (name, network) in NAMES.iter().zip(&trained) {
+        for (name, network) in NAMES.iter().zip(trained) {
             let path = folder.join(name);
-            let written = std::fs::write(&path, &network.file);
-            written.map_err(|error| format!("{}: {error}", path.display()))?;
+            out_file::write(&path, &network.file)?;
         }
     }
     let failed = args.check && !(0..3).all(same);

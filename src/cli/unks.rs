@@ -6,10 +6,9 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::Outcome;
 use super::args::UnksArgs;
 use super::run::{apply, load};
-use super::train::bar;
+use super::{Outcome, out_file, progress};
 use crate::base::settings::Value;
 use crate::base::units::percent_from_ratio;
 use crate::models::unks::{Stored, UnksStart};
@@ -18,10 +17,6 @@ use crate::study::unks_passes::{
     BETTER, Pass, Passes, PassesVerdict, REFERENCE, beginning_anew, beginning_with,
 };
 
-/// Control periods between updates of the progress bar.
-const SLICE: u64 = 500;
-/// Steps of the progress bar.
-const STEPS: f64 = 1000.0;
 /// What the gain over the passes depends on, measured on Experiment 2 with seed 1.
 const FIRST_WEIGHTS: &str = "how much better depends on the random first weights, of which the first \
                              draw is shipped: draws 1 to 6 give 12 to 18 %, those that learn less \
@@ -72,11 +67,7 @@ fn prepare(args: &UnksArgs) -> Result<Scenario, Box<dyn std::error::Error>> {
 pub fn execute(args: &UnksArgs) -> Outcome {
     let scenario = prepare(args)?;
     let mut passes = Passes::new(&scenario, args.passes);
-    let progress = bar(STEPS as u64, "passes");
-    while !passes.advance(SLICE) {
-        progress.set_position((STEPS * passes.progress()) as u64);
-    }
-    progress.finish_and_clear();
+    progress::work(&mut passes, "UNKS", args.json)?;
     let start = scenario.controller.unks.start;
     let mut out = std::io::stdout().lock();
     if args.json {
@@ -113,8 +104,7 @@ pub fn execute(args: &UnksArgs) -> Outcome {
         }
     }
     if let (Some(path), Some(learned)) = (&args.save, passes.learned()) {
-        let written = std::fs::write(path, learned.write());
-        written.map_err(|error| format!("{}: {error}", path.display()))?;
+        out_file::write(path, &learned.write())?;
         if !args.json {
             writeln!(out, "networks written to {}", path.display())?;
         }

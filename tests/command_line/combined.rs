@@ -6,6 +6,7 @@ use steadycut::base::settings::Value;
 use steadycut::blocks::control::ControllerKind;
 use steadycut::models::plan::PlannedSection;
 use steadycut::run::edits::Edits;
+use steadycut::run::job::Job;
 use steadycut::run::one_run::Run;
 use steadycut::run::presets::load;
 use steadycut::run::scenario::Scenario;
@@ -32,7 +33,7 @@ fn the_preset_holds_exactly_what_the_steps_give() {
 
     // A second of the cut: the scheme sees forces and moves the override, step by step.
     assert_eq!(given.adjusted(), None, "the tool is in the air");
-    assert!(!given.advance(576 * 150));
+    assert!(!given.advance_by(576 * 150));
     let adjusted = given.adjusted().unwrap();
     assert!(adjusted.periods > 50 && adjusted.periods <= 150, "{adjusted:?}");
     let [low, mean, high] = adjusted.override_percent;
@@ -71,7 +72,7 @@ fn a_plan_without_an_answer_cuts_nothing_and_a_part_without_depth_is_refused() {
     scenario.set("target.force_n", Value::Float(20.0)).unwrap();
     let mut given = combined(&scenario, PlannedSection::Heaviest);
     assert!(!given.planned().optimum.feasible);
-    assert!(given.advance(1) && given.run().is_none() && given.adjusted().is_none());
+    assert!(given.advance_by(1) && given.run().is_none() && given.adjusted().is_none());
     assert_eq!(given.scenario().program, scenario.program);
 
     let mut air = load("first-cut").unwrap();

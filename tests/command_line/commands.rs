@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::process::{Command, Output};
 
 use steadycut::run::edits::Edits;
+use steadycut::run::job::Job;
 use steadycut::run::one_run::Run;
 use steadycut::run::presets::load;
 
@@ -327,7 +328,7 @@ fn the_study_of_robustness_gives_the_same_on_any_number_of_threads() {
     scenario.change(|s| s.workpiece.cuts = vec![vec![[6.0, 3.0, 2.0]]]).unwrap();
     let kind = steadycut::blocks::control::ControllerKind::Preview;
     let mut study = steadycut::study::robust::Robustness::new(&scenario, kind, 3, 5);
-    while !study.advance(u64::MAX).unwrap() {}
+    study.to_end();
     assert_eq!(report["outcomes"], serde_json::to_value(study.outcomes()).unwrap());
     assert!(refused(&["robust", "--controller", "best"]).contains("preview"));
 }

@@ -5,6 +5,7 @@ mod combined;
 mod commands;
 mod contributing;
 mod documents;
+mod jobs;
 mod planning;
 mod profilometer;
 mod recommending;

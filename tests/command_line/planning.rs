@@ -4,6 +4,7 @@ use std::process::Command;
 
 use steadycut::base::settings::{Kind, Value};
 use steadycut::run::edits::Edits;
+use steadycut::run::job::Job;
 use steadycut::run::one_run::Run;
 use steadycut::run::presets::load;
 use steadycut::run::scenario::{Scenario, parse_value, table};
@@ -36,7 +37,7 @@ fn machine(from: &str, to: &str) -> MachineLimits {
 
 fn planned(sets: Sets, machine: &MachineLimits) -> Optimum {
     let mut job = PlanJob::on(&scenario(sets), machine).unwrap();
-    job.advance(u32::MAX);
+    job.to_end();
     job.optimum()
 }
 
@@ -57,14 +58,14 @@ fn a_plan_repeats_by_seed_and_slicing_changes_nothing() {
     let whole = PlanJob::complete(&scenario(&DEEP)).unwrap();
     let mut sliced = PlanJob::new(&scenario(&DEEP)).unwrap();
     let mut slices = [1, 0, 7, 3].iter().cycle();
-    while !sliced.advance(*slices.next().unwrap()) {
-        assert!(!sliced.progress().done);
+    while !sliced.advance_by(*slices.next().unwrap()) {
+        assert!(!sliced.counts().done);
     }
     assert_eq!(sliced.particles(), whole.particles());
     assert_eq!(sliced.history(), whole.history());
     assert_eq!(sliced.optimum(), whole.optimum());
-    assert_eq!(sliced.progress(), whole.progress());
-    assert_eq!(whole.progress().evaluations, 30 * whole.history().len() as u64);
+    assert_eq!(sliced.counts(), whole.counts());
+    assert_eq!(whole.counts().evaluations, 30 * whole.history().len() as u64);
     let other = PlanJob::complete(&scenario(&[&DEEP[..], &[("plan.seed", "2")]].concat())).unwrap();
     assert_ne!(other.history(), whole.history());
 }

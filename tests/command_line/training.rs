@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 use steadycut::base::network::parse;
 use steadycut::models::neural_force::{NeuralForce, NeuralKind};
 use steadycut::study::train::TrainingSession;
-use steadycut::study::train::data::{Generator, TrainingRow};
+use steadycut::study::train::data::{RowsJob, TrainingRow};
 use steadycut::study::train::errors::{TrainingErrors, of_components};
 use steadycut::study::train::formula::fit_all;
 use steadycut::study::train::recipe::{RecipeKind, TrainingRecipe};
@@ -29,7 +29,7 @@ fn errors(kind: NeuralKind, rows: &[TrainingRow]) -> TrainingErrors {
 #[test]
 fn shipped_networks_err_as_stated_on_rows_never_seen() {
     // Another seed than the one that the recipes were chosen with.
-    let rows: Vec<TrainingRow> = Generator::fresh(250, 77).collect();
+    let rows: Vec<TrainingRow> = RowsJob::fresh(250, 77).complete();
     let improved = errors(NeuralKind::Improved, &rows);
     assert!(improved.mean_percent < 3.2, "{improved:?}");
     assert!(improved.median_percent < 2.3, "{improved:?}");
@@ -44,8 +44,8 @@ fn shipped_networks_err_as_stated_on_rows_never_seen() {
 
 #[test]
 fn the_network_beats_every_formula_fitted_to_such_rows() {
-    let measured: Vec<TrainingRow> = Generator::measured(300, 78).collect();
-    let fresh: Vec<TrainingRow> = Generator::fresh(100, 78).collect();
+    let measured: Vec<TrainingRow> = RowsJob::measured(300, 78).complete();
+    let fresh: Vec<TrainingRow> = RowsJob::fresh(100, 78).complete();
     let formulas = fit_all(&measured, &fresh).unwrap();
     assert!(formulas.windows(2).all(|p| p[0].errors.mean_percent <= p[1].errors.mean_percent));
     let network = errors(NeuralKind::Improved, &fresh).mean_percent;
@@ -74,7 +74,7 @@ fn shipped_files_say_how_they_were_made() {
 #[test]
 fn training_repeats_to_the_bit_and_its_file_is_its_network() {
     let recipe = TrainingRecipe { rows: 150, epochs: 20, ..RecipeKind::Improved.recipe() };
-    let measured: Vec<TrainingRow> = Generator::measured(recipe.rows, recipe.seed).collect();
+    let measured: Vec<TrainingRow> = RowsJob::measured(recipe.rows, recipe.seed).complete();
     let train = |recipe: &TrainingRecipe| {
         let mut session = TrainingSession::new(recipe, &measured).unwrap();
         let errors: Vec<f64> = (0..recipe.epochs).map(|_| session.epoch()).collect();

@@ -75,7 +75,7 @@ fn the_swarm_moves_an_iteration_at_a_time_and_finds_the_optimum() {
     assert_eq!(iteration(&screen), paused + 1);
     finish(&mut screen);
     let job = PlanJob::complete(scenario(&screen)).unwrap();
-    assert_eq!(iteration(&screen), job.progress().iteration);
+    assert_eq!(iteration(&screen), job.counts().iteration);
     let shown = texts(&screen);
     let optimum = job.optimum();
     for said in [

@@ -31,6 +31,7 @@ use crate::blocks::cutting::workpiece::Workpiece;
 use crate::models::part::APPROACH_MM;
 use crate::models::plan::PlannedSection;
 use crate::run::edits::Edits;
+use crate::run::job::{Budget, Job, Progress};
 use crate::run::one_run::Run;
 use crate::run::scenario::Scenario;
 use crate::run::signals::{Row, flag};
@@ -123,7 +124,7 @@ impl Combined {
 
         let mut job = job.at_most(asked);
         let at_most = job.problem().range().map(|[_, high]| high);
-        job.advance(u32::MAX);
+        job.to_end();
         let optimum = job.optimum();
         let mut heaviest = one_cut(&scenario, PlannedSection::Heaviest)?;
         heaviest.change(|s| s.plan.section = PlannedSection::Heaviest)?;
@@ -134,7 +135,7 @@ impl Combined {
             heaviest_force_n: heaviest
                 .cut([optimum.cutting_speed_m_min, optimum.feed_per_tooth_mm])
                 .force_n,
-            iterations: job.progress().iteration,
+            iterations: job.counts().iteration,
             optimum,
         };
         let checked = Optimum::at(job.problem(), at_most);
@@ -150,11 +151,6 @@ impl Combined {
             scenario,
             run,
         })
-    }
-
-    /// Advances steps 3 to 5 by at most `ticks`; `true` when the run is over or there is none.
-    pub fn advance(&mut self, ticks: u64) -> bool {
-        self.run.as_mut().is_none_or(|run| run.advance(ticks))
     }
 
     /// Step 1.
@@ -188,6 +184,24 @@ impl Combined {
     #[must_use]
     pub fn run(&self) -> Option<&Run> {
         self.run.as_ref()
+    }
+}
+
+/// A step is one of the plant; steps 1 and 2 of the system are done when it is made.
+impl Job for Combined {
+    type Partial = Option<Adjusted>;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        self.run.as_mut().is_none_or(|run| Job::advance(run, budget))
+    }
+
+    fn progress(&self) -> Progress {
+        let nothing = Progress { done: 0.0, total: 0.0, unit: "steps" };
+        self.run.as_ref().map_or(nothing, Job::progress)
+    }
+
+    fn partial(&self) -> Option<Adjusted> {
+        self.adjusted()
     }
 }
 

@@ -14,7 +14,9 @@ use crate::base::settings::{SettingError, Value};
 use crate::base::stats::Sorted;
 use crate::blocks::control::ControllerKind;
 use crate::run::edits::Edits;
+use crate::run::job::{Budget, Job, Progress};
 use crate::run::one_run::{End, Run};
+use crate::run::parts::{Making, Parts};
 use crate::run::scenario::Scenario;
 
 /// The 95th percentile of the largest force may reach this, kN.
@@ -98,10 +100,15 @@ pub struct RobustFindings {
 /// The study: the scenarios of all runs, drawn at once.
 #[derive(Clone, Debug)]
 pub struct Robustness {
+    drawn: Drawn,
+    runs: Parts<Run, RobustOutcome>,
+}
+
+/// What the runs are made of.
+#[derive(Clone, Debug)]
+struct Drawn {
     base: Scenario,
     draws: Vec<(u32, [f64; 5])>,
-    outcomes: Vec<RobustOutcome>,
-    running: Option<Box<Run>>,
 }
 
 impl Robustness {
@@ -127,13 +134,14 @@ impl Robustness {
             (seeds.bits(run) as u32, values)
         };
         let runs = u64::from(runs.clamp(1, MAX_RUNS));
-        Self { base, draws: (0..runs).map(draw).collect(), outcomes: Vec::new(), running: None }
+        let drawn = Drawn { base, draws: (0..runs).map(draw).collect() };
+        Self { drawn, runs: Parts::default() }
     }
 
     /// Number of runs.
     #[must_use]
     pub fn runs(&self) -> usize {
-        self.draws.len()
+        self.drawn.draws.len()
     }
 
     /// The scenario of a run, counted from 0.
@@ -141,6 +149,34 @@ impl Robustness {
     /// # Errors
     /// A drawn value lies outside the range of its setting.
     pub fn scenario(&self, run: usize) -> Result<Scenario, SettingError> {
+        self.drawn.scenario(run)
+    }
+
+    /// Outcomes of the runs done so far, in order.
+    #[must_use]
+    pub fn outcomes(&self) -> &[RobustOutcome] {
+        self.runs.done()
+    }
+
+    /// What was found so far.
+    #[must_use]
+    pub fn findings(&self) -> RobustFindings {
+        let over = |of: fn(&RobustOutcome) -> f64| Percentiles::of(self.outcomes().iter().map(of));
+        let max_force_kn = over(|one| one.max_force_kn);
+        let unfinished = self.outcomes().iter().filter(|one| !one.finished).count();
+        RobustFindings {
+            runs: self.outcomes().len(),
+            max_force_kn,
+            normalized_standard_error: over(|one| one.normalized_standard_error),
+            time_of_cut_s: over(|one| one.time_of_cut_s),
+            unfinished,
+            passed: max_force_kn.p95 <= LIMIT_KN && unfinished == 0,
+        }
+    }
+}
+
+impl Drawn {
+    fn scenario(&self, run: usize) -> Result<Scenario, SettingError> {
         let mut scenario = self.base.clone();
         let (seed, values) = self.draws[run % self.draws.len()];
         scenario.change(|settings| settings.run.seed = seed)?;
@@ -154,68 +190,42 @@ impl Robustness {
         Ok(scenario)
     }
 
-    /// What a run of [`Self::scenario`] has given.
-    #[must_use]
-    pub fn outcome(&self, index: usize, run: &Run) -> RobustOutcome {
+    fn outcome(&self, index: usize, run: &Run) -> RobustOutcome {
         let metrics = run.metrics();
         RobustOutcome {
-            drawn: self.draws[index % self.draws.len()].1,
+            drawn: self.draws[index].1,
             max_force_kn: metrics.max_force_n / 1000.0,
             normalized_standard_error: metrics.normalized_standard_error.unwrap_or(f64::INFINITY),
             time_of_cut_s: metrics.time_of_cut_s,
             finished: run.end() == Some(&End::PathDone),
         }
     }
+}
 
-    /// Advances by at most `ticks` plant steps, not beyond the end of the present run; `true` when all runs
-    /// are done.
-    ///
-    /// # Errors
-    /// See [`Self::scenario`].
-    pub fn advance(&mut self, ticks: u64) -> Result<bool, SettingError> {
-        let next = self.outcomes.len();
-        if next >= self.runs() {
-            return Ok(true);
-        }
-        let mut run = match self.running.take() {
-            Some(run) => run,
-            None => Box::new(Run::new(&self.scenario(next)?, &Edits::none())),
+/// A step is one of the plant in one of the runs.
+impl Job for Robustness {
+    type Partial = RobustFindings;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        let drawn = &self.drawn;
+        let begin = |index: usize| {
+            let scenario = drawn.scenario(index).map_err(|error| error.to_string())?;
+            Ok(Run::new(&scenario, &Edits::none()))
         };
-        if run.advance(ticks) {
-            let outcome = self.outcome(next, &run);
-            self.outcomes.push(outcome);
-        } else {
-            self.running = Some(run);
-        }
-        Ok(self.outcomes.len() >= self.runs())
+        let end = |index: usize, run: &Run| drawn.outcome(index, run);
+        self.runs.advance(drawn.draws.len(), budget, &Making { begin: &begin, end: &end })
     }
 
-    /// Takes outcomes that were computed elsewhere, in the order of the runs.
-    pub fn take(&mut self, outcomes: Vec<RobustOutcome>) {
-        self.outcomes = outcomes;
-        self.outcomes.truncate(self.draws.len());
+    fn progress(&self) -> Progress {
+        Progress { done: self.runs.progress(), total: self.runs() as f64, unit: "runs" }
     }
 
-    /// Outcomes of the runs done so far, in order.
-    #[must_use]
-    pub fn outcomes(&self) -> &[RobustOutcome] {
-        &self.outcomes
+    fn partial(&self) -> RobustFindings {
+        self.findings()
     }
 
-    /// What was found so far.
-    #[must_use]
-    pub fn findings(&self) -> RobustFindings {
-        let over = |of: fn(&RobustOutcome) -> f64| Percentiles::of(self.outcomes.iter().map(of));
-        let max_force_kn = over(|one| one.max_force_kn);
-        let unfinished = self.outcomes.iter().filter(|one| !one.finished).count();
-        RobustFindings {
-            runs: self.outcomes.len(),
-            max_force_kn,
-            normalized_standard_error: over(|one| one.normalized_standard_error),
-            time_of_cut_s: over(|one| one.time_of_cut_s),
-            unfinished,
-            passed: max_force_kn.p95 <= LIMIT_KN && unfinished == 0,
-        }
+    fn refusal(&self) -> Option<&str> {
+        self.runs.refusal()
     }
 }
 

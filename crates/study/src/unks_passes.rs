@@ -13,6 +13,7 @@ use crate::blocks::control::unks::Learning;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::models::unks::{Stored, StoredNetworks, UnksStart};
 use crate::run::edits::Edits;
+use crate::run::job::{Budget, Job, Progress};
 use crate::run::one_run::Run;
 use crate::run::scenario::Scenario;
 
@@ -112,22 +113,6 @@ impl Passes {
         }
     }
 
-    /// Advances by at most `periods` control periods; `true` when all passes are done.
-    pub fn advance(&mut self, periods: u64) -> bool {
-        let steps = u64::from(self.scenario.run.steps_per_control);
-        for _ in 0..periods {
-            if self.is_done() {
-                break;
-            }
-            let over = self.run.advance(steps);
-            self.observe();
-            if over {
-                self.finish();
-            }
-        }
-        self.is_done()
-    }
-
     /// Whether all passes are done.
     #[must_use]
     pub fn is_done(&self) -> bool {
@@ -192,17 +177,6 @@ impl Passes {
         self.learned.as_ref()
     }
 
-    /// Fraction of the work that is done, 0 to 1.
-    #[must_use]
-    pub fn progress(&self) -> f64 {
-        if self.is_done() {
-            return 1.0;
-        }
-        let row = self.run.closed_loop().row();
-        let of_pass = (row.position_mm / self.length_mm.max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-        (self.done.len() as f64 + of_pass) / f64::from(self.wanted)
-    }
-
     /// What the passes show; none before the last one is done, or without contact.
     #[must_use]
     pub fn verdict(&self) -> Option<PassesVerdict> {
@@ -219,6 +193,50 @@ impl Passes {
             unchanged: after == before && first.time_of_cut_s == last.time_of_cut_s,
             from_scratch: self.from_scratch,
         })
+    }
+}
+
+/// What is known of the passes while they go on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PassesSoFar {
+    /// The passes that are done.
+    pub done: Vec<Pass>,
+    /// The networks after the last of them.
+    pub learned: Option<Stored>,
+    /// What they show, once all are done.
+    pub verdict: Option<PassesVerdict>,
+}
+
+/// A step is a control period.
+impl Job for Passes {
+    type Partial = PassesSoFar;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        let steps = u64::from(self.scenario.run.steps_per_control);
+        while !self.is_done() && budget.step() {
+            let over = self.run.advance(steps);
+            self.observe();
+            if over {
+                self.finish();
+            }
+        }
+        self.is_done()
+    }
+
+    fn progress(&self) -> Progress {
+        let row = self.run.closed_loop().row();
+        let of_pass = (row.position_mm / self.length_mm.max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        let of_pass = if self.is_done() { 0.0 } else { of_pass };
+        let done = self.done.len() as f64 + of_pass;
+        Progress { done, total: f64::from(self.wanted), unit: "passes" }
+    }
+
+    fn partial(&self) -> PassesSoFar {
+        PassesSoFar {
+            done: self.done.clone(),
+            learned: self.learned.clone(),
+            verdict: self.verdict(),
+        }
     }
 }
 

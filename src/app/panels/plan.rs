@@ -151,7 +151,7 @@ impl PlanPanel {
 
     fn transport(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let progress = match self.search.found() {
-            Some(Ok(found)) => Some(found.job.progress()),
+            Some(Ok(found)) => Some(found.job.counts()),
             _ => None,
         };
         transport::show(ui, &mut self.search, progress, view.session.scenario(), commands);

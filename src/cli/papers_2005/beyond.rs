@@ -13,7 +13,7 @@ use crate::study::compare::table_1::Table1Verdict;
 use crate::study::compare::tournament::Tournament;
 
 pub fn execute(seeds: u32, json: bool) -> Outcome {
-    let rows = rows(played(Tournament::new(entrants(), seeds), "beyond the paper"));
+    let rows = rows(played(Tournament::new(entrants(), seeds), "beyond the paper", json)?);
     let verdicts = verdicts(&rows);
     let mut out = std::io::stdout().lock();
     if json {

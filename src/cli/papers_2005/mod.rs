@@ -12,19 +12,17 @@ use std::process::ExitCode;
 use serde::Serialize;
 use serde_json::json;
 
-use super::Outcome;
 use super::args::PapersArgs;
-use super::train::bar;
+use super::{Outcome, progress};
 use crate::study::compare::claims::{self, ControlClaim, Evidence};
+use crate::study::compare::contest::ContestJob;
 use crate::study::compare::cost::Replay;
 use crate::study::compare::entrants::{self, Entrant};
-use crate::study::compare::load_step::{self, Transient};
+use crate::study::compare::load_step::Transient;
 use crate::study::compare::table_1::{self, BY_A_HAIR, DISCLOSED, NOT_REACHED, Table1Verdict};
 use crate::study::compare::tournament::{Compared, Tournament};
 use crate::study::errata::COMBINED_2005;
 
-/// Steps of the plant between two looks at the progress.
-const SLICE: u64 = 200_000;
 /// Passes of which the fastest counts, when a controller is timed.
 const PASSES: usize = 5;
 /// Seeds of Table 1, and of the robustness table.
@@ -54,7 +52,7 @@ pub fn execute(args: &PapersArgs) -> Outcome {
     if args.robustness {
         return robustness::execute(args.seeds.unwrap_or(SEEDS[1]), args.json);
     }
-    let report = report(args.seeds.unwrap_or(SEEDS[0]));
+    let report = report(args.seeds.unwrap_or(SEEDS[0]), args.json)?;
     let mut out = std::io::stdout().lock();
     if args.json {
         let object = json!({
@@ -70,34 +68,41 @@ pub fn execute(args: &PapersArgs) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
-fn report(seeds: u32) -> Report {
+fn report(seeds: u32, quiet: bool) -> Result<Report, progress::NotDone> {
     let base = entrants::experiment_2();
     let methods = entrants::TABLE_1.iter().chain(entrants::BEYOND);
-    let entrants: Vec<Entrant> = methods.map(|method| method.on(&base)).collect();
-    let steps: Vec<Step> = entrants.iter().map(step).collect();
-    let table = played(Tournament::new(entrants, seeds), "Experiment 2");
+    let mut contest = ContestJob::new(methods.map(|method| method.on(&base)).collect(), seeds);
+    progress::work(&mut contest, "Experiment 2", quiet)?;
+    let each = contest.tournament().entrants().iter().zip(contest.transients());
+    let steps = each.map(|(entrant, transient)| Step {
+        transient: transient.clone(),
+        update_ns: update_ns(entrant),
+    });
+    let steps: Vec<Step> = steps.collect();
+    let table = contest.tournament().table();
     let experiment_1 = Tournament::new(claims::both_on("experiment-1"), seeds);
     let claims = claims::claims(&Evidence {
-        experiment_1: &played(experiment_1, "Experiment 1"),
+        experiment_1: &played(experiment_1, "Experiment 1", quiet)?,
         experiment_2: &table,
-        transients: &steps.iter().map(|step| step.transient.clone()).collect::<Vec<_>>(),
+        transients: contest.transients(),
         iterations_needed: claims::iterations_needed(&base),
     });
-    Report { seeds, verdicts: table_1::verdicts(&table), table, steps, claims }
+    Ok(Report { seeds, verdicts: table_1::verdicts(&table), table, steps, claims })
 }
 
-/// The table of a tournament played to its end, with a progress bar.
-fn played(mut tournament: Tournament, what: &'static str) -> Vec<Compared> {
-    let progress = bar(tournament.progress().1 as u64, what);
-    while !tournament.advance(SLICE) {
-        progress.set_position(tournament.progress().0 as u64);
-    }
-    progress.finish_and_clear();
-    tournament.table()
+/// The table of a tournament played to its end.
+fn played(
+    mut tournament: Tournament,
+    what: &str,
+    quiet: bool,
+) -> Result<Vec<Compared>, progress::NotDone> {
+    progress::work(&mut tournament, what, quiet)?;
+    Ok(tournament.table())
 }
 
+/// Cost of an update of an entrant's controller on this machine, ns.
 #[expect(clippy::disallowed_methods, reason = "the cost of an update needs a clock")]
-fn step(entrant: &Entrant) -> Step {
+fn update_ns(entrant: &Entrant) -> f64 {
     let replay = Replay::new(&entrant.scenario);
     let passes = (0..PASSES).map(|_| {
         let start = std::time::Instant::now();
@@ -105,6 +110,5 @@ fn step(entrant: &Entrant) -> Step {
         start.elapsed().as_secs_f64()
     });
     let fastest_s = passes.fold(f64::INFINITY, f64::min);
-    let update_ns = 1e9 * fastest_s / replay.updates().max(1) as f64;
-    Step { transient: load_step::transient(entrant), update_ns }
+    1e9 * fastest_s / replay.updates().max(1) as f64
 }

@@ -113,6 +113,7 @@ fn steps(out: &mut impl Write, steps: &[Step], printed: &[Table1Printed]) -> Res
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::run::job::Job;
     use crate::study::compare::entrants;
     use crate::study::compare::load_step::Transient;
     use crate::study::compare::tournament::Tournament;
@@ -122,7 +123,7 @@ mod tests {
         let mut base = entrants::experiment_2();
         base.change(|s| s.run.duration_s = 2.5).unwrap();
         let mut tournament = Tournament::new(entrants::on(&base, &entrants::TABLE_1), 1);
-        while !tournament.advance(u64::MAX) {}
+        tournament.to_end();
         let table = tournament.table();
         let transient = |name: &str| Transient {
             name: name.to_owned(),

@@ -18,7 +18,8 @@ const NOTE: &str = "in brackets the figures of an independent prototype of the s
                     the noise drawn, which is another one there.";
 
 pub fn execute(seeds: u32, json: bool) -> Outcome {
-    let rows: Vec<RobustnessRow> = rows(played(Tournament::new(entrants(), seeds), "conditions"));
+    let rows: Vec<RobustnessRow> =
+        rows(played(Tournament::new(entrants(), seeds), "conditions", json)?);
     let mut out = std::io::stdout().lock();
     if json {
         let object = json!({ "paper": "2005", "seeds": seeds, "note": NOTE, "robustness": rows, "claim": material_claim(&rows),
@@ -68,6 +69,7 @@ fn print(out: &mut impl Write, seeds: u32, rows: &[RobustnessRow]) -> std::io::R
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::run::job::Job;
 
     #[test]
     fn every_condition_and_method_is_printed_beside_the_prototypes_figures() {
@@ -76,7 +78,7 @@ mod tests {
             entrant.scenario.change(|s| s.run.duration_s = 2.2).unwrap();
         }
         let mut tournament = Tournament::new(short, 1);
-        while !tournament.advance(u64::MAX) {}
+        tournament.to_end();
         let mut text = Vec::new();
         print(&mut text, 1, &rows(tournament.table())).unwrap();
         let text = String::from_utf8(text).unwrap();

@@ -29,7 +29,7 @@ fn the_swarm_finds_the_grids_best(cut: Sets, objectives: &[Sets]) {
             assert!(gap > -1e-4, "better than the grid by {gap}: the grid is too coarse");
             worst = worst.max(gap);
             found += u32::from(optimum.feasible && gap <= 0.005);
-            evaluations += job.progress().evaluations;
+            evaluations += job.counts().evaluations;
         }
         let mean = evaluations / 100;
         println!("{sets:?}: {found} of 100, worst {:.4} %, {mean} evaluations", 100.0 * worst);

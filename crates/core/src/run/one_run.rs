@@ -2,6 +2,7 @@
 
 use super::closed_loop::{ClosedLoop, Fault, ForceStop};
 use super::edits::Edits;
+use super::job::{Budget, Job, Progress};
 use super::metrics::{self, Metrics};
 use super::recording::Recording;
 use super::scenario::Scenario;
@@ -71,6 +72,8 @@ impl State {
 #[derive(Clone, Debug)]
 pub struct Repeat {
     state: State,
+    edits: Edits,
+    edit_ticks: Vec<u64>,
 }
 
 impl Repeat {
@@ -84,12 +87,12 @@ impl Repeat {
         self.state.closed_loop.tick()
     }
 
-    /// One step more of `run`, of which this is a repeat.
+    /// One step more.
     ///
     /// # Errors
     /// What ended the run.
-    pub fn step(&mut self, run: &Run) -> Result<(), End> {
-        self.state.step(&run.edits, &run.edit_ticks)
+    pub fn step(&mut self) -> Result<(), End> {
+        self.state.step(&self.edits, &self.edit_ticks)
     }
 }
 
@@ -237,9 +240,11 @@ impl Run {
         // The first snapshot is that of tick 0.
         let snapshot = &self.snapshots[known.saturating_sub(1)];
         let near = snapshot.closed_loop.tick()..=from;
-        before
-            .filter(|repeat| near.contains(&repeat.tick()))
-            .unwrap_or_else(|| Repeat { state: snapshot.clone() })
+        before.filter(|repeat| near.contains(&repeat.tick())).unwrap_or_else(|| Repeat {
+            state: snapshot.clone(),
+            edits: self.edits.clone(),
+            edit_ticks: self.edit_ticks.clone(),
+        })
     }
 
     /// Why the run is over, if it is.
@@ -300,5 +305,35 @@ impl Run {
     pub fn metrics(&self) -> Metrics {
         let rows = self.recording.rows().len();
         metrics::metrics(&self.recording, rows, &self.base, self.edits())
+    }
+}
+
+/// Steps of the plant between two looks at whether the job is cancelled.
+const LOOK_TICKS: u64 = 4096;
+
+/// A step is one of the plant.
+impl Job for Run {
+    type Partial = Metrics;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        while self.end.is_none() {
+            let granted = budget.spend(LOOK_TICKS);
+            if granted == 0 {
+                break;
+            }
+            let before = self.ticks();
+            Self::advance(self, granted);
+            budget.put_back(granted - (self.ticks() - before));
+        }
+        self.end.is_some()
+    }
+
+    fn progress(&self) -> Progress {
+        let total = self.last_tick as f64;
+        Progress { done: self.share_done() * total, total, unit: "steps" }
+    }
+
+    fn partial(&self) -> Metrics {
+        self.metrics()
     }
 }

@@ -3,6 +3,7 @@
 //! from repeating the run from its last snapshot, so they are exactly the forces of the run.
 
 use super::closed_loop::ClosedLoop;
+use super::job::{Budget, Job, Progress};
 use super::one_run::{Repeat, Run};
 use crate::base::units::rev_s_from_rpm;
 
@@ -56,6 +57,8 @@ pub struct Revolution {
 #[derive(Clone, Debug)]
 pub struct RevolutionJob {
     repeat: Repeat,
+    /// Where the repeat began.
+    begun: u64,
     from: u64,
     to: u64,
     /// Samples of a control period, where one is whole.
@@ -84,8 +87,10 @@ impl RevolutionJob {
         // The window whose peak is marked is always in the picture.
         let count = if whole > 0 { count.max(control) } else { count };
         let from = (to + 1).saturating_sub(count);
+        let repeat = run.repeat(from, before);
         Self {
-            repeat: run.repeat(from, before),
+            begun: repeat.closed_loop().tick(),
+            repeat,
             from,
             to,
             control: (whole > 0).then_some(control as usize),
@@ -94,12 +99,20 @@ impl RevolutionJob {
         }
     }
 
-    /// Repeats at most `ticks` steps more of `run`; whether all are done.
-    pub fn advance(&mut self, run: &Run, ticks: u64) -> bool {
-        for _ in 0..ticks {
-            if self.done {
-                break;
-            }
+    /// What was found, and the repeat for a job that goes on from here. Nothing is found where the
+    /// run is not tooth by tooth.
+    #[must_use]
+    pub fn finish(self) -> (Option<Revolution>, Repeat) {
+        (self.partial(), self.repeat)
+    }
+}
+
+/// A step is one of the plant, on the way to the turns or in them.
+impl Job for RevolutionJob {
+    type Partial = Option<Revolution>;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        while !self.done && budget.step() {
             let closed_loop = self.repeat.closed_loop();
             let tick = closed_loop.tick();
             if tick >= self.from {
@@ -109,23 +122,27 @@ impl RevolutionJob {
                     None => self.samples.clear(),
                 }
             }
-            self.done = tick >= self.to || self.repeat.step(run).is_err();
+            self.done = tick >= self.to || self.repeat.step().is_err();
         }
         self.done
     }
 
-    /// What was found, and the repeat for a job that goes on from here. Nothing is found where the
-    /// run is not tooth by tooth.
-    #[must_use]
-    pub fn finish(self) -> (Option<Revolution>, Repeat) {
-        let samples = self.samples;
+    fn progress(&self) -> Progress {
+        let total = (self.to + 1 - self.begun.min(self.to)) as f64;
+        let tick = self.repeat.closed_loop().tick();
+        let done = if self.done { total } else { tick.saturating_sub(self.begun) as f64 };
+        Progress { done, total, unit: "steps" }
+    }
+
+    fn partial(&self) -> Option<Revolution> {
+        let samples = self.samples.clone();
         let window_from = self.control.and_then(|control| samples.len().checked_sub(control));
-        let peak = window_from.and_then(|from| {
+        let peak = window_from.filter(|_| self.done).and_then(|from| {
             let across_n = |i: &usize| samples[*i].fxy_n();
             (from..samples.len()).max_by(|a, b| across_n(a).total_cmp(&across_n(b)))
         });
-        let found = !samples.is_empty();
-        (found.then_some(Revolution { samples, window_from, peak }), self.repeat)
+        let window_from = window_from.filter(|_| self.done);
+        (!samples.is_empty()).then_some(Revolution { samples, window_from, peak })
     }
 }
 
@@ -133,6 +150,6 @@ impl RevolutionJob {
 #[must_use]
 pub fn revolution(run: &Run, at_s: f64, turns: u32) -> Option<Revolution> {
     let mut job = RevolutionJob::new(run, at_s, turns, None);
-    job.advance(run, u64::MAX);
+    job.to_end();
     job.finish().0
 }

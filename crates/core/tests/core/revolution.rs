@@ -2,6 +2,7 @@
 
 use steadycut_core::base::settings::Value;
 use steadycut_core::run::edits::{Edit, Edits};
+use steadycut_core::run::job::Job;
 use steadycut_core::run::one_run::Run;
 use steadycut_core::run::presets::load;
 use steadycut_core::run::revolution::{RevolutionJob, revolution};
@@ -110,8 +111,8 @@ fn slices_and_going_on_from_the_last_picture_change_nothing() {
     let mut before = None;
     for at_s in [3.0, 3.01, 3.3, 2.0, 6.1] {
         let mut job = RevolutionJob::new(&run, at_s, 2, before.take());
-        while !job.advance(&run, 777) {}
-        assert!(job.advance(&run, 777), "done stays done");
+        while !job.advance_by(777) {}
+        assert!(job.advance_by(777), "done stays done");
         let (found, repeat) = job.finish();
         assert_eq!(found, revolution(&run, at_s, 2), "at {at_s} s");
         before = Some(repeat);

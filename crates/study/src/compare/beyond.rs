@@ -139,6 +139,7 @@ pub fn verdicts(rows: &[BeyondRow]) -> Vec<Table1Verdict> {
 mod tests {
     use super::*;
     use crate::compare::tournament::Tournament;
+    use crate::run::job::Job;
 
     #[test]
     fn every_condition_has_everybody_and_runs_cut_short_have_no_verdict() {
@@ -150,7 +151,7 @@ mod tests {
             entrant.scenario.change(|s| s.run.duration_s = 1.0).unwrap();
         }
         let mut tournament = Tournament::new(short, 1);
-        while !tournament.advance(u64::MAX) {}
+        tournament.to_end();
         let rows = rows(tournament.table());
         assert_eq!(rows[11].condition.label(), "a feed for every cut, dead time 80 ms");
         assert_eq!(rows[11].found.name, "Preview");

@@ -218,12 +218,13 @@ mod tests {
     #[test]
     fn a_table_without_one_of_the_six_is_not_judged() {
         use crate::compare::tournament::Tournament;
+        use crate::run::job::Job;
         use crate::run::presets;
         let mut base = presets::load("table3-5-noise").unwrap();
         base.change(|s| s.run.duration_s = 0.2).unwrap();
         let judged = |methods: &[entrants::Method]| {
             let mut tournament = Tournament::new(entrants::on(&base, methods), 1);
-            tournament.advance(u64::MAX);
+            tournament.to_end();
             verdicts(&tournament.table())
         };
         let mut methods = entrants::TABLE_1.to_vec();

@@ -1,4 +1,4 @@
-//! Entrants against each other over seeds: a job that front ends advance in slices.
+//! Entrants against each other over seeds: a job of independent runs.
 //!
 //! The runs go seed by seed, so the table fills evenly and can be read while it does. Seed k of
 //! every entrant is the same k: the same material, the same sensor noise.
@@ -11,7 +11,9 @@ use super::entrants::Entrant;
 use super::outcome::{Measure, Outcome};
 use super::spread::Spread;
 use crate::run::edits::Edits;
+use crate::run::job::{Budget, Job, Progress};
 use crate::run::one_run::Run;
+use crate::run::parts::{Making, Parts};
 use crate::run::scenario::Scenario;
 
 /// An entrant's spreads so far.
@@ -48,23 +50,21 @@ impl Compared {
 pub struct Tournament {
     entrants: Vec<Entrant>,
     seeds: u32,
-    /// Outcomes seed by seed, entrant by entrant.
-    outcomes: Vec<Outcome>,
-    running: Option<Box<Run>>,
+    /// Runs seed by seed, entrant by entrant.
+    runs: Parts<Run, Outcome>,
 }
 
 impl Tournament {
     /// A tournament over seeds 1 to `seeds` (at least one), not yet begun.
     #[must_use]
     pub fn new(entrants: Vec<Entrant>, seeds: u32) -> Self {
-        Self { entrants, seeds: seeds.max(1), outcomes: Vec::new(), running: None }
+        Self { entrants, seeds: seeds.max(1), runs: Parts::default() }
     }
 
     /// Changes the number of seeds; runs that are done or under way are never given up.
     pub fn set_seeds(&mut self, seeds: u32) {
         let entrants = self.entrants.len().max(1);
-        let begun = self.outcomes.len() + usize::from(self.running.is_some());
-        self.seeds = seeds.max(begun.div_ceil(entrants) as u32).max(1);
+        self.seeds = seeds.max(self.runs.begun().div_ceil(entrants) as u32).max(1);
     }
 
     /// The entrants in order.
@@ -73,46 +73,8 @@ impl Tournament {
         &self.entrants
     }
 
-    fn runs(&self) -> usize {
+    fn count(&self) -> usize {
         self.entrants.len() * self.seeds as usize
-    }
-
-    /// The scenario of run `index`.
-    fn scenario(&self, index: usize) -> Scenario {
-        let entrant = &self.entrants[index % self.entrants.len()];
-        let scenario = entrant.scenario.with(|settings| {
-            settings.run.seed = 1 + (index / self.entrants.len()) as u32;
-            // A row for every control sample is what the measures need.
-            settings.run.record_every = settings.run.steps_per_control;
-        });
-        scenario.expect("any seed, and a row a control period, go with any scenario")
-    }
-
-    /// Advances by at most `budget_ticks` steps of the plant, in one run or several; `true` when
-    /// all runs are done. Slicing changes nothing.
-    pub fn advance(&mut self, budget_ticks: u64) -> bool {
-        let mut left = budget_ticks;
-        while left > 0 && self.outcomes.len() < self.runs() {
-            let mut run = match self.running.take() {
-                Some(run) => run,
-                None => Box::new(Run::new(&self.scenario(self.outcomes.len()), &Edits::none())),
-            };
-            let before = run.ticks();
-            if run.advance(left) {
-                self.outcomes.push(Outcome::of(&run));
-            }
-            // A run that is over at once still counts: the loop must end.
-            left = left.saturating_sub((run.ticks() - before).max(1));
-            self.running = run.end().is_none().then_some(run);
-        }
-        self.outcomes.len() >= self.runs()
-    }
-
-    /// Runs done, the present one by its fraction of the way, and all runs.
-    #[must_use]
-    pub fn progress(&self) -> (f64, usize) {
-        let part = self.running.as_ref().map_or(0.0, |run| run.share_done());
-        (self.outcomes.len() as f64 + part, self.runs())
     }
 
     /// Every entrant's spreads over the runs that are done, in the order of the entrants.
@@ -123,7 +85,7 @@ impl Tournament {
 
     /// The outcomes of an entrant, seed 1 first.
     pub fn outcomes(&self, entrant: usize) -> impl Iterator<Item = &Outcome> {
-        self.outcomes.iter().skip(entrant).step_by(self.entrants.len().max(1))
+        self.runs.done().iter().skip(entrant).step_by(self.entrants.len().max(1))
     }
 
     fn compared(&self, entrant: usize) -> Compared {
@@ -140,6 +102,36 @@ impl Tournament {
             finished: self.outcomes(entrant).filter(|outcome| outcome.time_s.is_some()).count(),
             spreads: spreads.collect(),
         }
+    }
+}
+
+/// The scenario of run `index`.
+fn scenario(entrants: &[Entrant], index: usize) -> Scenario {
+    let scenario = entrants[index % entrants.len()].scenario.with(|settings| {
+        settings.run.seed = 1 + (index / entrants.len()) as u32;
+        // A row for every control sample is what the measures need.
+        settings.run.record_every = settings.run.steps_per_control;
+    });
+    scenario.expect("any seed, and a row a control period, go with any scenario")
+}
+
+/// A step is one of the plant in one of the runs.
+impl Job for Tournament {
+    type Partial = Vec<Compared>;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        let (count, entrants) = (self.count(), &self.entrants);
+        let begin = |index: usize| Ok(Run::new(&scenario(entrants, index), &Edits::none()));
+        let end = |_: usize, run: &Run| Outcome::of(run);
+        self.runs.advance(count, budget, &Making { begin: &begin, end: &end })
+    }
+
+    fn progress(&self) -> Progress {
+        Progress { done: self.runs.progress(), total: self.count() as f64, unit: "runs" }
+    }
+
+    fn partial(&self) -> Vec<Compared> {
+        self.table()
     }
 }
 
@@ -167,18 +159,18 @@ mod tests {
     #[test]
     fn slices_change_nothing_and_the_table_can_be_read_meanwhile() {
         let mut whole = Tournament::new(entrants(), 3);
-        assert!(whole.advance(u64::MAX));
+        whole.to_end();
         let mut sliced = Tournament::new(entrants(), 3);
         let (mut before, mut slices) = (-1.0, 0);
-        while !sliced.advance(777) {
-            let (done, all) = sliced.progress();
-            assert!(done > before && done < all as f64, "{done} of {all} after {before}");
+        while !sliced.advance_by(777) {
+            let Progress { done, total, .. } = sliced.progress();
+            assert!(done > before && done < total, "{done} of {total} after {before}");
             assert_eq!(sliced.table().len(), 2);
             (before, slices) = (done, slices + 1);
         }
         assert_eq!(slices, 6 * 2000 / 777);
         assert_eq!(sliced.table(), whole.table());
-        assert_eq!(sliced.progress(), (6.0, 6));
+        assert_eq!(sliced.progress().to_string(), "6 of 6 runs");
         for compared in whole.table() {
             assert_eq!((compared.runs, compared.force_stops, compared.finished), (3, 0, 0));
             assert_eq!(compared.get(Measure::Time), None, "the path is longer than two seconds");
@@ -194,8 +186,8 @@ mod tests {
     #[test]
     fn a_tournament_without_entrants_is_over() {
         let mut empty = Tournament::new(Vec::new(), 5);
-        assert!(empty.advance(1));
-        assert_eq!(empty.progress(), (0.0, 0));
+        assert!(empty.advance_by(1));
+        assert_eq!(empty.progress().share(), 1.0);
         assert!(empty.table().is_empty());
     }
 }

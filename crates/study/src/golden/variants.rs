@@ -22,6 +22,7 @@ use crate::models::wear::WearModel;
 use crate::plan::PlanJob;
 use crate::run::digest::Digest;
 use crate::run::edits::{Edit, Edits};
+use crate::run::job::Job;
 use crate::run::one_run::Run;
 use crate::run::scenario::{Param, Scenario, table};
 
@@ -284,7 +285,7 @@ fn tool_life(preset: &Scenario) -> String {
     let rough = surface(&model, &preset.profile, preset.plant.runout_um, 0.5, 1);
     digest.word(rough.map_or(f64::NAN, |rough| rough.rz_um).to_bits());
     let mut life = AdaptiveLife::new(preset, true);
-    life.advance(25);
+    life.advance_by(25);
     for minute in life.minutes() {
         digest.word(minute.cutting_speed_m_min.to_bits());
         digest.word(minute.remaining_min.unwrap_or(f64::NAN).to_bits());

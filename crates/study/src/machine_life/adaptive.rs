@@ -18,6 +18,7 @@ use crate::base::rng::Stream;
 use crate::models::machine_trend::MachineTrend;
 use crate::models::tool_life::{Growth, LifePrediction, Predictor};
 use crate::models::wear::WearCut;
+use crate::run::job::{Budget, Job, Progress};
 use crate::run::scenario::Scenario;
 
 /// Minutes between two adjustments (chosen).
@@ -90,16 +91,10 @@ impl AdaptiveLife {
         wear.taylor_min(&self.cut) / wear.taylor_min(&self.model.cut)
     }
 
-    /// Cuts at most `minutes` more; `true` when the tool is worn out.
-    pub fn advance(&mut self, minutes: usize) -> bool {
-        for _ in 0..minutes {
-            let given_up = LONGEST * self.model.life.tool_life_min;
-            if self.end_min.is_some() || self.minutes.len() as f64 >= given_up {
-                return true;
-            }
-            self.minute();
-        }
-        self.end_min.is_some()
+    /// Whether it is worn out, or has outlived every wish and is given up.
+    fn is_over(&self) -> bool {
+        let given_up = LONGEST * self.model.life.tool_life_min;
+        self.end_min.is_some() || self.minutes.len() as f64 >= given_up
     }
 
     fn minute(&mut self) {
@@ -158,6 +153,37 @@ impl AdaptiveLife {
     }
 }
 
+/// A tool's life so far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AdaptiveSoFar {
+    /// The minutes.
+    pub minutes: Vec<Minute>,
+    /// See [`AdaptiveLife::end_min`].
+    pub end_min: Option<f64>,
+}
+
+/// A step is a minute in the cut.
+impl Job for AdaptiveLife {
+    type Partial = AdaptiveSoFar;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        while !self.is_over() && budget.step() {
+            self.minute();
+        }
+        self.is_over()
+    }
+
+    fn progress(&self) -> Progress {
+        // How long it will be is not known before; what share of it is used is.
+        let done = if self.is_over() { 100.0 } else { (100.0 * self.x).clamp(0.0, 100.0) };
+        Progress { done, total: 100.0, unit: "percent of the life" }
+    }
+
+    fn partial(&self) -> AdaptiveSoFar {
+        AdaptiveSoFar { minutes: self.minutes.clone(), end_min: self.end_min }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -168,7 +194,7 @@ mod tests {
         let taylor_min = model(&scenario).wear.taylor_min(&model(&scenario).cut).round();
         scenario.change(|s| s.life.tool_life_min = taylor_min).unwrap();
         let mut life = AdaptiveLife::new(&scenario, adjusts);
-        while !life.advance(50) {}
+        life.to_end();
         life
     }
 
@@ -192,9 +218,9 @@ mod tests {
         let mut scenario = Scenario::default();
         scenario.change(|s| s.wear.tool_life_factor = 0.4).unwrap();
         let [mut whole, mut sliced] = [true, true].map(|_| AdaptiveLife::new(&scenario, true));
-        whole.advance(60);
+        whole.advance_by(60);
         (0..12).for_each(|_| {
-            sliced.advance(5);
+            sliced.advance_by(5);
         });
         assert_eq!(whole.minutes(), sliced.minutes());
         assert_eq!(whole.minutes().len(), 60);

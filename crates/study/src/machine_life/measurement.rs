@@ -53,13 +53,14 @@ pub fn measure(
 mod tests {
     use super::*;
     use crate::machine_life::{LifeJob, model};
+    use crate::run::job::Job;
     use crate::run::scenario::Scenario;
 
     #[test]
     fn the_default_noise_gives_the_papers_figures_in_the_mean() {
         let scenario = Scenario::default();
         let mut job = LifeJob::new(model(&scenario), 10.0);
-        job.advance(usize::MAX);
+        job.to_end();
         let spectrum: Vec<TrendLine> = job.model().spectrum(0.0).collect();
         let seeds = 40;
         let mut sums = [0.0; 2];
@@ -77,7 +78,7 @@ mod tests {
         let mut scenario = Scenario::default();
         scenario.change(|s| (s.life.white_percent, s.life.spectrum_ratio) = (0.0, 0.0)).unwrap();
         let mut job = LifeJob::new(model(&scenario), 0.2);
-        job.advance(usize::MAX);
+        job.to_end();
         let spectrum: Vec<TrendLine> = job.model().spectrum(0.0).collect();
         let measured = measure(job.points(), &spectrum, &scenario.life, 1);
         assert!(

@@ -23,6 +23,7 @@ use crate::models::machine_trend::{MachineTrend, TrendLine, TrendPoint};
 use crate::models::structure::FiveMass;
 use crate::models::wear::WearCut;
 use crate::run::durability::wear_cut;
+use crate::run::job::{Budget, Job, Progress};
 use crate::run::scenario::Scenario;
 
 /// Step of the paper, s.
@@ -85,21 +86,6 @@ impl LifeJob {
         Self::new(model, life_min)
     }
 
-    /// Solves at most `points` further points of time; `true` when the life is over.
-    pub fn advance(&mut self, points: usize) -> bool {
-        let total = self.steps + 1;
-        for i in self.points.len()..total.min(self.points.len().saturating_add(points)) {
-            self.points.push(self.model.at(i as f64 / self.steps as f64));
-        }
-        self.points.len() == total
-    }
-
-    /// Points of time done, and all of them.
-    #[must_use]
-    pub fn progress(&self) -> (usize, usize) {
-        (self.points.len(), self.steps + 1)
-    }
-
     /// Time between two points, s.
     #[must_use]
     pub fn step_s(&self) -> f64 {
@@ -140,6 +126,37 @@ impl LifeJob {
             first_spectrum: self.model.spectrum(0.0).collect(),
             last_spectrum: self.model.spectrum(1.0).collect(),
         })
+    }
+}
+
+/// What the solution over the life has given so far.
+#[derive(Clone, Debug)]
+pub struct LifeSoFar {
+    /// What is solved, from the sharp tool on.
+    pub points: Vec<TrendPoint>,
+    /// What the trends show, at the end.
+    pub findings: Option<LifeFindings>,
+}
+
+/// A step is a point of time.
+impl Job for LifeJob {
+    type Partial = LifeSoFar;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        while self.points.len() <= self.steps && budget.step() {
+            let x = self.points.len() as f64 / self.steps as f64;
+            self.points.push(self.model.at(x));
+        }
+        self.points.len() > self.steps
+    }
+
+    fn progress(&self) -> Progress {
+        let total = (self.steps + 1) as f64;
+        Progress { done: self.points.len() as f64, total, unit: "points of time" }
+    }
+
+    fn partial(&self) -> LifeSoFar {
+        LifeSoFar { points: self.points.clone(), findings: self.findings() }
     }
 }
 

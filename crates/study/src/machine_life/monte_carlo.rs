@@ -11,6 +11,8 @@ use crate::base::stats;
 use crate::models::machine_trend::LifeSettings;
 use crate::models::tool_life::{Growth, Predictor};
 use crate::models::wear::WearSettings;
+use crate::run::job::{Budget, Job, Progress};
+use crate::run::parts::{Making, OneStep, Parts};
 
 /// Fractions of the true life at which the prediction is judged.
 pub const SHARES: [f64; 6] = [0.3, 0.5, 0.7, 0.8, 0.9, 0.95];
@@ -90,8 +92,14 @@ struct Judged {
 pub struct LifeMonteCarlo {
     tools: Tools,
     count: usize,
-    judged: Vec<[Option<Judged>; SHARES.len()]>,
-    prior_errors: Vec<f64>,
+    judged: Parts<OneStep, ToolJudged>,
+}
+
+/// One tool.
+#[derive(Clone, Copy, Debug)]
+struct ToolJudged {
+    at: [Option<Judged>; SHARES.len()],
+    prior_error: f64,
 }
 
 /// The predictions at one fraction of the life.
@@ -111,76 +119,21 @@ impl LifeMonteCarlo {
     /// A study of `count` tools, at least one.
     #[must_use]
     pub fn new(tools: Tools, count: usize) -> Self {
-        Self { tools, count: count.max(1), judged: Vec::new(), prior_errors: Vec::new() }
-    }
-
-    /// Does the next tool; `true` when all are done.
-    pub fn advance(&mut self) -> bool {
-        if self.judged.len() < self.count {
-            self.tool(self.judged.len() as u64);
-        }
-        self.judged.len() == self.count
-    }
-
-    /// Tools done, and all of them.
-    #[must_use]
-    pub fn progress(&self) -> (usize, usize) {
-        (self.judged.len(), self.count)
-    }
-
-    fn tool(&mut self, number: u64) {
-        let Tools { life, believed, truth, prior_min, seed, .. } = &self.tools;
-        let draw = Stream::new(*seed, "life.tools");
-        let [low, high] = LIFE_RATIOS.map(|ratio| ratio * prior_min);
-        let spread = life.prior_spread * draw.normal(16 * number);
-        let life_min = (prior_min * math::exp(spread)).clamp(low, high);
-        self.prior_errors.push((prior_min / life_min - 1.0).abs());
-        let uniform =
-            |i: u64, low: f64, high: f64| low + (high - low) * draw.uniform(16 * number + i);
-        let mut wear = self.tools.wear.clone();
-        let mut louder = 1.0;
-        if self.tools.other_shapes {
-            wear.break_in_share = uniform(1, 0.20, 0.30);
-            wear.break_in_span = uniform(2, 0.03, 0.06);
-            wear.steady_share = uniform(3, 0.35, 0.45);
-            wear.failure_share = uniform(4, 0.30, 0.40);
-            wear.failure_span = uniform(5, 0.045, 0.08);
-            louder = 1.0 + 0.08 * draw.normal(16 * number + 6);
-        }
-        let mut noise =
-            MinuteNoise::new(life, Stream::new(draw.bits(16 * number + 7), "life.noise"));
-        let mut predictor = Predictor::new(&self.tools.wear, believed, life, *prior_min);
-        let mut judged = [None; SHARES.len()];
-        let mut next = 0;
-        for minute in 0..life_min as u32 {
-            let age_min = f64::from(minute) + 0.5;
-            let growth = 1.0 + louder * (truth.at(wear.wear(age_min / life_min)) - 1.0);
-            predictor.observe(age_min, growth * noise.factor());
-            if next < SHARES.len() && age_min + 1.0 > SHARES[next] * life_min {
-                judged[next] = predictor.prediction().map(|prediction| Judged {
-                    life_error: (prediction.life_min / life_min - 1.0).abs(),
-                    remaining_error: (prediction.remaining_min() / (life_min - age_min) - 1.0)
-                        .abs(),
-                    within: prediction.life_range_min[0] <= life_min
-                        && life_min <= prediction.life_range_min[1],
-                });
-                next += 1;
-            }
-        }
-        self.judged.push(judged);
+        Self { tools, count: count.max(1), judged: Parts::default() }
     }
 
     /// Median error of the prior alone over the tools done, percent.
     #[must_use]
     pub fn prior_error_percent(&self) -> f64 {
-        100.0 * median(self.prior_errors.iter().copied())
+        100.0 * median(self.judged.done().iter().map(|tool| tool.prior_error))
     }
 
     /// The predictions for the tools done, by fraction of the life.
     #[must_use]
     pub fn table(&self) -> Vec<Judgement> {
         let row = |(i, x): (usize, &f64)| {
-            let here: Vec<Judged> = self.judged.iter().filter_map(|tool| tool[i]).collect();
+            let tools = self.judged.done().iter();
+            let here: Vec<Judged> = tools.filter_map(|tool| tool.at[i]).collect();
             let percent = |of: fn(&Judged) -> f64| 100.0 * median(here.iter().map(of));
             let within = here.iter().filter(|judged| judged.within).count() as f64;
             Judgement {
@@ -199,6 +152,71 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     stats::median(values).unwrap_or(0.0)
 }
 
+impl Tools {
+    /// The life of tool `number`, foretold again and again.
+    fn judge(&self, number: u64) -> ToolJudged {
+        let Self { life, believed, truth, prior_min, seed, .. } = self;
+        let draw = Stream::new(*seed, "life.tools");
+        let [low, high] = LIFE_RATIOS.map(|ratio| ratio * prior_min);
+        let spread = life.prior_spread * draw.normal(16 * number);
+        let life_min = (prior_min * math::exp(spread)).clamp(low, high);
+        let prior_error = (prior_min / life_min - 1.0).abs();
+        let uniform =
+            |i: u64, low: f64, high: f64| low + (high - low) * draw.uniform(16 * number + i);
+        let mut wear = self.wear.clone();
+        let mut louder = 1.0;
+        if self.other_shapes {
+            wear.break_in_share = uniform(1, 0.20, 0.30);
+            wear.break_in_span = uniform(2, 0.03, 0.06);
+            wear.steady_share = uniform(3, 0.35, 0.45);
+            wear.failure_share = uniform(4, 0.30, 0.40);
+            wear.failure_span = uniform(5, 0.045, 0.08);
+            louder = 1.0 + 0.08 * draw.normal(16 * number + 6);
+        }
+        let mut noise =
+            MinuteNoise::new(life, Stream::new(draw.bits(16 * number + 7), "life.noise"));
+        let mut predictor = Predictor::new(&self.wear, believed, life, *prior_min);
+        let mut judged = [None; SHARES.len()];
+        let mut next = 0;
+        for minute in 0..life_min as u32 {
+            let age_min = f64::from(minute) + 0.5;
+            let growth = 1.0 + louder * (truth.at(wear.wear(age_min / life_min)) - 1.0);
+            predictor.observe(age_min, growth * noise.factor());
+            if next < SHARES.len() && age_min + 1.0 > SHARES[next] * life_min {
+                judged[next] = predictor.prediction().map(|prediction| Judged {
+                    life_error: (prediction.life_min / life_min - 1.0).abs(),
+                    remaining_error: (prediction.remaining_min() / (life_min - age_min) - 1.0)
+                        .abs(),
+                    within: prediction.life_range_min[0] <= life_min
+                        && life_min <= prediction.life_range_min[1],
+                });
+                next += 1;
+            }
+        }
+        ToolJudged { at: judged, prior_error }
+    }
+}
+
+/// A step is a tool.
+impl Job for LifeMonteCarlo {
+    type Partial = Vec<Judgement>;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        let tools = &self.tools;
+        let end = |number: usize, _: &OneStep| tools.judge(number as u64);
+        let making = Making { begin: &|_| Ok(OneStep::default()), end: &end };
+        self.judged.advance(self.count, budget, &making)
+    }
+
+    fn progress(&self) -> Progress {
+        Progress { done: self.judged.progress(), total: self.count as f64, unit: "tools" }
+    }
+
+    fn partial(&self) -> Vec<Judgement> {
+        self.table()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -215,7 +233,7 @@ mod tests {
             seed: 1,
         };
         let mut study = LifeMonteCarlo::new(tools, count);
-        while !study.advance() {}
+        study.to_end();
         study
     }
 

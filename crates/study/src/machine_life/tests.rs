@@ -20,8 +20,8 @@ fn findings(change: impl Fn(&mut MachineTrend)) -> LifeFindings {
     // Six minutes in place of four hours: 361 points.
     let mut job = LifeJob::new(model, 6.0);
     assert!(job.findings().is_none());
-    while !job.advance(100) {}
-    assert_eq!(job.progress(), (361, 361));
+    while !job.advance_by(100) {}
+    assert_eq!(job.progress().to_string(), "361 of 361 points of time");
     job.findings().unwrap()
 }
 
@@ -51,16 +51,16 @@ fn the_likeness_depends_on_how_the_tool_degrades() {
 fn a_life_takes_a_point_a_second_and_slices_change_nothing() {
     let job = LifeJob::of(&scenario());
     // 0.13521 mm per tooth in place of the reference of 0.135: some 18 s less than four hours.
-    let (_, total) = job.progress();
-    assert!((total as f64 - 1.0 - 14_400.0 * libm::pow(0.135_214_147_8 / 0.135, -0.8)).abs() < 1.0);
+    let total = job.progress().total;
+    assert!((total - 1.0 - 14_400.0 * libm::pow(0.135_214_147_8 / 0.135, -0.8)).abs() < 1.0);
     assert!((job.step_s() - 1.0).abs() < 1e-4);
     let mut whole = LifeJob::new(model(&scenario()), 0.5);
     let mut sliced = whole.clone();
-    whole.advance(usize::MAX);
-    while !sliced.advance(7) {}
+    whole.to_end();
+    while !sliced.advance_by(7) {}
     assert_eq!(whole.points(), sliced.points());
     let long = LifeJob::new(model(&scenario()), 1e7);
-    assert!(long.progress().1 <= 100_001 && long.step_s() > 1000.0);
+    assert!(long.progress().total <= 100_001.0 && long.step_s() > 1000.0);
 }
 
 #[test]

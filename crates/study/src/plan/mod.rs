@@ -23,11 +23,12 @@ use problem::Problem;
 use swarm::{Iteration, Particle, Swarm, SwarmSetup};
 
 use crate::base::settings::SettingError;
+use crate::run::job::{Budget, Job, Progress};
 use crate::run::scenario::Scenario;
 
-/// How far a plan is.
+/// What a plan has taken so far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Progress {
+pub struct PlanCounts {
     /// Iterations done.
     pub iteration: u32,
     /// Most iterations.
@@ -86,12 +87,6 @@ impl PlanJob {
         Self { problem, swarm }
     }
 
-    /// Advances by at most `iterations` of the swarm; `true` when the plan is done.
-    pub fn advance(&mut self, iterations: u32) -> bool {
-        let problem = &self.problem;
-        self.swarm.advance(iterations, |point| problem.score(point))
-    }
-
     /// The plan of a scenario, run to its end.
     ///
     /// ```
@@ -106,14 +101,14 @@ impl PlanJob {
     /// See [`Problem::new`].
     pub fn complete(scenario: &Scenario) -> Result<Self, SettingError> {
         let mut job = Self::new(scenario)?;
-        job.advance(u32::MAX);
+        job.to_end();
         Ok(job)
     }
 
-    /// How far it is.
+    /// Iterations and evaluations.
     #[must_use]
-    pub fn progress(&self) -> Progress {
-        Progress {
+    pub fn counts(&self) -> PlanCounts {
+        PlanCounts {
             iteration: self.swarm.iteration(),
             iterations: self.swarm.setup().iterations,
             evaluations: self.swarm.evaluations(),
@@ -149,5 +144,28 @@ impl PlanJob {
     #[must_use]
     pub fn optimum(&self) -> Optimum {
         Optimum::at(&self.problem, self.swarm.best().0)
+    }
+}
+
+/// A step is an iteration of the swarm.
+impl Job for PlanJob {
+    type Partial = Optimum;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        let problem = &self.problem;
+        while !self.swarm.done() && budget.step() {
+            self.swarm.advance(1, |point| problem.score(point));
+        }
+        self.swarm.done()
+    }
+
+    fn progress(&self) -> Progress {
+        let total = f64::from(self.swarm.setup().iterations);
+        let done = if self.swarm.done() { total } else { f64::from(self.swarm.iteration()) };
+        Progress { done, total, unit: "iterations" }
+    }
+
+    fn partial(&self) -> Optimum {
+        self.optimum()
     }
 }

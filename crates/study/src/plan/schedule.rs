@@ -15,6 +15,8 @@ use super::problem::{CUTTING_SPEED_M_MIN, Problem};
 use crate::base::settings::{Section, SettingError, Value};
 use crate::blocks::cutting::tool_path::Engagement;
 use crate::models::plan::PlannedSection;
+use crate::run::job::{Budget, Job, Progress};
+use crate::run::parts::{Making, Parts};
 use crate::run::scenario::Scenario;
 
 /// A cut and its planned feed.
@@ -28,13 +30,27 @@ pub struct PlannedCut {
     pub optimum: Optimum,
 }
 
-/// A schedule on its way: one cut after the other.
+/// A schedule on its way: a plan for every cut.
 #[derive(Clone, Debug)]
 pub struct ScheduleJob {
+    sizing: Sizing,
+    plans: Parts<CutPlan, PlannedCut>,
+}
+
+/// What the plans are made of.
+#[derive(Clone, Debug)]
+struct Sizing {
     scenario: Scenario,
     machine: MachineLimits,
     sized_by: PlannedSection,
-    planned: Vec<PlannedCut>,
+}
+
+/// The plan of one cut.
+#[derive(Clone, Debug)]
+struct CutPlan {
+    section: usize,
+    section_mm: Section,
+    plan: PlanJob,
 }
 
 impl ScheduleJob {
@@ -68,9 +84,34 @@ impl ScheduleJob {
             s.plan.free_speed = false;
             s.plan.cutting_speed_m_min = speed_m_min;
         })?;
-        Ok(Self { scenario, machine: machine.clone(), sized_by, planned: Vec::new() })
+        let sizing = Sizing { scenario, machine: machine.clone(), sized_by };
+        Ok(Self { sizing, plans: Parts::default() })
     }
 
+    /// The cuts planned so far.
+    #[must_use]
+    pub fn planned(&self) -> &[PlannedCut] {
+        self.plans.done()
+    }
+
+    /// Their feeds, mm/min.
+    #[must_use]
+    pub fn feeds_mm_min(&self) -> Vec<f64> {
+        self.planned().iter().map(|cut| cut.optimum.feed_mm_min).collect()
+    }
+
+    /// `scenario` with these feeds as the programmed ones.
+    ///
+    /// # Errors
+    /// A feed lies outside the range of its setting.
+    pub fn apply(&self, scenario: &Scenario) -> Result<Scenario, SettingError> {
+        let mut planned = scenario.clone();
+        planned.set("program.cut_feeds_mm_min", Value::Numbers(self.feeds_mm_min()))?;
+        Ok(planned)
+    }
+}
+
+impl Sizing {
     /// The scenario of one section alone.
     fn alone(&self, section: &Section) -> Result<Scenario, SettingError> {
         let place = Engagement::in_section(&self.scenario.tool.outline(), [section[1], section[2]]);
@@ -116,41 +157,58 @@ impl ScheduleJob {
         }
     }
 
-    /// Plans the next cut; `true` when all are planned.
-    ///
-    /// # Errors
-    /// A cut without a section that cuts anything, or weights that cannot be planned with.
-    pub fn advance(&mut self) -> Result<bool, SettingError> {
-        let next = self.planned.len();
-        if let Some(cut) = self.scenario.workpiece.cuts.get(next) {
-            let (section, scenario) = self.sizing(cut)?;
-            let mut job = PlanJob::on(&scenario, &self.machine)?;
-            job.advance(u32::MAX);
-            let section_mm = cut[section];
-            self.planned.push(PlannedCut { section, section_mm, optimum: job.optimum() });
-        }
-        Ok(self.planned.len() >= self.scenario.workpiece.cuts.len())
+    /// The plan of cut `index`, at its start.
+    fn begin(&self, index: usize) -> Result<CutPlan, SettingError> {
+        let cut = &self.scenario.workpiece.cuts[index];
+        let (section, scenario) = self.sizing(cut)?;
+        let plan = PlanJob::on(&scenario, &self.machine)?;
+        Ok(CutPlan { section, section_mm: cut[section], plan })
+    }
+}
+
+/// A step is an iteration of a swarm.
+impl Job for CutPlan {
+    type Partial = Optimum;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        self.plan.advance(budget)
     }
 
-    /// The cuts planned so far.
-    #[must_use]
-    pub fn planned(&self) -> &[PlannedCut] {
-        &self.planned
+    fn progress(&self) -> Progress {
+        self.plan.progress()
     }
 
-    /// Their feeds, mm/min.
-    #[must_use]
-    pub fn feeds_mm_min(&self) -> Vec<f64> {
-        self.planned.iter().map(|cut| cut.optimum.feed_mm_min).collect()
+    fn partial(&self) -> Optimum {
+        self.plan.optimum()
+    }
+}
+
+/// A step is an iteration of the swarm of one of the cuts.
+impl Job for ScheduleJob {
+    type Partial = Vec<PlannedCut>;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        let sizing = &self.sizing;
+        let begin = |index: usize| sizing.begin(index).map_err(|error| error.to_string());
+        let end = |_: usize, cut: &CutPlan| PlannedCut {
+            section: cut.section,
+            section_mm: cut.section_mm,
+            optimum: cut.plan.optimum(),
+        };
+        let count = sizing.scenario.workpiece.cuts.len();
+        self.plans.advance(count, budget, &Making { begin: &begin, end: &end })
     }
 
-    /// `scenario` with these feeds as the programmed ones.
-    ///
-    /// # Errors
-    /// A feed lies outside the range of its setting.
-    pub fn apply(&self, scenario: &Scenario) -> Result<Scenario, SettingError> {
-        let mut planned = scenario.clone();
-        planned.set("program.cut_feeds_mm_min", Value::Numbers(self.feeds_mm_min()))?;
-        Ok(planned)
+    fn progress(&self) -> Progress {
+        let total = self.sizing.scenario.workpiece.cuts.len() as f64;
+        Progress { done: self.plans.progress(), total, unit: "cuts" }
+    }
+
+    fn partial(&self) -> Vec<PlannedCut> {
+        self.planned().to_vec()
+    }
+
+    fn refusal(&self) -> Option<&str> {
+        self.plans.refusal()
     }
 }

@@ -1,10 +1,13 @@
-//! The stability chart over the speed, as a job: one curve of one speed after the other.
+//! The stability chart over the speed, as a job: its points stand for themselves, each with its curves
+//! one after the other.
 
 use serde::Serialize;
 
 use super::simulated::{self, Teeth};
 use super::{StabilityCut, interrupted, lobes};
 use crate::base::settings::SettingError;
+use crate::run::job::{Budget, Job, Progress};
+use crate::run::parts::{Making, Parts};
 use crate::run::scenario::Scenario;
 
 /// Step of the time simulation, s: that of the running cut.
@@ -84,13 +87,21 @@ impl LobePoint {
 }
 
 /// The chart in the making.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct ChartJob {
     cut: StabilityCut,
     range: Range,
     any_speed_mm: f64,
-    points: Vec<LobePoint>,
-    /// Curves of the last point that are done.
+    points: Parts<PointJob, LobePoint>,
+}
+
+/// One speed in the making: a step is a curve.
+#[derive(Clone, Debug)]
+struct PointJob {
+    cut: StabilityCut,
+    range: Range,
+    point: LobePoint,
+    /// Curves that are done.
     curves: u32,
 }
 
@@ -102,27 +113,48 @@ impl ChartJob {
     pub fn new(scenario: &Scenario, range: Range) -> Result<Self, SettingError> {
         let cut = StabilityCut::new(scenario)?;
         let any_speed_mm = cut.depth_mm(lobes::at_any_speed(&cut).stiffness_n_m);
-        Ok(Self { cut, range, any_speed_mm, points: Vec::new(), curves: 0 })
+        Ok(Self { cut, range, any_speed_mm, points: Parts::default() })
     }
 
+    /// The points so far; the last one may lack curves.
+    #[must_use]
+    pub fn points(&self) -> Vec<LobePoint> {
+        let under_way = self.points.next_under_way().map(|job| job.point);
+        self.points.done().iter().copied().chain(under_way).collect()
+    }
+
+    /// Depth in mm that is stable at every speed, by the lobes.
+    #[must_use]
+    pub fn any_speed_mm(&self) -> f64 {
+        self.any_speed_mm
+    }
+
+    /// The cut that is charted.
+    #[must_use]
+    pub fn cut(&self) -> &StabilityCut {
+        &self.cut
+    }
+}
+
+impl Range {
     fn curves_per_point(&self) -> u32 {
-        if self.range.simulate { 4 } else { 2 }
+        if self.simulate { 4 } else { 2 }
     }
 
-    /// Works out one curve at one speed; `true` when all are done.
-    pub fn advance(&mut self) -> bool {
-        if self.done() {
-            return true;
-        }
-        if self.points.is_empty() || self.curves == self.curves_per_point() {
-            let Range { from_rpm, to_rpm, speeds, .. } = self.range;
-            let share = self.points.len() as f64 / f64::from(speeds.max(2) - 1);
-            let speed_rpm = from_rpm + (to_rpm - from_rpm) * share;
-            self.points.push(LobePoint { speed_rpm, ..LobePoint::default() });
-            self.curves = 0;
-        }
+    fn count(&self) -> usize {
+        self.speeds.max(1) as usize
+    }
+
+    fn speed_rpm(&self, index: usize) -> f64 {
+        let share = index as f64 / f64::from(self.speeds.max(2) - 1);
+        self.from_rpm + (self.to_rpm - self.from_rpm) * share
+    }
+}
+
+impl PointJob {
+    fn curve(&mut self) {
         let (cut, highest_mm) = (&self.cut, self.range.highest_mm);
-        let Some(point) = self.points.last_mut() else { return true };
+        let point = &mut self.point;
         let speed = point.speed_rpm;
         match self.curves {
             0 => {
@@ -150,36 +182,49 @@ impl ChartJob {
             }
         }
         self.curves += 1;
-        self.done()
+    }
+}
+
+impl Job for PointJob {
+    type Partial = LobePoint;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        while self.curves < self.range.curves_per_point() && budget.step() {
+            self.curve();
+        }
+        self.curves >= self.range.curves_per_point()
     }
 
-    fn done(&self) -> bool {
-        self.points.len() >= self.range.speeds.max(1) as usize
-            && self.curves == self.curves_per_point()
+    fn progress(&self) -> Progress {
+        let total = f64::from(self.range.curves_per_point());
+        Progress { done: f64::from(self.curves), total, unit: "curves" }
     }
 
-    /// Number of calls of [`Self::advance`] for the whole chart.
-    #[must_use]
-    pub fn steps(&self) -> u32 {
-        self.range.speeds.max(1) * self.curves_per_point()
+    fn partial(&self) -> LobePoint {
+        self.point
+    }
+}
+
+/// A step is a curve at one speed.
+impl Job for ChartJob {
+    type Partial = Vec<LobePoint>;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        let (cut, range) = (&self.cut, self.range);
+        let begin = |index: usize| {
+            let point = LobePoint { speed_rpm: range.speed_rpm(index), ..LobePoint::default() };
+            Ok(PointJob { cut: cut.clone(), range, point, curves: 0 })
+        };
+        let end = |_: usize, job: &PointJob| job.point;
+        self.points.advance(range.count(), budget, &Making { begin: &begin, end: &end })
     }
 
-    /// The points so far; the last one may lack curves.
-    #[must_use]
-    pub fn points(&self) -> &[LobePoint] {
-        &self.points
+    fn progress(&self) -> Progress {
+        Progress { done: self.points.progress(), total: self.range.count() as f64, unit: "speeds" }
     }
 
-    /// Depth in mm that is stable at every speed, by the lobes.
-    #[must_use]
-    pub fn any_speed_mm(&self) -> f64 {
-        self.any_speed_mm
-    }
-
-    /// The cut that is charted.
-    #[must_use]
-    pub fn cut(&self) -> &StabilityCut {
-        &self.cut
+    fn partial(&self) -> Vec<LobePoint> {
+        self.points()
     }
 }
 
@@ -193,10 +238,10 @@ mod tests {
             Range { from_rpm: 1100.0, to_rpm: 2300.0, speeds: 2, highest_mm: 60.0, simulate: true };
         let mut job = ChartJob::new(&Scenario::default(), range).unwrap();
         let mut steps = 1;
-        while !job.advance() {
+        while !job.advance_by(1) {
             steps += 1;
         }
-        assert_eq!((steps, job.points().len()), (job.steps(), 2));
+        assert_eq!((steps, job.points().len()), (2 * 4, 2));
         for point in job.points() {
             for difference in point.differences_percent() {
                 let percent = difference.expect("every speed here has a limit");
@@ -204,7 +249,7 @@ mod tests {
             }
             assert!(point.mean_mm > Some(job.any_speed_mm()));
         }
-        let whole = job.clone();
-        assert!(job.advance() && job == whole, "a finished chart stays as it is");
+        let whole = job.points();
+        assert!(job.advance_by(1) && job.points() == whole, "a finished chart stays as it is");
     }
 }

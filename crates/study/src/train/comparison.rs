@@ -5,6 +5,8 @@
 //! of its targets, the paper's and one inside its bounds; and the centre with further seeds, whose
 //! spread says which differences mean anything. Every network gets the same number of epochs.
 
+use std::sync::Arc;
+
 use serde::Serialize;
 
 use super::data::TrainingRow;
@@ -12,6 +14,8 @@ use super::errors::of_components;
 use super::recipe::{RecipeKind, TrainingRecipe};
 use super::{TrainingSession, split};
 use crate::base::network::Activation;
+use crate::run::job::{Budget, Job, Progress};
+use crate::run::parts::{Making, Parts};
 
 /// Epochs of every network (chosen: all 40 in some minutes).
 pub const EPOCHS: u32 = 1000;
@@ -79,39 +83,124 @@ pub struct Trial {
     pub epochs_to_level: Option<u32>,
 }
 
-/// Trains one network on the first part of `measured` and judges it over the rest.
-///
-/// # Errors
-/// As [`TrainingSession::new`].
-pub fn trial(recipe: &TrainingRecipe, measured: &[TrainingRow]) -> Result<Trial, String> {
-    let (_, held_out) = split(measured);
-    let mut session = TrainingSession::new(recipe, measured)?;
-    let mut checks = Vec::new();
-    let mut epochs_to_level = None;
-    for epoch in 1..=recipe.epochs {
-        session.epoch();
-        if epoch % CHECK_EVERY != 0 {
-            continue;
+/// The networks of the comparison, each trained on the first part of the rows and judged over the rest.
+#[derive(Clone, Debug)]
+pub struct ComparisonJob {
+    recipes: Vec<TrainingRecipe>,
+    measured: Arc<[TrainingRow]>,
+    trials: Parts<TrialJob, Trial>,
+}
+
+impl ComparisonJob {
+    /// A comparison of these recipes on `measured`, not yet begun.
+    #[must_use]
+    pub fn new(recipes: Vec<TrainingRecipe>, measured: &[TrainingRow]) -> Self {
+        Self { recipes, measured: measured.into(), trials: Parts::default() }
+    }
+
+    /// The networks judged so far, in the order of their recipes.
+    #[must_use]
+    pub fn trials(&self) -> &[Trial] {
+        self.trials.done()
+    }
+}
+
+/// A step is an epoch of one of the networks.
+impl Job for ComparisonJob {
+    type Partial = Vec<Trial>;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        let (recipes, measured) = (&self.recipes, &self.measured);
+        let begin = |index: usize| TrialJob::new(&recipes[index], measured);
+        let end = |_: usize, job: &TrialJob| job.trial();
+        self.trials.advance(recipes.len(), budget, &Making { begin: &begin, end: &end })
+    }
+
+    fn progress(&self) -> Progress {
+        let total = self.recipes.len() as f64;
+        Progress { done: self.trials.progress(), total, unit: "networks" }
+    }
+
+    fn partial(&self) -> Vec<Trial> {
+        self.trials().to_vec()
+    }
+
+    fn refusal(&self) -> Option<&str> {
+        self.trials.refusal()
+    }
+}
+
+/// One network in training.
+#[derive(Clone, Debug)]
+struct TrialJob {
+    recipe: TrainingRecipe,
+    measured: Arc<[TrainingRow]>,
+    session: TrainingSession,
+    /// Errors over the held-out rows, percent.
+    checks: Vec<f64>,
+    epochs_to_level: Option<u32>,
+}
+
+impl TrialJob {
+    fn new(recipe: &TrainingRecipe, measured: &Arc<[TrainingRow]>) -> Result<Self, String> {
+        Ok(Self {
+            session: TrainingSession::new(recipe, measured)?,
+            recipe: recipe.clone(),
+            measured: Arc::clone(measured),
+            checks: Vec::new(),
+            epochs_to_level: None,
+        })
+    }
+
+    fn epoch(&mut self) {
+        self.session.epoch();
+        let epoch = self.session.epochs_done();
+        if !epoch.is_multiple_of(CHECK_EVERY) {
+            return;
         }
-        let network = session.network();
+        let network = self.session.network();
+        let (_, held_out) = split(&self.measured);
         let errors = of_components(held_out, |row| {
             let [x, y, z, ..] = network.predict(&row.cut.inputs());
             [x, y, z]
         });
-        if errors.mean_percent <= LEVEL_PERCENT && epochs_to_level.is_none() {
-            epochs_to_level = Some(epoch);
+        if errors.mean_percent <= LEVEL_PERCENT && self.epochs_to_level.is_none() {
+            self.epochs_to_level = Some(epoch);
         }
-        checks.push(errors.mean_percent);
+        self.checks.push(errors.mean_percent);
     }
-    let last = &checks[checks.len().saturating_sub(LAST_CHECKS)..];
-    Ok(Trial {
-        activation: recipe.activation.id(),
-        target: recipe.target,
-        rate: recipe.learning.rate,
-        momentum: recipe.learning.momentum,
-        hidden: recipe.hidden[0],
-        seed: recipe.seed,
-        error_percent: last.iter().sum::<f64>() / last.len().max(1) as f64,
-        epochs_to_level,
-    })
+
+    fn trial(&self) -> Trial {
+        let recipe = &self.recipe;
+        let last = &self.checks[self.checks.len().saturating_sub(LAST_CHECKS)..];
+        Trial {
+            activation: recipe.activation.id(),
+            target: recipe.target,
+            rate: recipe.learning.rate,
+            momentum: recipe.learning.momentum,
+            hidden: recipe.hidden[0],
+            seed: recipe.seed,
+            error_percent: last.iter().sum::<f64>() / last.len().max(1) as f64,
+            epochs_to_level: self.epochs_to_level,
+        }
+    }
+}
+
+impl Job for TrialJob {
+    type Partial = Trial;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        while self.session.epochs_done() < self.recipe.epochs && budget.step() {
+            self.epoch();
+        }
+        self.session.epochs_done() >= self.recipe.epochs
+    }
+
+    fn progress(&self) -> Progress {
+        self.session.progress()
+    }
+
+    fn partial(&self) -> Trial {
+        self.trial()
+    }
 }

@@ -11,6 +11,8 @@ use crate::models::neural_force::{
     AXIAL_DEPTH_MM, AXIAL_PER_DIAMETER, CutPoint, FEED_PER_TOOTH_MM, HARDNESS_HB,
     RADIAL_PER_DIAMETER, SPEED_M_MIN, TEETH, speed_m_min,
 };
+use crate::run::job::{Budget, Job, Progress};
+use crate::run::parts::{Making, OneStep, Parts};
 
 /// Cutter diameters, mm.
 pub const DIAMETERS_MM: [f64; 4] = [10.0, 12.0, 16.0, 20.0];
@@ -60,51 +62,75 @@ pub fn mechanistic_n(cut: &CutPoint) -> [f64; 3] {
     static_peak(&cutter, &law, &cut).components_n
 }
 
-/// Makes rows one by one: an iterator, so that callers can show progress.
+/// Rows in the making: a job of independent rows.
 #[derive(Clone, Debug)]
-pub struct Generator {
-    cuts: std::vec::IntoIter<CutPoint>,
+pub struct RowsJob {
+    cuts: Vec<CutPoint>,
     noise: Option<Stream>,
-    next: u64,
+    rows: Parts<OneStep, TrainingRow>,
 }
 
-impl Generator {
+impl RowsJob {
     /// `rows` measured rows (with noise), for training and hold-out.
     #[must_use]
     pub fn measured(rows: u32, seed: u32) -> Self {
         let noise = Some(Stream::new(seed.into(), "train.noise"));
-        Self { cuts: latin_hypercube(rows, seed, "train").into_iter(), noise, next: 0 }
+        Self { cuts: latin_hypercube(rows, seed, "train"), noise, rows: Parts::default() }
     }
 
     /// `rows` rows without noise that share no draw with the measured ones.
     #[must_use]
     pub fn fresh(rows: u32, seed: u32) -> Self {
-        Self { cuts: latin_hypercube(rows, seed, "fresh").into_iter(), noise: None, next: 0 }
+        let cuts = latin_hypercube(rows, seed, "fresh");
+        Self { cuts, noise: None, rows: Parts::default() }
+    }
+
+    /// The rows so far, in order.
+    #[must_use]
+    pub fn rows(&self) -> &[TrainingRow] {
+        self.rows.done()
+    }
+
+    /// All rows, made on one thread.
+    #[must_use]
+    pub fn complete(mut self) -> Vec<TrainingRow> {
+        self.to_end();
+        self.rows.done().to_vec()
     }
 }
 
-impl Iterator for Generator {
-    type Item = TrainingRow;
-
-    fn next(&mut self) -> Option<TrainingRow> {
-        let cut = self.cuts.next()?;
-        let mut forces_n = mechanistic_n(&cut);
-        if let Some(noise) = self.noise {
-            for force in &mut forces_n {
-                *force *= 1.0 + NOISE_RATIO * noise.normal(self.next);
-                *force += NOISE_N * noise.normal(self.next + 1);
-                self.next += 2;
-            }
+/// The forces of a cut, with the noise of row `index`.
+fn row(cut: CutPoint, noise: Option<&Stream>, index: usize) -> TrainingRow {
+    let mut forces_n = mechanistic_n(&cut);
+    if let Some(noise) = noise {
+        let drawn = 2 * forces_n.len() * index;
+        for (force, draw) in forces_n.iter_mut().zip((drawn as u64..).step_by(2)) {
+            *force *= 1.0 + NOISE_RATIO * noise.normal(draw);
+            *force += NOISE_N * noise.normal(draw + 1);
         }
-        Some(TrainingRow { cut, forces_n })
     }
-
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        self.cuts.size_hint()
-    }
+    TrainingRow { cut, forces_n }
 }
 
-impl ExactSizeIterator for Generator {}
+/// A step is a row.
+impl Job for RowsJob {
+    type Partial = Vec<TrainingRow>;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        let (cuts, noise) = (&self.cuts, self.noise.as_ref());
+        let end = |index: usize, _: &OneStep| row(cuts[index], noise, index);
+        let making = Making { begin: &|_| Ok(OneStep::default()), end: &end };
+        self.rows.advance(cuts.len(), budget, &making)
+    }
+
+    fn progress(&self) -> Progress {
+        Progress { done: self.rows.progress(), total: self.cuts.len() as f64, unit: "rows" }
+    }
+
+    fn partial(&self) -> Vec<TrainingRow> {
+        self.rows().to_vec()
+    }
+}
 
 /// Cuts spread over all ranges: in each of the eight dimensions every one of `rows` equal strata
 /// holds one cut.
@@ -174,9 +200,9 @@ mod tests {
 
     #[test]
     fn measured_rows_carry_the_stated_noise_and_repeat() {
-        let rows: Vec<TrainingRow> = Generator::measured(60, 1).collect();
-        assert_eq!(rows, Generator::measured(60, 1).collect::<Vec<_>>());
-        assert_ne!(rows[0], Generator::measured(60, 2).next().unwrap());
+        let rows: Vec<TrainingRow> = RowsJob::measured(60, 1).complete();
+        assert_eq!(rows, RowsJob::measured(60, 1).complete());
+        assert_ne!(rows[0], RowsJob::measured(60, 2).complete()[0]);
         let mut sum = 0.0;
         for row in &rows {
             for (measured, exact) in row.forces_n.iter().zip(mechanistic_n(&row.cut)) {
@@ -186,7 +212,7 @@ mod tests {
         }
         // 180 squares of standard normal deviates: mean 1, standard deviation 0.105.
         assert!((sum / 180.0 - 1.0).abs() < 0.35, "{}", sum / 180.0);
-        let fresh = Generator::fresh(1, 1).next().unwrap();
+        let fresh = RowsJob::fresh(1, 1).complete()[0];
         assert_eq!(fresh.forces_n, mechanistic_n(&fresh.cut));
     }
 }

@@ -68,11 +68,11 @@ pub fn of_components(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::train::data::Generator;
+    use crate::train::data::RowsJob;
 
     #[test]
     fn a_model_off_by_known_amounts_has_those_errors() {
-        let rows: Vec<TrainingRow> = Generator::fresh(40, 3).collect();
+        let rows: Vec<TrainingRow> = RowsJob::fresh(40, 3).complete();
         let exact = of_components(&rows, |row| row.forces_n);
         assert_eq!((exact.mean_percent, exact.rmse_percent_of_range), (0.0, Some([0.0; 3])));
         let larger = of_components(&rows, |row| row.forces_n.map(|force| 1.1 * force));

@@ -137,11 +137,11 @@ pub fn fit_all(training: &[TrainingRow], fresh: &[TrainingRow]) -> Result<Vec<Fo
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::train::data::Generator;
+    use crate::train::data::RowsJob;
 
     #[test]
     fn forms_find_back_the_law_that_made_the_rows() {
-        let cuts: Vec<TrainingRow> = Generator::fresh(120, 4).collect();
+        let cuts: Vec<TrainingRow> = RowsJob::fresh(120, 4).complete();
         for form in Form::ALL {
             let n = features(*form, &cuts[0].cut).len();
             let mut law: Vec<f64> = (0..n).map(|k| 0.03 * (k as f64 + 1.0)).collect();

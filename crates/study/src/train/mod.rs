@@ -1,8 +1,8 @@
 //! Training of the neural force model: data, recipes, errors, the best formula on the same data,
 //! and the 2013 paper's comparison of 40 networks.
 //!
-//! Pure and advanced in small steps ([`data::Generator`] gives row by row, [`TrainingSession::epoch`] epoch
-//! by epoch), so that the caller shows progress and slicing cannot change a result.
+//! All of it are jobs: [`data::RowsJob`] row by row, [`TrainingSession`] epoch by epoch,
+//! [`comparison::ComparisonJob`] network by network.
 
 pub mod comparison;
 pub mod data;
@@ -17,6 +17,7 @@ pub mod unks;
 use crate::base::math::extent;
 use crate::base::network::{Network, Provenance, ScaledNetwork, Scaling, Training, write};
 use crate::base::rng::Stream;
+use crate::run::job::{Budget, Job, Progress};
 
 use data::TrainingRow;
 use recipe::TrainingRecipe;
@@ -38,6 +39,7 @@ pub struct TrainingSession {
     rows: u32,
     scaling: Scaling,
     training: Training,
+    epochs_done: u32,
 }
 
 impl TrainingSession {
@@ -66,12 +68,25 @@ impl TrainingSession {
         });
         let patterns = patterns.collect();
         let training = Training::new(network, recipe.learning, patterns, stream("train.order"));
-        Ok(Self { recipe: recipe.clone(), rows: measured.len() as u32, scaling, training })
+        Ok(Self {
+            recipe: recipe.clone(),
+            rows: measured.len() as u32,
+            scaling,
+            training,
+            epochs_done: 0,
+        })
     }
 
     /// One epoch; returns the root mean square of the normalised errors met.
     pub fn epoch(&mut self) -> f64 {
+        self.epochs_done += 1;
         self.training.epoch()
+    }
+
+    /// Epochs done.
+    #[must_use]
+    pub fn epochs_done(&self) -> u32 {
+        self.epochs_done
     }
 
     /// The network as it is now, with the digits of a file.
@@ -95,5 +110,26 @@ impl TrainingSession {
             decay: learning.decay,
         };
         write(&self.network(), &provenance)
+    }
+}
+
+/// A step is an epoch.
+impl Job for TrainingSession {
+    type Partial = ScaledNetwork;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        while self.epochs_done < self.recipe.epochs && budget.step() {
+            self.epoch();
+        }
+        self.epochs_done >= self.recipe.epochs
+    }
+
+    fn progress(&self) -> Progress {
+        let total = f64::from(self.recipe.epochs);
+        Progress { done: f64::from(self.epochs_done), total, unit: "epochs" }
+    }
+
+    fn partial(&self) -> ScaledNetwork {
+        self.network()
     }
 }

@@ -5,6 +5,8 @@
 //! 0.16 to 0.8 s. What force came of what override H control periods later teaches NM-1 and, read
 //! the other way round, NM-2. NM-R learns F_ref / F from 4000 random pairs.
 
+use std::sync::Arc;
+
 use crate::base::math::{self, extent, limit};
 use crate::base::network::{
     Activation, LearningParameters, Network, Provenance, ScaledNetwork, Scaling, Training, write,
@@ -21,6 +23,8 @@ use crate::models::feed_drive::{DriveState, ExactDrive, FeedDriveKind};
 use crate::models::part::{APPROACH_MM, CutPath};
 use crate::models::tool::Tool;
 use crate::models::unks::{HORIZON_BEYOND, LEAST_KN, SIZES, log_force};
+use crate::run::job::{Budget, Job, Progress};
+use crate::run::parts::{Making, Parts};
 
 /// What the data are, for files and reports.
 pub const NOTE: &str = "UNKS of 2005: the paper's networks were never published; trained by \
@@ -54,6 +58,7 @@ const RATIO_PAIRS: u64 = 4000;
 type Period = Option<(f64, f64)>;
 
 /// Draws numbers one after the other.
+#[derive(Clone, Debug)]
 struct Draws {
     stream: Stream,
     counter: u64,
@@ -126,7 +131,7 @@ fn excited(number: u64, setup: &MillingSetup, force_ref_n: f64, draws: &mut Draw
 }
 
 /// A pattern: three features, the fourth input, the output.
-type Pattern = ([f64; 4], f64);
+pub type Pattern = ([f64; 4], f64);
 
 /// Patterns for NM-1 and NM-2 from one cut.
 fn patterns(periods: &[Period]) -> Vec<[Pattern; 2]> {
@@ -146,13 +151,33 @@ fn patterns(periods: &[Period]) -> Vec<[Pattern; 2]> {
     found
 }
 
-/// All patterns of the random workpieces; `advance` is called after every cut.
-#[must_use]
-pub fn process_patterns(mut advance: impl FnMut()) -> Vec<[Pattern; 2]> {
-    let mut draws = Draws::new("unks.workpieces");
-    let mut all = Vec::new();
-    for piece in 0..WORKPIECES {
-        let steel = if piece % 2 == 0 { CK45 } else { MNCRSI5 };
+/// Patterns of the random workpieces: a job of one cut after the other, since each draws on where the one
+/// before has left the random numbers.
+#[derive(Clone, Debug)]
+pub struct PatternsJob {
+    draws: Draws,
+    /// Cuts done.
+    cuts: u64,
+    force_ref_n: f64,
+    patterns: Vec<[Pattern; 2]>,
+}
+
+impl Default for PatternsJob {
+    fn default() -> Self {
+        let draws = Draws::new("unks.workpieces");
+        Self { draws, cuts: 0, force_ref_n: 0.0, patterns: Vec::new() }
+    }
+}
+
+impl PatternsJob {
+    /// The patterns so far: of NM-1 and NM-2.
+    #[must_use]
+    pub fn patterns(&self) -> &[[Pattern; 2]] {
+        &self.patterns
+    }
+
+    fn cut(&mut self) {
+        let steel = if (self.cuts / CUTS).is_multiple_of(2) { CK45 } else { MNCRSI5 };
         let tool = Tool::default();
         let setup = MillingSetup {
             cutter: Cutter::new(&tool, 0.003, 0.25),
@@ -162,14 +187,34 @@ pub fn process_patterns(mut advance: impl FnMut()) -> Vec<[Pattern; 2]> {
             factor: 1.0,
             dt_s: PERIOD_S / SAMPLES as f64,
         };
-        let force_ref_n = draws.uniform([400.0, 900.0]);
-        for cut in 0..CUTS {
-            let periods = excited(piece * CUTS + cut, &setup, force_ref_n, &mut draws);
-            all.extend(patterns(&periods));
-            advance();
+        if self.cuts.is_multiple_of(CUTS) {
+            self.force_ref_n = self.draws.uniform([400.0, 900.0]);
         }
+        let periods = excited(self.cuts, &setup, self.force_ref_n, &mut self.draws);
+        self.patterns.extend(patterns(&periods));
+        self.cuts += 1;
     }
-    all
+}
+
+/// A step is a cut.
+impl Job for PatternsJob {
+    type Partial = Vec<[Pattern; 2]>;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        while self.cuts < WORKPIECES * CUTS && budget.step() {
+            self.cut();
+        }
+        self.cuts >= WORKPIECES * CUTS
+    }
+
+    fn progress(&self) -> Progress {
+        let total = (WORKPIECES * CUTS) as f64;
+        Progress { done: self.cuts as f64, total, unit: "cuts" }
+    }
+
+    fn partial(&self) -> Vec<[Pattern; 2]> {
+        self.patterns.clone()
+    }
 }
 
 /// A trained network, its file and its error.
@@ -187,77 +232,164 @@ pub struct Trained {
     pub rms: f64,
 }
 
-/// Trains one network; ends early below `level`.
-fn train(
-    (name, index): (&'static str, usize),
-    patterns: &[(Vec<f64>, f64)],
-    (learning, epochs, level): (LearningParameters, u32, f64),
-) -> Result<Trained, String> {
-    let sizes = SIZES[index];
-    let stream = |label: &str| Stream::new(u64::from(SEED), &format!("{name}.{label}"));
-    let network = Network::random(sizes, Activation::Arctan, true, stream("weights"))?;
-    let inputs = (0..sizes[0]).map(|i| extent(patterns.iter().map(|(x, _)| x[i])));
-    let scaling = Scaling {
-        norm: [-1.0, 1.0],
-        target: [-1.0, 1.0],
-        ln_inputs: vec![false; sizes[0]],
-        inputs: inputs.collect(),
-        outputs: vec![extent(patterns.iter().map(|(_, y)| *y))],
-    };
-    let normal = patterns
-        .iter()
-        .map(|(x, y)| (scaling.normal_inputs(x), scaling.normal_targets(&[*y])))
-        .collect();
-    let mut training = Training::new(network, learning, normal, stream("order"));
-    let [slope, _] = scaling.output_map(0);
-    let mut done = 0;
-    while done < epochs {
-        done += 1;
-        if training.epoch() * slope.abs() < level {
-            break;
-        }
-    }
-    let scaled = ScaledNetwork { network: training.network().clone(), scaling }.as_in_file();
-    let square: f64 =
-        patterns.iter().map(|(x, y)| (scaled.predict(x)[0] - y) * (scaled.predict(x)[0] - y)).sum();
-    let provenance = Provenance {
-        note: NOTE.to_owned(),
-        rows: patterns.len() as u32,
-        seed: SEED,
-        epochs: done,
-        rate: learning.rate,
-        momentum: learning.momentum,
-        decay: learning.decay,
-    };
-    Ok(Trained {
-        name,
-        file: write(&scaled, &provenance),
-        patterns: patterns.len(),
-        epochs: done,
-        rms: (square / patterns.len() as f64).sqrt(),
-    })
+/// How a network is trained: the parameters, most epochs, and the error below which it ends earlier.
+type Schedule = (LearningParameters, u32, f64);
+
+/// What a network learns from: inputs and output.
+type Lesson = (Vec<f64>, f64);
+
+/// One network in training.
+#[derive(Clone, Debug)]
+struct NetworkJob {
+    name: &'static str,
+    lessons: Arc<[Lesson]>,
+    schedule: Schedule,
+    scaling: Scaling,
+    training: Training,
+    epochs: u32,
+    /// Whether it has ended early.
+    level_reached: bool,
 }
 
-/// Trains NM-R, NM-1 and NM-2, in this order.
-///
-/// # Errors
-/// Never with these sizes; the message names the field.
-pub fn networks(patterns: &[[Pattern; 2]]) -> Result<[Trained; 3], String> {
-    let mut draws = Draws::new("unks.pairs");
-    let pairs: Vec<(Vec<f64>, f64)> = (0..RATIO_PAIRS)
-        .map(|_| {
+impl NetworkJob {
+    fn new(
+        (name, sizes): (&'static str, &[usize]),
+        lessons: &Arc<[Lesson]>,
+        schedule: Schedule,
+    ) -> Result<Self, String> {
+        let stream = |label: &str| Stream::new(u64::from(SEED), &format!("{name}.{label}"));
+        let network = Network::random(sizes, Activation::Arctan, true, stream("weights"))?;
+        let inputs = (0..sizes[0]).map(|i| extent(lessons.iter().map(|(x, _)| x[i])));
+        let scaling = Scaling {
+            norm: [-1.0, 1.0],
+            target: [-1.0, 1.0],
+            ln_inputs: vec![false; sizes[0]],
+            inputs: inputs.collect(),
+            outputs: vec![extent(lessons.iter().map(|(_, y)| *y))],
+        };
+        let normal = lessons
+            .iter()
+            .map(|(x, y)| (scaling.normal_inputs(x), scaling.normal_targets(&[*y])))
+            .collect();
+        let training = Training::new(network, schedule.0, normal, stream("order"));
+        let lessons = Arc::clone(lessons);
+        Ok(Self { name, lessons, schedule, scaling, training, epochs: 0, level_reached: false })
+    }
+
+    fn is_over(&self) -> bool {
+        self.level_reached || self.epochs >= self.schedule.1
+    }
+
+    fn trained(&self) -> Trained {
+        let (learning, ..) = self.schedule;
+        let network = self.training.network().clone();
+        let scaled = ScaledNetwork { network, scaling: self.scaling.clone() }.as_in_file();
+        let off = |(x, y): &Lesson| scaled.predict(x)[0] - y;
+        let square: f64 = self.lessons.iter().map(|lesson| off(lesson) * off(lesson)).sum();
+        let provenance = Provenance {
+            note: NOTE.to_owned(),
+            rows: self.lessons.len() as u32,
+            seed: SEED,
+            epochs: self.epochs,
+            rate: learning.rate,
+            momentum: learning.momentum,
+            decay: learning.decay,
+        };
+        Trained {
+            name: self.name,
+            file: write(&scaled, &provenance),
+            patterns: self.lessons.len(),
+            epochs: self.epochs,
+            rms: (square / self.lessons.len() as f64).sqrt(),
+        }
+    }
+}
+
+/// A step is an epoch.
+impl Job for NetworkJob {
+    type Partial = Trained;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        let [slope, _] = self.scaling.output_map(0);
+        while !self.is_over() && budget.step() {
+            self.epochs += 1;
+            self.level_reached = self.training.epoch() * slope.abs() < self.schedule.2;
+        }
+        self.is_over()
+    }
+
+    fn progress(&self) -> Progress {
+        let total = f64::from(self.schedule.1);
+        let done = if self.is_over() { total } else { f64::from(self.epochs) };
+        Progress { done, total, unit: "epochs" }
+    }
+
+    fn partial(&self) -> Trained {
+        self.trained()
+    }
+}
+
+/// NM-R, NM-1 and NM-2 in training.
+#[derive(Clone, Debug)]
+pub struct NetworksJob {
+    lessons: [Arc<[Lesson]>; 3],
+    networks: Parts<NetworkJob, Trained>,
+}
+
+/// Names and ways of training, in the order of [`SIZES`].
+const NETWORKS: [(&str, Schedule); 3] = [
+    ("NM-R", (RATIO, RATIO_EPOCHS, RATIO_LEVEL)),
+    ("NM-1", (PROCESS, PROCESS_EPOCHS, 0.0)),
+    ("NM-2", (PROCESS, PROCESS_EPOCHS, 0.0)),
+];
+
+impl NetworksJob {
+    /// The networks, untrained, with the patterns of NM-1 and NM-2; NM-R learns a ratio.
+    #[must_use]
+    pub fn new(patterns: &[[Pattern; 2]]) -> Self {
+        let mut draws = Draws::new("unks.pairs");
+        let pairs = (0..RATIO_PAIRS).map(|_| {
             let reference = draws.uniform([0.2, 1.0]);
             let force = draws.uniform([0.1, 2.0]).max(LEAST_KN);
             (vec![reference, force], limit(reference / force, 0.0, 1.5))
-        })
-        .collect();
-    let of = |i: usize| -> Vec<(Vec<f64>, f64)> {
-        patterns.iter().map(|both| (both[i].0.to_vec(), both[i].1)).collect()
-    };
-    let process = (PROCESS, PROCESS_EPOCHS, 0.0);
-    Ok([
-        train(("NM-R", 0), &pairs, (RATIO, RATIO_EPOCHS, RATIO_LEVEL))?,
-        train(("NM-1", 1), &of(0), process)?,
-        train(("NM-2", 2), &of(1), process)?,
-    ])
+        });
+        let of = |i: usize| -> Arc<[Lesson]> {
+            patterns.iter().map(|both| (both[i].0.to_vec(), both[i].1)).collect()
+        };
+        Self { lessons: [pairs.collect(), of(0), of(1)], networks: Parts::default() }
+    }
+
+    /// The networks that are trained, in this order.
+    #[must_use]
+    pub fn trained(&self) -> &[Trained] {
+        self.networks.done()
+    }
+}
+
+/// A step is an epoch of one of the networks.
+impl Job for NetworksJob {
+    type Partial = Vec<Trained>;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        let lessons = &self.lessons;
+        let begin = |index: usize| {
+            let (name, schedule) = NETWORKS[index];
+            NetworkJob::new((name, SIZES[index]), &lessons[index], schedule)
+        };
+        let end = |_: usize, job: &NetworkJob| job.trained();
+        self.networks.advance(NETWORKS.len(), budget, &Making { begin: &begin, end: &end })
+    }
+
+    fn progress(&self) -> Progress {
+        let total = NETWORKS.len() as f64;
+        Progress { done: self.networks.progress(), total, unit: "networks" }
+    }
+
+    fn partial(&self) -> Vec<Trained> {
+        self.trained().to_vec()
+    }
+
+    fn refusal(&self) -> Option<&str> {
+        self.networks.refusal()
+    }
 }

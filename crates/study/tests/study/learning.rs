@@ -3,6 +3,7 @@
 use steadycut_core::base::settings::Value;
 use steadycut_core::models::unks::{Stored, StoredNetworks, UnksNetworks, UnksStart};
 use steadycut_core::run::edits::Edits;
+use steadycut_core::run::job::Job;
 use steadycut_core::run::one_run::Run;
 use steadycut_core::run::presets::load;
 use steadycut_core::run::scenario::Scenario;
@@ -26,7 +27,7 @@ fn short(start: UnksStart) -> Scenario {
 
 fn complete(scenario: &Scenario, passes: u32) -> Passes {
     let mut job = Passes::new(scenario, passes);
-    while !job.advance(500) {}
+    while !job.advance_by(500) {}
     job
 }
 
@@ -116,9 +117,9 @@ fn slices_change_nothing() {
     let whole = complete(&scenario, 2);
     let mut sliced = Passes::new(&scenario, 2);
     let mut progress = 0.0;
-    while !sliced.advance(37) {
-        assert!((progress..1.0).contains(&sliced.progress()) && sliced.verdict().is_none());
-        progress = sliced.progress();
+    while !sliced.advance_by(37) {
+        assert!((progress..1.0).contains(&sliced.progress().share()) && sliced.verdict().is_none());
+        progress = sliced.progress().share();
     }
     assert_eq!(sliced.done(), whole.done());
     assert_eq!(sliced.learned(), whole.learned());

@@ -3,6 +3,7 @@
 mod closed_loop;
 mod coupled;
 mod golden;
+mod jobs;
 mod learning;
 mod milling;
 mod per_cut;

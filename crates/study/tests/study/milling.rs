@@ -7,6 +7,7 @@ use steadycut_core::base::settings::Value;
 use steadycut_core::blocks::control::ControllerKind;
 use steadycut_core::blocks::control::mrac::Adapted;
 use steadycut_core::run::edits::Edits;
+use steadycut_core::run::job::Job;
 use steadycut_core::run::metrics::Metrics;
 use steadycut_core::run::one_run::{End, Run};
 use steadycut_core::run::presets::load;
@@ -220,7 +221,7 @@ fn unks_learns_while_it_cuts() {
 
 fn played(entrants: Vec<Entrant>) -> Vec<Compared> {
     let mut tournament = Tournament::new(entrants, 1);
-    while !tournament.advance(1_000_000) {}
+    tournament.to_end();
     tournament.table()
 }
 

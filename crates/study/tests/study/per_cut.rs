@@ -3,6 +3,7 @@
 use steadycut_core::base::settings::Value;
 use steadycut_core::models::plan::PlannedSection;
 use steadycut_core::run::edits::Edits;
+use steadycut_core::run::job::Job;
 use steadycut_core::run::one_run::{End, Run};
 use steadycut_core::run::presets::load;
 use steadycut_core::run::scenario::{Scenario, parse_value};
@@ -83,7 +84,8 @@ fn feeds_per_cut_survive_file_and_link_and_wrong_ones_are_named() {
 
 fn schedule(scenario: &Scenario, sized_by: PlannedSection) -> ScheduleJob {
     let mut job = ScheduleJob::on(scenario, &MachineLimits::heller_bea_01(), sized_by).unwrap();
-    while !job.advance().unwrap() {}
+    job.to_end();
+    assert_eq!(job.refusal(), None);
     job
 }
 
@@ -120,7 +122,11 @@ fn a_schedule_needs_cuts_that_cut_and_a_spindle_within_the_plan() {
         scenario.set(path, parse_value(path, text).unwrap()).unwrap();
         let job =
             ScheduleJob::on(&scenario, &MachineLimits::heller_bea_01(), PlannedSection::Lightest);
-        job.and_then(|mut job| job.advance()).unwrap_err().to_string()
+        let ended = job.map(|mut job| {
+            job.to_end();
+            job.refusal().map(str::to_owned)
+        });
+        ended.map_or_else(|error| error.to_string(), |refusal| refusal.expect("it is refused"))
     };
     assert!(refusal("workpiece.cuts", "[]").contains("at least one cut"));
     assert!(refusal("program.spindle_rpm", "200").contains("796 to 2984 1/min"));

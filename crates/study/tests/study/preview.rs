@@ -3,6 +3,7 @@
 use steadycut_core::base::settings::{Kind, Value};
 use steadycut_core::blocks::control::ControllerKind;
 use steadycut_core::run::edits::Edits;
+use steadycut_core::run::job::Job;
 use steadycut_core::run::metrics::Metrics;
 use steadycut_core::run::one_run::{End, Run};
 use steadycut_core::run::presets::load;
@@ -111,9 +112,9 @@ fn a_study_draws_everything_first_and_slices_change_nothing() {
     let short = scenario("experiment-2", &[("workpiece.cuts", "[[[10.0, 3.0, 2.0]]]")]);
     let study = Robustness::new(&short, ControllerKind::Preview, 3, 7);
     let mut sliced = study.clone();
-    while !sliced.advance(10_007).unwrap() {}
+    while !sliced.advance_by(10_007) {}
     let mut whole = study.clone();
-    while !whole.advance(u64::MAX).unwrap() {}
+    whole.to_end();
     assert_eq!(sliced.outcomes(), whole.outcomes());
     assert_eq!(sliced.outcomes().len(), 3);
     let findings = sliced.findings();
@@ -137,7 +138,7 @@ fn a_study_draws_everything_first_and_slices_change_nothing() {
     }
     let stopped = scenario("experiment-2", &[HEAVY, ("cnc.force_stop_n", "300")]);
     let mut study = Robustness::new(&stopped, ControllerKind::Preview, 1, 1);
-    while !study.advance(u64::MAX).unwrap() {}
+    study.to_end();
     assert!(!study.findings().passed && study.findings().unfinished == 1);
 }
 

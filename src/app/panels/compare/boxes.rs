@@ -8,6 +8,7 @@ use super::table::{printed_of, title, value};
 use crate::app::theme::Palette;
 use crate::app::widgets::legend;
 use crate::app::widgets::plot::{grid, still};
+use crate::run::job::{Job, Progress};
 use crate::study::compare::outcome::Measure;
 use crate::study::compare::tournament::{Compared, Tournament};
 
@@ -128,7 +129,7 @@ pub fn show(
             plot.points(dots("printed", printed, palette.reference, MarkerShape::Diamond));
         })
         .response;
-    let (done, all) = tournament.progress();
+    let Progress { done, total: all, .. } = tournament.progress();
     response.widget_info(|| {
         let label = format!("Box plots of {}, {:.0} of {all} runs", title(measure), done.floor());
         WidgetInfo::labeled(Role::Figure, true, label)

@@ -4,6 +4,7 @@
 use crate::base::settings::{SettingError, Value};
 use crate::blocks::cutting::material::Material;
 use crate::run::edits::Edits;
+use crate::run::job::{Job, Progress};
 use crate::run::one_run::Run;
 use crate::run::scenario::Scenario;
 use crate::study::compare::entrants::{BEYOND, Method, TABLE_1};
@@ -154,7 +155,7 @@ impl Contest {
     fn advance(&mut self, ticks: u64) -> bool {
         let entrants = self.tournament.entrants();
         let next = entrants.get(self.transients.len()).filter(|_| self.has_load_step());
-        let Some(entrant) = next else { return self.tournament.advance(ticks) };
+        let Some(entrant) = next else { return self.tournament.advance_by(ticks) };
         let mut run = self.stepping.take().unwrap_or_else(|| {
             Box::new(Run::new(&load_step::scenario(&entrant.scenario), &Edits::none()))
         });
@@ -172,7 +173,7 @@ impl Contest {
     }
 
     fn refresh(&mut self) {
-        let done = self.tournament.progress().0.floor();
+        let done = self.tournament.progress().done.floor();
         if self.table.0 != done || self.table.1.is_empty() {
             self.table = (done, self.tournament.table());
         }
@@ -192,9 +193,10 @@ pub struct Robust {
 
 impl Robust {
     /// Runs done, the present one by its share, and all runs.
-    pub fn progress(&self) -> (f64, usize) {
+    pub fn progress(&self) -> Progress {
         let all = robustness::CONDITIONS.len() * robustness::methods().count();
-        let none = (0.0, all * ROBUST_SEEDS as usize);
+        let total = (all * ROBUST_SEEDS as usize) as f64;
+        let none = Progress { done: 0.0, total, unit: "runs" };
         self.tournament.as_ref().map_or(none, Tournament::progress)
     }
 
@@ -206,8 +208,8 @@ impl Robust {
     fn advance(&mut self, ticks: u64) {
         let new = || Tournament::new(robustness::entrants(), ROBUST_SEEDS);
         let tournament = self.tournament.get_or_insert_with(new);
-        self.running = !tournament.advance(ticks);
-        let done = tournament.progress().0 as usize;
+        self.running = !tournament.advance_by(ticks);
+        let done = tournament.progress().done as usize;
         if done != self.rows.0 {
             self.rows = (done, robustness::rows(tournament.table()));
         }

@@ -7,6 +7,7 @@ use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::number::NumberField;
 use crate::base::settings::Choice;
+use crate::run::job::{Job, Progress};
 
 /// Least and most seeds.
 const SEEDS: [u32; 2] = [1, 500];
@@ -33,8 +34,8 @@ pub fn show(ui: &mut Ui, contests: &mut Contests) {
     });
     ui.horizontal_wrapped(|ui| {
         let over = contests.shown().is_some_and(|contest| {
-            let (done, all) = contest.tournament().progress();
-            done >= all as f64
+            let progress = contest.tournament().progress();
+            progress.done >= progress.total
         });
         let possible = contests.shown().is_some() && !over;
         if contests.running {
@@ -62,9 +63,11 @@ pub fn show(ui: &mut Ui, contests: &mut Contests) {
         field.show(ui, &mut seeds, &mut contests.said).labelled_by(name).on_hover_text(help);
         contests.seeds = seeds.round() as u32;
         if let Some(contest) = contests.shown() {
-            let (done, all) = contest.tournament().progress();
-            let share = if all == 0 { 0.0 } else { done / all as f64 };
-            ui.add(ProgressBar::new(share as f32).desired_width(120.0).desired_height(10.0));
+            let progress = contest.tournament().progress();
+            let Progress { done, total: all, .. } = progress;
+            ui.add(
+                ProgressBar::new(progress.share() as f32).desired_width(120.0).desired_height(10.0),
+            );
             let state = match (over, contests.running) {
                 (true, _) => "done".to_owned(),
                 (false, true) => format!("run {:.0} of {all}", done.floor() + 1.0),

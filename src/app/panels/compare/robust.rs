@@ -7,6 +7,7 @@ use super::contest::Robust;
 use super::table::value;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
+use crate::run::job::Progress;
 use crate::study::compare::outcome::Measure;
 use crate::study::compare::robustness::{CONDITIONS, RobustnessRow, material_claim, methods};
 
@@ -24,9 +25,10 @@ pub fn show(ui: &mut Ui, robust: &mut Robust) {
                 which they do not. Below each figure that of an independent prototype of the same \
                 equations, where it has one: it is no figure of the paper.";
     ui.label(RichText::new(text).color(palette.weak));
-    let (done, all) = robust.progress();
+    let progress = robust.progress();
+    let Progress { done, total: all, .. } = progress;
     ui.horizontal_wrapped(|ui| {
-        let over = done >= all as f64;
+        let over = done >= all;
         if robust.running {
             let help = "Stands still; what is done stays";
             if icon::button(ui, Icon::Pause, "Pause the conditions", help, true).clicked() {
@@ -38,8 +40,7 @@ pub fn show(ui: &mut Ui, robust: &mut Robust) {
                 robust.running = true;
             }
         }
-        let share = (done / all.max(1) as f64) as f32;
-        ui.add(ProgressBar::new(share).desired_width(120.0).desired_height(10.0));
+        ui.add(ProgressBar::new(progress.share() as f32).desired_width(120.0).desired_height(10.0));
         ui.label(RichText::new(format!("{:.0} of {all} runs", done.floor())).color(palette.weak));
     });
     let rows = robust.rows();

@@ -12,6 +12,7 @@ use crate::app::widgets::legend;
 use crate::app::widgets::window::{self, WindowPlace};
 use crate::base::settings::Value;
 use crate::blocks::cutting::process::ForceModel;
+use crate::run::job::Job;
 use crate::run::one_run::Repeat;
 use crate::run::revolution::{Revolution, RevolutionJob};
 use crate::study::export::csv;
@@ -125,7 +126,7 @@ impl RevolutionWindow {
             self.job = Some(RevolutionJob::new(run, playhead_s, self.turns, before));
         }
         let Some(mut job) = self.job.take() else { return };
-        if job.advance(run, TICKS_PER_FRAME) {
+        if job.advance_by(TICKS_PER_FRAME) {
             let (found, repeat) = job.finish();
             (self.shown, self.repeat) = (found, Some((key.0, repeat)));
         } else {

@@ -7,6 +7,7 @@ use crate::app::format::{deviation, number};
 use crate::app::panels::View;
 use crate::app::theme::Palette;
 use crate::base::units::percent_from_ratio;
+use crate::run::job::Job;
 use crate::run::scenario::Scenario;
 use crate::study::unks_passes::{BETTER, Pass, Passes, PassesVerdict, beginning_with};
 
@@ -30,7 +31,7 @@ impl PassesView {
             return;
         }
         let ticks = TICKS_PER_FRAME / u64::from(begun.run.steps_per_control);
-        job.advance(ticks.max(1));
+        job.advance_by(ticks.max(1));
         // A change made meanwhile would mix two set-ups in one table.
         self.stopped = begun != scenario;
         ui.ctx().request_repaint();
@@ -57,7 +58,7 @@ impl PassesView {
         }
         let Some((begun, job)) = &self.job else { return };
         if running {
-            let bar = ProgressBar::new(job.progress() as f32).show_percentage();
+            let bar = ProgressBar::new(job.progress().share() as f32).show_percentage();
             ui.add(bar.desired_height(16.0));
         }
         table(ui, job.done());

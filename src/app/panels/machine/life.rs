@@ -4,6 +4,7 @@
 use crate::app::session::Session;
 use crate::models::machine_trend::{MachineTrend, TrendPoint};
 use crate::models::wear::WearModel;
+use crate::run::job::Job;
 use crate::run::scenario::Scenario;
 use crate::study::machine_life::adaptive::AdaptiveLife;
 use crate::study::machine_life::measurement::measure;
@@ -12,8 +13,8 @@ use crate::study::machine_life::{LifeFindings, LifeJob, model};
 
 /// Points of time that one frame may cost, and minutes of the tool whose life is predicted: some
 /// milliseconds each.
-const POINTS_PER_FRAME: usize = 300;
-const MINUTES_PER_FRAME: usize = 12;
+const POINTS_PER_FRAME: u64 = 300;
+const MINUTES_PER_FRAME: u64 = 12;
 
 /// The jobs of one scenario.
 pub struct Life {
@@ -72,7 +73,7 @@ impl Life {
             (self.tool, self.tool_done) = (AdaptiveLife::new(scenario, adjusts), false);
             self.key = key;
         }
-        if self.findings.is_none() && self.trends.advance(POINTS_PER_FRAME) {
+        if self.findings.is_none() && self.trends.advance_by(POINTS_PER_FRAME) {
             self.findings = self.trends.findings();
             if let Some(findings) = &self.findings {
                 let seed = u64::from(scenario.run.seed);
@@ -83,7 +84,7 @@ impl Life {
         }
         if !self.tool_done {
             let before = self.tool.minutes().len();
-            let over = self.tool.advance(MINUTES_PER_FRAME);
+            let over = self.tool.advance_by(MINUTES_PER_FRAME);
             // One that outlives every wish is given up: it grows no more.
             self.tool_done = over || self.tool.minutes().len() == before;
         }
@@ -99,8 +100,7 @@ impl Life {
     /// Fraction of the trends that is done.
     #[must_use]
     pub fn progress(&self) -> f64 {
-        let (done, all) = self.trends.progress();
-        done as f64 / all.max(1) as f64
+        self.trends.progress().share()
     }
 }
 
@@ -166,9 +166,9 @@ mod tests {
         scenario.change(|s| s.life.random_ratio = 0.1).unwrap();
         assert!(life.follow(&scenario, true) && life.findings.is_none());
         // What the machine does not depend on changes nothing.
-        let done = life.trends.progress().0;
+        let done = life.trends.progress().done;
         scenario.change(|s| s.target.ra_um = 0.5).unwrap();
         life.follow(&scenario, true);
-        assert!(life.trends.progress().0 > done);
+        assert!(life.trends.progress().done > done);
     }
 }

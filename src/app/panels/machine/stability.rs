@@ -14,6 +14,7 @@ use crate::blocks::cutting::workpiece::Workpiece;
 use crate::models::structure::MachineSettings;
 use crate::models::structure::parameters::{QUALITY_PRINTED, SPINDLE_QUALITY};
 use crate::models::tool::Tool;
+use crate::run::job::Job;
 use crate::run::scenario::Scenario;
 use crate::study::stability::chart::{ChartJob, LobePoint, Range};
 use crate::study::stability::interrupted::multiplier;
@@ -73,7 +74,7 @@ impl StabilityView {
         let Some(charted) = &mut self.charted else { return false };
         let Ok(job) = &mut charted.job else { return false };
         // One curve at one speed: some milliseconds.
-        charted.done = charted.done || job.advance();
+        charted.done = charted.done || job.advance_by(1);
         !charted.done
     }
 
@@ -191,8 +192,8 @@ fn figure(job: &ChartJob, now: Operating, grown: Option<f64>, palette: &Palette)
     let mut figure = Figure::new("Limit depth", ["1/min", "mm"], across);
     figure.over = "speed";
     let curve = |name, look, of: fn(&LobePoint) -> Option<f64>| {
-        let points = job.points().iter();
-        let points = points.map(|point| [point.speed_rpm, of(point).unwrap_or(f64::INFINITY)]);
+        let points = job.points().into_iter();
+        let points = points.map(|point| [point.speed_rpm, of(&point).unwrap_or(f64::INFINITY)]);
         PlotCurve { name, look, points: points.collect() }
     };
     figure.curves = vec![
@@ -203,7 +204,8 @@ fn figure(job: &ChartJob, now: Operating, grown: Option<f64>, palette: &Palette)
     if any_speed_mm.is_finite() {
         figure.levels.push(("stable at every speed", Look::Limit, any_speed_mm));
     }
-    let found = job.points().iter().filter_map(|point| point.interrupted_mm);
+    let points = job.points();
+    let found = points.iter().filter_map(|point| point.interrupted_mm);
     let [_, highest] = extent(found);
     let highest = limit(highest, 1.2 * any_speed_mm, SHOWN * any_speed_mm);
     let highest = highest.max(1.3 * now.depth_mm);

@@ -16,7 +16,7 @@ const VALUE: f32 = 12.5;
 
 /// Why the answer can't be programmed; none if it can.
 fn obstacle(job: &PlanJob, optimum: &Optimum) -> Option<String> {
-    match (job.progress().done, optimum.feasible) {
+    match (job.counts().done, optimum.feasible) {
         (false, _) => Some("The swarm is still searching; “To the end” shortens it.".to_owned()),
         (true, false) => Some(format!("Not programmed: {}.", optimum.verdict())),
         (true, true) => None,
@@ -37,7 +37,7 @@ fn use_it(optimum: &Optimum, commands: &mut Vec<Command>) {
 pub fn show(ui: &mut Ui, job: &PlanJob, scenario: &Scenario, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
     let optimum = job.optimum();
-    let done = job.progress().done;
+    let done = job.counts().done;
     theme::card(palette).show(ui, |ui| {
         ui.set_width(ui.available_width());
         let title = match (done, optimum.feasible) {

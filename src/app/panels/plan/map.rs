@@ -217,7 +217,7 @@ fn label(
 /// What a screen reader says of the map.
 fn name(found: &Found) -> String {
     let optimum = found.job.optimum();
-    let best = if found.job.progress().done { "optimum" } else { "best so far" };
+    let best = if found.job.counts().done { "optimum" } else { "best so far" };
     format!(
         "Force over cutting speed and feed per tooth; {best} at {} and {}",
         format::quantity(optimum.cutting_speed_m_min, "m/min"),

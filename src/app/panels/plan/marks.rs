@@ -91,7 +91,7 @@ pub fn all(
     }
     if layers.show(MapLayer::Best) {
         let (point, _) = found.job.swarm().best();
-        best(painter, at(point), found.job.progress().done, palette);
+        best(painter, at(point), found.job.counts().done, palette);
     }
     if let Some(point) = moving.pinned {
         painter.circle_stroke(at(point), 6.0, Stroke::new(2.0, palette.bad));

@@ -8,6 +8,7 @@ use crate::blocks::cutting::process::Plant;
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::Target;
 use crate::models::plan::PlanSettings;
+use crate::run::job::Job;
 use crate::run::scenario::Scenario;
 use crate::study::plan::PlanJob;
 
@@ -74,7 +75,7 @@ impl Found {
 
     fn iterate(&mut self, iterations: u32) {
         self.before = self.job.particles().iter().map(|particle| particle.position).collect();
-        self.job.advance(iterations);
+        self.job.advance_by(iterations.into());
     }
 }
 
@@ -152,7 +153,7 @@ impl Search {
             }
             Speed::Times(_) | Speed::Max => found.iterate(most),
         }
-        if found.job.progress().done {
+        if found.job.counts().done {
             self.stop();
         }
     }

@@ -26,7 +26,7 @@ fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {
     let feed_speed = |feed: f64, speed: f64| {
         format!("{}, {}", format::quantity(feed, "mm/min"), format::quantity(speed, "1/min"))
     };
-    let optimum = job.map(|job| (job.optimum(), job.progress()));
+    let optimum = job.map(|job| (job.optimum(), job.counts()));
     let found = match &optimum {
         None => "no plan".to_owned(),
         Some((optimum, progress)) => {

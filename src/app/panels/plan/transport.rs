@@ -9,13 +9,13 @@ use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::base::settings::Value;
 use crate::run::scenario::Scenario;
-use crate::study::plan::Progress;
+use crate::study::plan::PlanCounts;
 
 /// The row of buttons; `progress` is none where there is no plan.
 pub fn show(
     ui: &mut Ui,
     search: &mut Search,
-    progress: Option<Progress>,
+    progress: Option<PlanCounts>,
     scenario: &Scenario,
     commands: &mut Vec<Command>,
 ) {

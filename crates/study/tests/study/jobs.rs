@@ -1,0 +1,239 @@
+//! Every job there is: its result depends neither on slices, nor on being cancelled and gone on with, nor
+//! on the number of threads.
+
+use std::collections::BTreeSet;
+use std::fmt::Debug;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use steadycut_core::base::settings::Value;
+use steadycut_core::blocks::control::ControllerKind;
+use steadycut_core::models::plan::PlannedSection;
+use steadycut_core::models::tool_life::Growth;
+use steadycut_core::run::edits::Edits;
+use steadycut_core::run::job::{Budget, Job, OneThread, Threads};
+use steadycut_core::run::one_run::Run;
+use steadycut_core::run::presets::load;
+use steadycut_core::run::revolution::RevolutionJob;
+use steadycut_core::run::scenario::{Scenario, parse_value};
+use steadycut_study::combined::Combined;
+use steadycut_study::compare::contest::ContestJob;
+use steadycut_study::compare::entrants::{Entrant, TABLE_1, on};
+use steadycut_study::compare::tournament::Tournament;
+use steadycut_study::machine_life::adaptive::AdaptiveLife;
+use steadycut_study::machine_life::monte_carlo::{LifeMonteCarlo, Tools};
+use steadycut_study::machine_life::{LifeJob, model};
+use steadycut_study::plan::PlanJob;
+use steadycut_study::plan::machine::MachineLimits;
+use steadycut_study::plan::schedule::ScheduleJob;
+use steadycut_study::recommend::Advisor;
+use steadycut_study::recommend::table::Table;
+use steadycut_study::robust::Robustness;
+use steadycut_study::stability::chart::{ChartJob, Range};
+use steadycut_study::train::TrainingSession;
+use steadycut_study::train::comparison::ComparisonJob;
+use steadycut_study::train::data::RowsJob;
+use steadycut_study::train::recipe::{RecipeKind, TrainingRecipe};
+use steadycut_study::train::unks::{NetworksJob, PatternsJob};
+use steadycut_study::unks_passes::Passes;
+
+/// Threads of the test.
+struct Several(usize);
+
+impl Threads for Several {
+    fn count(&self) -> usize {
+        self.0
+    }
+
+    #[expect(clippy::disallowed_methods, reason = "the test is a front end")]
+    fn run(&self, lanes: usize, work: &(dyn Fn(usize) + Sync)) {
+        std::thread::scope(|scope| {
+            for lane in 0..lanes {
+                scope.spawn(move || work(lane));
+            }
+        });
+    }
+}
+
+const NEVER: &(dyn Fn() -> bool + Sync) = &|| false;
+
+/// Checks a job; `slice` is a small part of its steps. What is printed of it has every digit of its
+/// numbers.
+fn check<J: Job<Partial: Debug> + Clone>(name: &str, job: &J, slice: u64) {
+    let bits = |job: &J| {
+        assert_eq!(job.refusal(), None, "{name}");
+        format!("{:?}", job.partial())
+    };
+    let mut whole = job.clone();
+    assert!(whole.advance(&Budget::all()), "{name}");
+    let result = bits(&whole);
+    assert_eq!(whole.progress().share(), 1.0, "{name}: {}", whole.progress());
+
+    // In slices, read between them; progress never falls.
+    for threads in [1, 4] {
+        let mut sliced = job.clone();
+        let (mut slices, mut share) = (0, 0.0);
+        while !sliced.advance(&Budget::steps(slice).on(&Several(threads), NEVER)) {
+            let now = sliced.progress();
+            assert!(now.done <= now.total && !now.unit.is_empty(), "{name}: {now}");
+            assert!(now.share() >= share, "{name}: {share} then {now:?}");
+            share = now.share();
+            drop(sliced.partial());
+            slices += 1;
+        }
+        assert!(slices > 1, "{name}: {slices} slices");
+        assert_eq!(bits(&sliced), result, "{name} in slices of {slice} on {threads} threads");
+    }
+
+    // All at once on four threads.
+    let mut spread = job.clone();
+    assert!(spread.advance(&Budget::all().on(&Several(4), NEVER)), "{name}");
+    assert_eq!(bits(&spread), result, "{name} on 4 threads");
+
+    // Cancelled at every third look, on one thread and on several, and gone on with.
+    for threads in [&OneThread as &dyn Threads, &Several(3)] {
+        let looks = AtomicU64::new(0);
+        let cancel = || looks.fetch_add(1, Ordering::Relaxed) % 997 == 996;
+        let mut stopped = job.clone();
+        let mut times = 0;
+        while !stopped.advance(&Budget::steps(50 * slice).on(threads, &cancel)) {
+            times += 1;
+            assert!(times < 1_000_000, "{name} does not come to its end");
+        }
+        assert_eq!(bits(&stopped), result, "{name} cancelled {times} times");
+    }
+
+    // What is over stays as it is.
+    assert!(whole.advance_by(slice), "{name}");
+    assert_eq!(bits(&whole), result, "{name}");
+    let mut idle = job.clone();
+    assert!(!idle.advance_by(0), "{name}: no steps, no end");
+}
+
+fn scenario(preset: &str, sets: &[(&str, &str)]) -> Scenario {
+    let mut scenario = load(preset).unwrap();
+    for (path, value) in sets {
+        scenario.set(path, parse_value(path, value).unwrap()).unwrap();
+    }
+    scenario
+}
+
+/// A short cut tooth by tooth.
+fn milled() -> Scenario {
+    scenario("experiment-2", &[("workpiece.cuts", "[[[6.0, 3.0, 2.0]]]")])
+}
+
+fn entrants(seconds: f64) -> Vec<Entrant> {
+    let mut base = load("table3-5-noise").unwrap();
+    base.set("run.duration_s", Value::Float(seconds)).unwrap();
+    on(&base, &TABLE_1[..3])
+}
+
+fn recipe(hidden: usize) -> TrainingRecipe {
+    TrainingRecipe { epochs: 20, hidden: vec![hidden], ..RecipeKind::Literal.recipe() }
+}
+
+#[test]
+fn runs_and_what_is_made_of_one() {
+    check("Run", &Run::new(&scenario("table3-5-noise", &[]), &Edits::none()), 500);
+    let run = Run::complete(&milled(), &Edits::none());
+    check("RevolutionJob", &RevolutionJob::new(&run, 2.0, 2, None), 777);
+    let short = scenario("combined-2005", &[("run.duration_s", "2")]);
+    let advisor = Advisor::new(&Table::shipped());
+    let machine = MachineLimits::heller_bea_01();
+    let combined = Combined::new(&short, &advisor, &machine, PlannedSection::Lightest).unwrap();
+    check("Combined", &combined, 5_000);
+    let passes = scenario("experiment-2", &[("workpiece.cuts", "[[[10.0, 3.0, 2.0]]]")]);
+    check("Passes", &Passes::new(&passes, 2), 37);
+}
+
+#[test]
+fn comparisons_of_runs() {
+    check("Tournament", &Tournament::new(entrants(1.0), 3), 777);
+    let mut milling = on(&milled(), &TABLE_1[..2]);
+    for entrant in &mut milling {
+        entrant.scenario.set("run.duration_s", Value::Float(0.5)).unwrap();
+    }
+    check("ContestJob", &ContestJob::new(milling, 2), 5_000);
+    check("Robustness", &Robustness::new(&milled(), ControllerKind::Preview, 3, 7), 10_007);
+}
+
+#[test]
+fn plans() {
+    check("PlanJob", &PlanJob::new(&Scenario::default()).unwrap(), 3);
+    let (machine, sized_by) = (MachineLimits::heller_bea_01(), PlannedSection::Lightest);
+    let schedule = ScheduleJob::on(&scenario("experiment-2", &[]), &machine, sized_by).unwrap();
+    check("ScheduleJob", &schedule, 7);
+}
+
+#[test]
+fn machine_and_tool_life() {
+    let scenario = Scenario::default();
+    let range =
+        Range { from_rpm: 1100.0, to_rpm: 2300.0, speeds: 5, highest_mm: 60.0, simulate: false };
+    check("ChartJob", &ChartJob::new(&scenario, range).unwrap(), 1);
+    check("LifeJob", &LifeJob::new(model(&scenario), 3.0), 7);
+    let mut worn = scenario.clone();
+    worn.change(|settings| settings.wear.tool_life_factor = 0.4).unwrap();
+    check("AdaptiveLife", &AdaptiveLife::new(&worn, true), 9);
+    let growth = Growth::linear(1.844);
+    let tools = Tools {
+        wear: scenario.wear.clone(),
+        life: scenario.life.clone(),
+        believed: growth.clone(),
+        truth: growth,
+        prior_min: 240.0,
+        other_shapes: true,
+        seed: 3,
+    };
+    check("LifeMonteCarlo", &LifeMonteCarlo::new(tools, 12), 1);
+}
+
+#[test]
+fn training() {
+    check("RowsJob", &RowsJob::measured(40, 3), 3);
+    let rows = RowsJob::measured(60, 3).complete();
+    check("TrainingSession", &TrainingSession::new(&recipe(5), &rows).unwrap(), 3);
+    check("ComparisonJob", &ComparisonJob::new(vec![recipe(3), recipe(4), recipe(5)], &rows), 7);
+    let mut patterns = PatternsJob::default();
+    patterns.advance_by(1);
+    let few: Vec<_> = patterns.patterns().iter().copied().take(40).collect();
+    check("NetworksJob", &NetworksJob::new(&few), 25);
+}
+
+#[test]
+fn patterns_of_unks_are_the_same_however_they_are_sliced() {
+    // All of them would take some minutes: three cuts, of two workpieces.
+    let [mut whole, mut sliced] = [PatternsJob::default(), PatternsJob::default()];
+    assert!(!whole.advance_by(3));
+    (0..3).for_each(|_| assert!(!sliced.advance_by(1)));
+    assert_eq!(whole.patterns(), sliced.patterns());
+    assert_eq!(whole.progress().to_string(), "3 of 20 cuts");
+}
+
+/// Jobs in the sources that stand for themselves: parts of others are checked with them.
+#[test]
+fn every_job_is_checked_here() {
+    let parts = ["CutPlan", "PointJob", "TrialJob", "NetworkJob", "OneStep"];
+    let mut found = BTreeSet::new();
+    for folder in ["src", "../core/src"] {
+        let mut folders = vec![std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)];
+        while let Some(folder) = folders.pop() {
+            for entry in std::fs::read_dir(folder).unwrap() {
+                let path = entry.unwrap().path();
+                if path.is_dir() {
+                    folders.push(path);
+                } else if path.extension().is_some_and(|extension| extension == "rs") {
+                    let text = std::fs::read_to_string(&path).unwrap();
+                    let jobs = text.split("impl Job for ").skip(1);
+                    found.extend(jobs.map(|rest| rest.split(' ').next().unwrap().to_owned()));
+                }
+            }
+        }
+    }
+    assert!(found.len() > 15, "{found:?}");
+    let here = include_str!("jobs.rs");
+    for job in found.iter().filter(|job| !parts.contains(&job.as_str())) {
+        let checked = here.contains(&format!("check(\"{job}\""));
+        assert!(checked || job == "PatternsJob", "{job} is not checked");
+    }
+}
