@@ -76,7 +76,7 @@ fn state(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let (text, color) = match end {
             End::PathDone => ("Cut finished".to_owned(), palette.good),
             End::TimeLimit => ("Cut finished: time limit".to_owned(), palette.warn),
-            End::ForceStop(stop) => (format!("The machine {stop}"), palette.bad),
+            End::Overload(stop) => (format!("The machine {stop}"), palette.bad),
             End::Fault(fault) => (fault.to_string(), palette.bad),
             End::Refused(refused) => (refused.to_string(), palette.bad),
         };

@@ -146,7 +146,7 @@ pub fn end_text(run: &Run) -> String {
     match run.end() {
         Some(End::PathDone) => "path_done".to_owned(),
         Some(End::TimeLimit) | None => "time_limit".to_owned(),
-        Some(End::ForceStop(stop)) => stop.to_string(),
+        Some(End::Overload(stop)) => stop.to_string(),
         Some(End::Fault(fault)) => fault.to_string(),
         Some(End::Refused(refused)) => refused.to_string(),
     }

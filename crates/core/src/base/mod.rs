@@ -10,3 +10,4 @@ pub mod rng;
 pub mod settings;
 pub mod stats;
 pub mod units;
+pub mod window;

@@ -3,6 +3,7 @@
 
 use crate::models::Valued;
 use crate::models::genetic::GeneticModels;
+use crate::models::part::AIR_SHARE;
 
 /// Least target roughness, um.
 const RA_MIN_UM: f64 = 0.05;
@@ -47,5 +48,34 @@ pub fn desired_ra(target: &Target, belief: &GeneticModels) -> f64 {
     match target.reference {
         Reference::Ra => target.ra_um,
         Reference::Force => belief.ra_from_force(target.force_n).value.max(RA_MIN_UM),
+    }
+}
+
+/// What the loop is to hold, by the controller's models.
+#[derive(Clone, Debug)]
+pub struct Desired {
+    /// The controller's models.
+    pub models: GeneticModels,
+    /// The force F_d, N.
+    pub force: Valued,
+    /// The roughness, um.
+    pub ra_um: f64,
+    air_n: f64,
+}
+
+impl Desired {
+    /// For a target.
+    #[must_use]
+    pub fn new(target: &Target, models: GeneticModels) -> Self {
+        let force = desired_force(target, &models);
+        let ra_um = desired_ra(target, &models);
+        Self { models, force, ra_um, air_n: AIR_SHARE * force.value }
+    }
+
+    /// Force below which a tool that goes through cuts with air between them counts as in the air, N.
+    #[must_use]
+    #[inline]
+    pub fn air_n(&self) -> f64 {
+        self.air_n
     }
 }

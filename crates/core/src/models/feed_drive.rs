@@ -17,6 +17,9 @@ use nalgebra::Matrix4;
 
 use crate::base::math::TAU;
 
+/// Longest dead time that a machine can have and a controller can predict, s.
+pub const DEAD_TIME_MAX_S: f64 = 0.5;
+
 crate::choice! {
     /// A feed drive.
     pub enum FeedDriveKind {

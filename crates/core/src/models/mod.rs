@@ -2,6 +2,7 @@
 
 pub mod ball_end;
 pub mod feed_drive;
+pub mod feed_speed;
 pub mod genetic;
 pub mod machine_trend;
 pub mod neural_force;

@@ -5,6 +5,9 @@
 
 use crate::base::math;
 
+/// Slowest spindle whose tooth period or turn is kept in memory, 1/min; a slower one counts as it.
+pub const SLOWEST_RPM: f64 = 400.0;
+
 /// A spindle drive set up for one step length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExactSpindle {

@@ -7,7 +7,6 @@
 pub mod closed_loop;
 pub mod diagram;
 pub mod digest;
-pub mod durability;
 pub mod edits;
 pub mod explanation;
 pub mod job;

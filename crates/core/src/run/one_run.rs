@@ -1,6 +1,6 @@
 //! A run that can be advanced in slices, rewound and branched; slicing never changes its bits.
 
-use super::closed_loop::{ClosedLoop, Fault, ForceStop};
+use super::closed_loop::{ClosedLoop, Fault};
 use super::edits::Edits;
 use super::job::{Budget, Job, Progress};
 use super::metrics::{self, Metrics};
@@ -8,6 +8,7 @@ use super::recording::Recording;
 use super::scenario::Scenario;
 use crate::base::math::limit;
 use crate::base::settings::SettingError;
+use crate::blocks::cnc::overload::Overload;
 use crate::blocks::cutting::tool_path::ToolPath;
 
 /// Why a run is over.
@@ -18,7 +19,7 @@ pub enum End {
     /// The time limit came first.
     TimeLimit,
     /// An overload stopped the feed.
-    ForceStop(ForceStop),
+    Overload(Overload),
     /// A signal stopped being finite.
     Fault(Fault),
     /// An edit does not fit the scenario: it was pushed to the edits of another one.
@@ -185,21 +186,21 @@ impl Run {
             self.end = Some(end);
             return;
         }
-        let row = *self.state.closed_loop.row();
-        self.recording.push(tick, &row);
+        let row = self.state.closed_loop.row();
+        self.recording.push(tick, row);
         if row.position_mm >= self.path_mm {
             self.end = Some(End::PathDone);
-        } else if let Some(stop) = self.state.closed_loop.stop()
+        } else if let Some(overload) = self.state.closed_loop.overload()
             && row.feed_mm_min < STANDSTILL_MM_MIN
         {
-            self.end = Some(End::ForceStop(stop));
+            self.end = Some(End::Overload(overload));
         } else if tick >= self.last_tick {
             self.end = Some(End::TimeLimit);
         } else if tick.is_multiple_of(self.snapshot_ticks) {
             self.snapshot();
         }
         if self.end.is_some() {
-            self.recording.finish(tick, &row);
+            self.recording.finish(tick, self.state.closed_loop.row());
         }
     }
 

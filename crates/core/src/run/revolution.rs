@@ -6,9 +6,8 @@ use super::closed_loop::ClosedLoop;
 use super::job::{Budget, Job, Progress};
 use super::one_run::{Repeat, Run};
 use crate::base::units::rev_s_from_rpm;
+use crate::models::spindle::SLOWEST_RPM;
 
-/// Lowest speed for which a whole revolution is shown, 1/min; below it the window covers only part of one.
-const SLOWEST_RPM: f64 = 400.0;
 /// Most turns at once.
 pub const MAX_TURNS: u32 = 8;
 

@@ -67,9 +67,11 @@ signals! {
     force_ref_n, "N", "Desired force";
     /// The force that the controller asks its models for.
     force_setpoint_n, "N", "Force setpoint";
-    /// Maximum cutting force.
+    /// Maximum cutting force of the control window by the plant's model, without vibration: a map gives
+    /// it at once and without the dynamic component; tooth by tooth it is the largest of the last whole
+    /// control period, in the material as it is there.
     force_n, "N", "Maximum force";
-    /// Maximum cutting force with its dynamic component.
+    /// The same maximum with all that shakes it, dynamic component and vibration: what is sensed.
     force_dyn_n, "N", "Force with dynamics";
     /// Force as measured at the last control sample.
     force_measured_n, "N", "Measured force";

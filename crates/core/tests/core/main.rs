@@ -6,5 +6,6 @@ mod links;
 mod matrix;
 mod metrics;
 mod revolution;
+mod signals;
 mod switching;
 mod tools;

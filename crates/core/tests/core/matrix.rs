@@ -4,7 +4,8 @@
 use steadycut_core::blocks::control::law::AtRest;
 use steadycut_core::blocks::control::mrac::Adapted;
 use steadycut_core::blocks::control::{ControlInput, Controller, ControllerKind, FeedSpeed};
-use steadycut_core::blocks::cutting::process::{ForceModel, Process};
+use steadycut_core::blocks::cutting::force_map::ForceMap;
+use steadycut_core::blocks::cutting::process::ForceModel;
 use steadycut_core::blocks::cutting::tool_path::Engagement;
 use steadycut_core::models::ball_end::{CK45, Cutter, Kienzle, StaticCut, static_peak};
 use steadycut_core::models::genetic::GeneticModels;
@@ -102,9 +103,8 @@ fn map_n(scenario: &Scenario, feed_mm_min: f64, speed_rpm: f64) -> f64 {
         };
         return static_peak(&cutter, &law, &cut).fxy_n;
     }
-    let mut process =
-        Process::new(plant, &scenario.tool, place.radial_depth_mm, place.axial_depth_mm, 1e-3);
-    process.update(feed_mm_min, speed_rpm, &place).value
+    let mut map = ForceMap::new(plant, &scenario.tool, place.radial_depth_mm);
+    map.force(feed_mm_min, speed_rpm, &place, 1.0).value
 }
 
 /// Where a static law comes to rest: force over reference, by bisection over the measured force.

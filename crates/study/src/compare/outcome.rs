@@ -101,7 +101,7 @@ impl Outcome {
             held_percent: held_percent(&samples),
             recovery_periods: longest_overload(&samples) as f64,
             override_travel_percent_s: steps.sum::<f64>() / longest_s,
-            force_stop: matches!(run.end(), Some(End::ForceStop(_))),
+            force_stop: matches!(run.end(), Some(End::Overload(_))),
         }
     }
 

@@ -15,18 +15,13 @@ use super::model;
 use super::monte_carlo::MinuteNoise;
 use crate::base::math;
 use crate::base::rng::Stream;
+use crate::blocks::control::speed_supervisor::{PERIOD_MIN, adjusted};
 use crate::models::machine_trend::MachineTrend;
 use crate::models::tool_life::{Growth, LifePrediction, Predictor};
 use crate::models::wear::WearCut;
 use crate::run::job::{Budget, Job, Progress};
 use crate::run::scenario::Scenario;
 
-/// Minutes between two adjustments (chosen).
-const PERIOD_MIN: u64 = 10;
-/// The speed stays between these fractions of the programmed one (chosen: the range of the overrides).
-const SPEED_RATIOS: [f64; 2] = [0.5, 1.5];
-/// No adjustment in the last minutes: the remaining life wanted is too short to divide by.
-const LAST_MIN: f64 = 10.0;
 /// Multiple of the desired life after which a tool is given up.
 const LONGEST: f64 = 10.0;
 
@@ -128,16 +123,18 @@ impl AdaptiveLife {
     }
 
     fn adjust(&mut self, prediction: &LifePrediction) {
-        let wanted_min = self.model.life.tool_life_min - self.minutes.len() as f64;
-        if !(self.minutes.len() as u64).is_multiple_of(PERIOD_MIN) || wanted_min < LAST_MIN {
+        if !self.minutes.len().is_multiple_of(PERIOD_MIN as usize) {
             return;
         }
+        let wanted_min = self.model.life.tool_life_min - self.minutes.len() as f64;
         let remaining_min = prediction.remaining_min() * self.life_ratio();
-        let ratio = math::pow(remaining_min / wanted_min, self.model.wear.taylor_exponent);
-        let programmed = self.model.cut.cutting_speed_m_min;
-        let [low, high] = SPEED_RATIOS.map(|ratio| ratio * programmed);
-        let speed = math::limit(self.cut.cutting_speed_m_min * ratio, low, high);
-        self.cut.cutting_speed_m_min = speed;
+        let (speed, programmed) =
+            (self.cut.cutting_speed_m_min, self.model.cut.cutting_speed_m_min);
+        let lives_min = [remaining_min, wanted_min];
+        let exponent = self.model.wear.taylor_exponent;
+        if let Some(speed) = adjusted(speed, programmed, lives_min, exponent) {
+            self.cut.cutting_speed_m_min = speed;
+        }
     }
 
     /// The minutes so far.

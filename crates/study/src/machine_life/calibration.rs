@@ -16,7 +16,7 @@ use crate::blocks::control::FeedSpeed;
 use crate::models::genetic::GeneticModels;
 use crate::models::roughness_trend::{cusp_mm, ra_um};
 use crate::published::PaperId;
-use crate::run::durability::wear_cut;
+use crate::run::closed_loop::life::wear_cut;
 use crate::run::scenario::Scenario;
 
 /// Bisections of the interval of r_d.

@@ -22,7 +22,7 @@ use crate::blocks::control::FeedSpeed;
 use crate::models::machine_trend::{MachineTrend, TrendLine, TrendPoint};
 use crate::models::structure::FiveMass;
 use crate::models::wear::WearCut;
-use crate::run::durability::wear_cut;
+use crate::run::closed_loop::life::wear_cut;
 use crate::run::job::{Budget, Job, Progress};
 use crate::run::scenario::Scenario;
 

@@ -6,7 +6,7 @@ use crate::base::settings::SettingError;
 use crate::models::structure::FiveMass;
 use crate::models::structure::reduction::Reduction;
 use crate::models::tool_life::LifePrediction;
-use crate::run::durability::{estimator, observation_of};
+use crate::run::closed_loop::life::{Stretch, estimator};
 use crate::run::recording::Recording;
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
@@ -43,8 +43,8 @@ pub fn predictions(
     let stride = recording.control_stride();
     let period_s = recording.row_s() * stride as f64;
     let observe = |row: &Row| {
-        let prediction =
-            estimator.observe(&observation_of(row, &scenario.tool, &belief, period_s))?;
+        let stretch = Stretch::of_row(row, period_s);
+        let prediction = estimator.observe(&stretch.observed(&scenario.tool, &belief))?;
         let Row { time_s, used_life, sound_mm_s, .. } = *row;
         Some(ConditionEstimate { time_s, used_life, sound_mm_s, prediction })
     };

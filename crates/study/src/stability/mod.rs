@@ -64,10 +64,7 @@ impl StabilityCut {
             engagement: EngagementAngles::side_milling(teeth, radial_depth_mm, diameter_mm),
             radial_depth_mm,
             diameter_mm,
-            // N/mm^2 x mm = N/mm per mm of depth; 1000 N/m are one N/mm.
-            stiffness_per_mm: 1000.0
-                * settings.specific_cutting_force_n_mm2
-                * settings.directional_factor,
+            stiffness_per_mm: settings.regeneration_n_m_mm(),
         })
     }
 

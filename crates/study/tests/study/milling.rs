@@ -304,7 +304,7 @@ fn overload_stops_the_machine_for_good_and_says_why() {
     let mut scenario = experiment_2("constant_feed");
     scenario.change(|s| s.workpiece.cuts = vec![vec![[50.0, 3.0, 2.0], [40.0, 7.5, 0.0]]]).unwrap();
     let run = Run::complete(&scenario, &Edits::none());
-    let Some(End::ForceStop(stop)) = run.end() else { panic!("{:?}", run.end()) };
+    let Some(End::Overload(stop)) = run.end() else { panic!("{:?}", run.end()) };
     assert!(stop.force_n > 2000.0 && stop.force_n < 2100.0, "{stop:?}");
     // It advances by the braking path alone: 2 tau v = 0.27 mm, without the dead time.
     let last = run.recording().rows().last().unwrap();

@@ -4,7 +4,8 @@ use super::formula::number;
 use super::live::Live;
 use super::neural::neural;
 use crate::base::units::mm_from_um;
-use crate::blocks::cutting::process::{ForceModel, Process};
+use crate::blocks::cutting::force_map::ForceMap;
+use crate::blocks::cutting::process::ForceModel;
 use crate::blocks::cutting::tool_path::Engagement;
 use crate::models::Valued;
 use crate::models::genetic::force_formula::{FEED_MIN_MM_MIN, INCH, SPEED_MIN_RPM};
@@ -22,14 +23,13 @@ pub fn cutting(row: &Row, scenario: &Scenario) -> Vec<Live> {
     }
 }
 
-/// The plant's process as it stands at a row, and the force that it gives.
-pub fn process_at(row: &Row, scenario: &Scenario) -> (Process, Valued) {
+/// The plant's map of force as it stands at a row, and the force that it gives.
+pub fn map_at(row: &Row, scenario: &Scenario) -> (ForceMap, Valued) {
     let (axial_depth_mm, radial_depth_mm) = (row.axial_depth_mm, row.radial_depth_mm);
-    let (plant, tool) = (&scenario.plant, &scenario.tool);
-    let mut process = Process::new(plant, tool, radial_depth_mm, axial_depth_mm, scenario.dt_s());
+    let mut map = ForceMap::new(&scenario.plant, &scenario.tool, radial_depth_mm);
     let engagement = Engagement { axial_depth_mm, radial_depth_mm };
-    let force = process.update(row.feed_mm_min, row.spindle_rpm, &engagement);
-    (process, force)
+    let force = map.force(row.feed_mm_min, row.spindle_rpm, &engagement, 1.0);
+    (map, force)
 }
 
 /// Model 4 of the plant, and what it does not know.
@@ -37,8 +37,8 @@ fn formula(row: &Row, scenario: &Scenario) -> Vec<Live> {
     let plant = &scenario.plant;
     let (feed, speed, depth) = (row.feed_mm_min, row.spindle_rpm, row.axial_depth_mm);
     let radial_depth_mm = row.radial_depth_mm;
-    let (process, force) = process_at(row, scenario);
-    let models = process.models();
+    let (map, force) = map_at(row, scenario);
+    let models = map.models();
     let k4 = models.force(feed, speed);
     let name = format!("{}4", models.set.letter());
     let [intercept, feed_coefficient, inch, speed_coefficient] =
@@ -101,7 +101,7 @@ fn tooth_by_tooth(row: &Row, scenario: &Scenario) -> Vec<Live> {
         Live::everywhere(
             "F = largest √(F_x^2 + F_y^2) of a control period",
             format!(
-                "F = {} N; this instant {} N  (A_D {} mm, R_D {} mm)",
+                "F = {} N; with vibration {} N  (A_D {} mm, R_D {} mm)",
                 number(row.force_n),
                 number(row.force_dyn_n),
                 number(row.axial_depth_mm),

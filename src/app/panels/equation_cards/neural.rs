@@ -1,7 +1,7 @@
 //! The card of the cutting process where a neural network gives its force: inputs, ranges of
 //! training, components, peak force.
 
-use super::cutting::process_at;
+use super::cutting::map_at;
 use super::formula::number;
 use super::live::Live;
 use crate::app::format;
@@ -17,7 +17,7 @@ use crate::run::signals::Row;
 
 /// From the network's inputs to the force that the process gives.
 pub fn neural(kind: NeuralKind, row: &Row, scenario: &Scenario) -> Vec<Live> {
-    let (_, force) = process_at(row, scenario);
+    let (_, force) = map_at(row, scenario);
     let plant = &scenario.plant;
     let radial_mm = scenario.workpiece.radial_depth_mm;
     let depths_mm = [row.axial_depth_mm, radial_mm];

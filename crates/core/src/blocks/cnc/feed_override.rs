@@ -10,6 +10,7 @@
 
 use crate::base::math::{limit, positive};
 use crate::base::units::{percent_from_ratio, ratio_from_percent};
+use crate::models::feed_drive::DEAD_TIME_MAX_S;
 
 crate::settings! {
     /// The command channel of the CNC.
@@ -30,7 +31,7 @@ crate::settings! {
         force_stop_n: f64 = 2000.0, [50.0, 20000.0], "N", live, "Stopping force";
         /// Dead time of the command channel (the PLC): a whole number of plant steps. Choosing a
         /// feed drive sets the dead time published with it.
-        dead_time_s: f64 = 0.08, [0.0, 0.5], "s", live, "Dead time";
+        dead_time_s: f64 = 0.08, [0.0, DEAD_TIME_MAX_S], "s", live, "Dead time";
     }
 }
 
@@ -77,6 +78,14 @@ pub struct Overridden {
     pub saturated: bool,
     /// Whether the rate limit acted.
     pub rate_limited: bool,
+}
+
+impl Overridden {
+    /// A programmed value, sent as it is.
+    #[must_use]
+    pub fn programmed(command: f64) -> Self {
+        Self { command, percent: 100.0, saturated: false, rate_limited: false }
+    }
 }
 
 /// One channel, of feed or spindle.

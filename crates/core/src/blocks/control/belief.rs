@@ -1,6 +1,6 @@
 //! Beliefs: what a controller takes for true of machine and cut.
 
-use crate::models::feed_drive::FeedDriveKind;
+use crate::models::feed_drive::{DEAD_TIME_MAX_S, FeedDriveKind};
 use crate::models::genetic::{Calibration, ModelSet};
 
 crate::settings! {
@@ -13,7 +13,7 @@ crate::settings! {
         /// Feed drive that the controller's predictor assumes.
         feed_drive: FeedDriveKind = FeedDriveKind::Eq3Of2007, [], "", live, "Assumed feed drive";
         /// Dead time that the controller's predictor assumes.
-        dead_time_s: f64 = 0.08, [0.0, 0.5], "s", live, "Assumed dead time";
+        dead_time_s: f64 = 0.08, [0.0, DEAD_TIME_MAX_S], "s", live, "Assumed dead time";
         /// Spindle time constant that the controller's predictor assumes.
         spindle_time_constant_s: f64 = 0.2, [0.01, 5.0], "s", live, "Assumed spindle lag";
         /// Spindle rate limit that the controller's predictor assumes.

@@ -12,6 +12,7 @@ mod belief;
 mod interface;
 pub mod law;
 pub mod override_loop;
+pub mod speed_supervisor;
 
 pub use belief::Belief;
 pub use interface::{ControlInput, ControlOutput, ControlSetup, FeedSpeed, Limits, Running};

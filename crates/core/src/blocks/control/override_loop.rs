@@ -22,18 +22,15 @@ use super::{ControlInput, ControlOutput, ControlSetup, FeedSpeed, Running};
 use crate::base::equation::{Live, number};
 use crate::base::math::limit;
 use crate::base::settings::Group;
-use crate::models::feed_drive::{DriveState, ExactDrive};
+use crate::models::feed_drive::{DEAD_TIME_MAX_S, DriveState, ExactDrive};
 use crate::models::genetic::ModelSet;
+use crate::models::part::AIR_SHARE;
 use crate::models::printed::Printed;
 
-/// Normalised force below which the tool is in the air: 40 of 665 N (2005 simulator, chosen).
-const AIR: f64 = 0.06;
 /// Least actual override that anything is divided by.
 pub(super) const LEAST: f64 = 0.02;
 /// Control periods after which every drive has settled: a second at 1 ms.
 const LAG_PERIODS: usize = 1000;
-/// Longest dead time that can be predicted, s; the range of `belief.dead_time_s`.
-const DEAD_TIME_MAX_S: f64 = 0.5;
 
 /// What a force controller sees in a control period.
 #[derive(Clone, Copy, Debug)]
@@ -185,7 +182,7 @@ impl OverrideLoop {
         self.started = true;
         let range = input.limits.feed_mm_min.map(|feed| feed / programmed);
         let mut y = input.force_measured_n / input.force_ref_n;
-        let contact = y >= AIR;
+        let contact = y >= AIR_SHARE;
         let delayed = self.delayed.feed_mm_min().max(LEAST);
         let mut actual = delayed;
         if self.smith {

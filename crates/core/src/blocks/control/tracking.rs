@@ -28,8 +28,9 @@ use super::{ControlInput, ControlOutput, ControlSetup, FeedSpeed, Limits, Runnin
 use crate::base::equation::{Live, number};
 use crate::base::math::{self, limit};
 use crate::base::units::ratio_from_percent;
-use crate::models::feed_drive::{DriveState, ExactDrive};
+use crate::models::feed_drive::{DEAD_TIME_MAX_S, DriveState, ExactDrive};
 use crate::models::genetic::{GeneticModels, ModelSet};
+use crate::models::part::AIR_SHARE;
 use crate::models::printed::Printed;
 use crate::models::spindle::ExactSpindle;
 
@@ -43,12 +44,10 @@ crate::settings! {
         dead_time_share: f64 = 1.0, [0.0, 5.0], "", live, "Dead-time share";
         /// Measured force below which the tool counts as in the air, in percent of the desired
         /// force: the estimate is held there.
-        air_percent: f64 = 6.0, [0.0, 50.0], "%", live, "Air threshold";
+        air_percent: f64 = 100.0 * AIR_SHARE, [0.0, 50.0], "%", live, "Air threshold";
     }
 }
 
-/// Longest dead time that the predictor can hold, s; the range of `belief.dead_time_s`.
-const DEAD_TIME_MAX_S: f64 = 0.5;
 /// Bounds of the gain estimate: a factor of ten either way.
 const GAIN_RANGE: [f64; 2] = [0.1, 10.0];
 

@@ -15,9 +15,8 @@ use crate::base::math;
 use crate::base::units::rev_s_from_rpm;
 use crate::models::ball_end::{Cutter, Kienzle, Sliced, Steel};
 use crate::models::part::CutPath;
+use crate::models::spindle::SLOWEST_RPM;
 
-/// Slowest spindle whose tooth period the history holds, 1/min; slower ones count as it.
-const SLOWEST_RPM: f64 = 400.0;
 /// Cutting speed in m/min at which the law's constants are worked out; the force follows
 /// v_c^-0.153 from there.
 const LAW_SPEED_M_MIN: f64 = 80.0;
@@ -109,7 +108,7 @@ impl Milling {
     }
 
     /// Takes the model's own compliance away: a machine that is coupled to the cut has its own.
-    pub fn stiffen(&mut self) {
+    pub fn make_rigid(&mut self) {
         self.compliance_mm_n = 0.0;
     }
 

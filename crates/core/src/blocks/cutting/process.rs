@@ -1,33 +1,29 @@
-//! The cutting process: the formula of the model set (K4: 2007 eq. 7, M4: 2013 eq. 5) times what it
-//! does not know, or the neural force model (2013, section 2.3).
+//! The cutting process: from feed, speed and engagement to the force of the cut, by one of its kinds.
 //!
-//! ```text
-//! F = (K4(f_a, n_a) + offset) x material(HB) x (A_D R_D) / (A_0 R_0) x wear
-//! F = (|F_xy|(f_a, n_a, R_D, A_D, material, HB, tool) + offset) x wear
-//! ```
+//! | kind | force of a plant step |
+//! |---|---|
+//! | map | the largest of a revolution, by formula or network ([`super::force_map`]) |
+//! | sections | the same where the ball meets the sections of a cut ([`super::contact`]) |
+//! | tooth by tooth | that of the instant, its maximum held for a control period ([`super::milling`]) |
 //!
-//! or the mechanistic model, tooth by tooth ([`super::milling`]), whose force is that of every
-//! instant and not a maximum.
-//!
-//! K4 and M4 belong to Ck45 at A_0 2 mm and R_0 3 mm with a sharp tool (those of the milling simulator
-//! to its reference cut); force is taken as proportional to the cross-section (chosen). The network
-//! knows depths and material itself; wear multiplies its force as well.
+//! What is one force to everything behind it stands in [`Force`]. The dynamic component multiplies the
+//! maximum of a map and every instant of the teeth: only a map's force is known without it.
 
 pub use super::force_model::ForceModel;
 
 use super::contact;
+use super::force_map::ForceMap;
 use super::material::Material;
 use super::milling::{Milling, MillingSetup};
-use super::neural::{NeuralCut, NeuralLaw};
-use super::tool_path::Engagement;
-use super::workpiece::AXIAL_DEPTH_2007_MM;
+use super::tool_path::{Engagement, ToolPath};
 use crate::base::math;
 use crate::base::units::mm_from_um;
+use crate::base::window::WindowMax;
 use crate::models::Valued;
 use crate::models::ball_end::{CK45, Cutter, MNCRSI5};
-use crate::models::genetic::{Calibration, GeneticModels, ModelSet};
+use crate::models::genetic::{Calibration, ModelSet};
 use crate::models::part::CutPath;
-use crate::models::tool::{Outline, Tool};
+use crate::models::tool::Tool;
 
 crate::settings! {
     /// The plant: what really is cut, whatever the controller believes.
@@ -75,176 +71,194 @@ fn milling_setup(plant: &Plant, tool: &Tool, dt_s: f64) -> MillingSetup {
     }
 }
 
-/// Cross-section of the cut for each millimetre of axial depth, over that at which the formula of
-/// the set holds, 1/mm.
-fn engagement_per_mm(models: &GeneticModels, radial_depth_mm: f64) -> f64 {
-    let [axial_mm, radial_mm] = models.set.engagement_mm();
-    radial_depth_mm / (axial_mm * radial_mm)
+/// The force on the tool over a plant step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Force {
+    /// The largest of the control window by the plant's model, N: a map gives it at once, without the
+    /// dynamic component; tooth by tooth it is that of the last whole control period, without vibration.
+    pub model: Valued,
+    /// The same with all that shakes it, N: dynamic component and vibration.
+    pub dynamic_n: f64,
+    /// F_x, F_y, F_z of this instant in N, tooth by tooth.
+    pub teeth_n: Option<[f64; 3]>,
+    /// The tool is in the air.
+    pub air: bool,
 }
 
-/// The cutting process set up from plant and workpiece settings.
-#[derive(Clone, Debug)]
-pub struct Process {
-    outline: Outline,
-    models: GeneticModels,
-    /// Force factor per millimetre of axial depth, for the formula.
-    factor_per_mm: f64,
-    radial_depth_mm: f64,
-    /// Material times wear.
-    share: f64,
-    /// In place of the formula.
-    neural: Option<Box<NeuralLaw>>,
-    milling: Option<Box<Milling>>,
-    wear_factor: f64,
+impl Force {
+    /// No force: the tool has not begun to cut.
+    pub const NONE: Self = Self {
+        model: Valued { value: 0.0, valid: true },
+        dynamic_n: 0.0,
+        teeth_n: None,
+        air: true,
+    };
+
+    /// F_x and F_y of this instant, N; of a map its largest force.
+    #[must_use]
+    #[inline]
+    pub fn across_n(&self) -> [f64; 2] {
+        match self.teeth_n {
+            Some([x, y, _]) => [x, y],
+            None => [self.dynamic_n, 0.0],
+        }
+    }
+
+    /// The force across the tool that acts in this plant step, N.
+    #[must_use]
+    #[inline]
+    pub fn acting_n(&self) -> f64 {
+        match self.teeth_n {
+            Some([x, y, _]) => (x * x + y * y).sqrt(),
+            None => self.dynamic_n,
+        }
+    }
+}
+
+/// What a plant step cuts.
+#[derive(Clone, Copy, Debug)]
+pub struct CutStep<'a> {
+    /// Number of the step.
+    pub tick: u64,
+    /// Actual feed, mm/min.
+    pub feed_mm_min: f64,
+    /// Actual speed, 1/min.
+    pub speed_rpm: f64,
+    /// Engagement at the tool's axis.
+    pub place: Engagement,
+    /// The cut under the tool, and where along it the axis is, mm.
+    pub under: (&'a CutPath, f64),
+    /// Factor of the dynamic component.
+    pub dynamic: f64,
     /// Factor of the wear over the tool's life.
-    life_factor: f64,
-    offset_n: f64,
+    pub life_factor: f64,
+    /// Force below which a tool that goes through cuts with air between them counts as in the air, N.
+    pub air_n: f64,
+}
+
+/// The teeth with the largest of what they make.
+#[derive(Clone, Debug)]
+pub struct Teeth {
+    milling: Milling,
+    largest: WindowMax<1>,
+    wear_factor: f64,
+}
+
+/// The cutting process by its kind.
+#[derive(Clone, Debug)]
+pub enum Process {
+    /// A map of feed and speed along one path.
+    Map(Box<ForceMap>),
+    /// A map along the sections of several cuts, with air between them.
+    Sections(Box<ForceMap>),
+    /// Tooth by tooth.
+    Teeth(Box<Teeth>),
 }
 
 impl Process {
-    /// The process for a plant with a tool at a radial depth of cut in mm, for steps of `dt_s` and axial depths
-    /// up to `depth_max_mm`.
+    /// The process of a plant with a tool along a path at a radial depth in mm, in steps of `dt_s`, `window` to a
+    /// control period.
     #[must_use]
     pub fn new(
         plant: &Plant,
         tool: &Tool,
+        path: &ToolPath,
         radial_depth_mm: f64,
-        depth_max_mm: f64,
         dt_s: f64,
+        window: u64,
     ) -> Self {
-        let models = GeneticModels::new(plant.model_set, plant.calibration);
-        let mut models = models.for_tool(tool);
-        models.force.intercept_n += plant.force_offset_n;
-        let engagement = engagement_per_mm(&models, radial_depth_mm);
-        let material = plant.material.force_factor(plant.hardness_hb);
-        let depths_mm = [AXIAL_DEPTH_2007_MM, radial_depth_mm];
-        let cut = NeuralCut::new(tool, plant.material, plant.hardness_hb, depths_mm);
-        let neural = plant.force_model.network().map(|kind| Box::new(NeuralLaw::new(kind, cut)));
-        let by_teeth = plant.force_model.tooth_by_tooth();
-        let setup = || milling_setup(plant, tool, dt_s);
-        let milling = by_teeth.then(|| Box::new(Milling::new(&setup(), depth_max_mm)));
-        Self {
-            outline: tool.outline(),
-            models,
-            factor_per_mm: material * plant.wear_factor * engagement,
-            radial_depth_mm,
-            share: material * plant.wear_factor,
-            neural,
-            milling,
-            wear_factor: plant.wear_factor,
-            life_factor: 1.0,
-            offset_n: plant.force_offset_n,
+        match plant.force_model {
+            ForceModel::Formula | ForceModel::Neural | ForceModel::NeuralLiteral => {
+                let map = Box::new(ForceMap::new(plant, tool, radial_depth_mm));
+                if path.is_several() { Self::Sections(map) } else { Self::Map(map) }
+            }
+            ForceModel::Mechanistic => Self::Teeth(Box::new(Teeth {
+                milling: Milling::new(&milling_setup(plant, tool, dt_s), path.depth_max_mm()),
+                largest: WindowMax::new(window),
+                wear_factor: plant.wear_factor,
+            })),
         }
     }
 
-    /// Takes the factor of the wear over the tool's life; see [`super::wear`].
-    pub fn set_life_factor(&mut self, factor: f64) {
-        self.life_factor = factor;
-    }
-
-    /// The true models, for the surface block.
-    #[must_use]
-    pub fn models(&self) -> &GeneticModels {
-        &self.models
-    }
-
-    /// Whether the tool is in the material at this axial depth in mm; otherwise it is in the air.
-    #[must_use]
-    pub fn engaged(&self, axial_depth_mm: f64) -> bool {
-        self.factor_per_mm * axial_depth_mm > 0.0
-    }
-
-    /// The forces of this instant in N, if the mechanistic model gives them: see
-    /// [`Milling::update`]; `dynamic` is the factor of the dynamic component.
-    #[inline]
-    pub fn mill(
-        &mut self,
-        feed_mm_min: f64,
-        speed_rpm: f64,
-        (cut, x_mm): (&CutPath, f64),
-        dynamic: f64,
-    ) -> Option<[f64; 3]> {
-        let factor = self.wear_factor * self.life_factor * math::positive(dynamic);
-        let milling = self.milling.as_deref_mut()?;
-        Some(milling.update(feed_mm_min, speed_rpm, x_mm, cut, factor))
+    /// Takes over settings changed in the cut; a turning cutter goes on.
+    pub fn reconfigure(&mut self, mut now: Self) {
+        if let (Self::Teeth(before), Self::Teeth(now)) = (&*self, &mut now) {
+            now.milling.take_over(&before.milling);
+            now.largest = before.largest.clone();
+        }
+        *self = now;
     }
 
     /// Takes the compliance of the force tooth by tooth away: a machine that is coupled to the cut has
     /// its own, and counted twice the tool would be too soft.
-    pub fn stiffen(&mut self) {
-        if let Some(milling) = &mut self.milling {
-            milling.stiffen();
+    pub fn make_rigid(&mut self) {
+        match self {
+            Self::Map(_) | Self::Sections(_) => {}
+            Self::Teeth(teeth) => teeth.milling.make_rigid(),
+        }
+    }
+
+    /// A new cut begins.
+    pub fn restart(&mut self) {
+        match self {
+            Self::Map(_) | Self::Sections(_) => {}
+            Self::Teeth(teeth) => {
+                teeth.milling.restart();
+                teeth.largest.restart();
+            }
         }
     }
 
     /// The spindle's turn at the last instant, from 0 to below 1, where there are teeth.
     #[must_use]
     pub fn spindle_turn(&self) -> Option<f64> {
-        self.milling.as_deref().map(Milling::spindle_turn)
-    }
-
-    /// A new cut begins.
-    pub fn restart(&mut self) {
-        if let Some(milling) = &mut self.milling {
-            milling.restart();
+        match self {
+            Self::Map(_) | Self::Sections(_) => None,
+            Self::Teeth(teeth) => Some(teeth.milling.spindle_turn()),
         }
     }
 
-    /// Takes over settings changed in the cut; a turning cutter goes on.
-    pub fn reconfigure(
-        &mut self,
-        plant: &Plant,
-        tool: &Tool,
-        place: &Engagement,
-        depth_max_mm: f64,
-        dt_s: f64,
-    ) {
-        let before = self.milling.take();
-        let life_factor = self.life_factor;
-        *self = Self::new(plant, tool, place.radial_depth_mm, depth_max_mm, dt_s);
-        self.life_factor = life_factor;
-        if let (Some(before), Some(now)) = (before, &mut self.milling) {
-            now.take_over(&before);
-        }
-    }
-
-    /// The maximum cutting force in N by formula or network.
+    /// The force of a plant step, before any machine vibrates.
     #[inline]
-    #[must_use]
-    pub fn update(&mut self, feed_mm_min: f64, speed_rpm: f64, place: &Engagement) -> Valued {
-        let axial_depth_mm = place.axial_depth_mm;
-        if place.radial_depth_mm != self.radial_depth_mm {
-            self.radial_depth_mm = place.radial_depth_mm;
-            let engagement = engagement_per_mm(&self.models, place.radial_depth_mm);
-            self.factor_per_mm = self.share * engagement;
-        }
-        let in_air = !self.engaged(axial_depth_mm);
-        if let Some(neural) = &mut self.neural {
-            if in_air {
-                // No cut, and so none that the network does not know.
-                return Valued::new(0.0, true);
+    pub fn cut(&mut self, step: &CutStep) -> Force {
+        let CutStep { feed_mm_min, speed_rpm, life_factor, dynamic, .. } = *step;
+        match self {
+            Self::Map(map) => {
+                let model = map.force(feed_mm_min, speed_rpm, &step.place, life_factor);
+                let air = !map.engaged(step.place.axial_depth_mm);
+                Force {
+                    model,
+                    dynamic_n: math::positive(model.value * dynamic),
+                    teeth_n: None,
+                    air,
+                }
             }
-            let peak =
-                neural.update(feed_mm_min, speed_rpm, [axial_depth_mm, place.radial_depth_mm]);
-            if peak.value == 0.0 {
-                return peak;
+            Self::Sections(map) => {
+                let (cut, x_mm) = step.under;
+                let model = contact::force_along(&map.outline(), cut, x_mm, |place| {
+                    map.force(feed_mm_min, speed_rpm, place, life_factor)
+                });
+                let air = model.value < step.air_n;
+                Force {
+                    model,
+                    dynamic_n: math::positive(model.value * dynamic),
+                    teeth_n: None,
+                    air,
+                }
             }
-            let force_n = (peak.value + self.offset_n) * self.wear_factor * self.life_factor;
-            return Valued::new(math::positive(force_n), peak.valid);
+            Self::Teeth(teeth) => {
+                let (cut, x_mm) = step.under;
+                let factor = teeth.wear_factor * life_factor * math::positive(dynamic);
+                let forces_n = teeth.milling.update(feed_mm_min, speed_rpm, x_mm, cut, factor);
+                let [x, y, _] = forces_n;
+                let [largest_n] = teeth.largest.push(step.tick, [(x * x + y * y).sqrt()]);
+                Force {
+                    model: Valued::new(largest_n, true),
+                    dynamic_n: largest_n,
+                    teeth_n: Some(forces_n),
+                    air: largest_n < step.air_n,
+                }
+            }
         }
-        let base = self.models.force(feed_mm_min, speed_rpm);
-        Valued::new(base.value * self.factor_per_mm * axial_depth_mm * self.life_factor, base.valid)
-    }
-
-    /// The same with the tool's axis at `x_mm` along a cut of sections: see [`contact`].
-    pub fn update_along(
-        &mut self,
-        feed_mm_min: f64,
-        speed_rpm: f64,
-        (cut, x_mm): (&CutPath, f64),
-    ) -> Valued {
-        let outline = self.outline;
-        let force_in = |place: &Engagement| self.update(feed_mm_min, speed_rpm, place);
-        contact::force_along(&outline, cut, x_mm, force_in)
     }
 }

@@ -17,13 +17,12 @@
 use super::response::{CutForce, ModalResponse, Motion};
 use crate::base::math::{self, TAU};
 use crate::base::units::rev_s_from_rpm;
+use crate::models::spindle::SLOWEST_RPM;
 use crate::models::structure::engagement::EngagementAngles;
 use crate::models::structure::reduction::Reduction;
 
 /// Longest step of the machine, s.
 pub const STEP_MAX_S: f64 = 1e-4;
-/// Slowest spindle whose tooth period is remembered, 1/min; slower ones count as it.
-const SLOWEST_RPM: f64 = 400.0;
 /// A tooth that is out of contact counts as such where it should carry this fraction of the peak force
 /// (chosen): at the very start of the chip the least vibration parts tooth and work.
 const LOST_FRACTION: f64 = 0.1;

@@ -6,6 +6,7 @@
 //! ```
 
 use crate::base::rng::Stream;
+use crate::base::window::WindowMax;
 
 /// The largest force of a window, true and as measured, N.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -16,15 +17,12 @@ pub struct Peak {
     pub measured_n: f64,
 }
 
-/// The running window and the last whole one.
+/// The sensor with its running window and the last whole one.
 #[derive(Clone, Debug)]
 pub struct PeakWindow {
     stream: Stream,
     deviation_n: f64,
-    samples: u64,
-    count: u64,
-    running: Peak,
-    held: Peak,
+    window: WindowMax<2>,
 }
 
 impl PeakWindow {
@@ -32,8 +30,7 @@ impl PeakWindow {
     #[must_use]
     pub fn new(deviation_n: f64, seed: u32, samples: u64) -> Self {
         let stream = Stream::new(u64::from(seed), "noise.dynamometer");
-        let (running, held) = (Peak::default(), Peak::default());
-        Self { stream, deviation_n, samples, count: 0, running, held }
+        Self { stream, deviation_n, window: WindowMax::new(samples) }
     }
 
     /// Takes over another standard deviation in N.
@@ -43,7 +40,7 @@ impl PeakWindow {
 
     /// Forgets what was measured, as a new cut begins; the windows stay those of the controller.
     pub fn restart(&mut self) {
-        (self.running, self.held) = (Peak::default(), Peak::default());
+        self.window.restart();
     }
 
     /// Sample number `tick` of F_x and F_y in N; gives the peaks of the last whole window.
@@ -57,14 +54,8 @@ impl PeakWindow {
         } else {
             true_n
         };
-        self.running.true_n = self.running.true_n.max(true_n);
-        self.running.measured_n = self.running.measured_n.max(measured_n);
-        self.count += 1;
-        if self.count == self.samples {
-            self.held = self.running;
-            (self.count, self.running) = (0, Peak::default());
-        }
-        self.held
+        let [true_n, measured_n] = self.window.push(tick, [true_n, measured_n]);
+        Peak { true_n, measured_n }
     }
 }
 

@@ -69,6 +69,16 @@ crate::settings! {
     }
 }
 
+impl MachineSettings {
+    /// K_s gamma: what a displacement between tooth and work changes the force by, in N/m for each
+    /// millimetre of axial depth.
+    #[must_use]
+    pub fn regeneration_n_m_mm(&self) -> f64 {
+        // N/mm^2 x mm = N/mm per mm of depth; 1000 N/m are one N/mm.
+        1000.0 * self.specific_cutting_force_n_mm2 * self.directional_factor
+    }
+}
+
 /// The machine: a tree of five masses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FiveMass {

@@ -1,0 +1,171 @@
+//! The way of a command through the CNC: overrides, dead time, overload guard, drives.
+//!
+//! ```text
+//! request ─▶ overrides ─▶ dead time ─▶ overload guard ─▶ feed drive ──▶ f_a
+//!            (percent)     (queue)      (feed to zero)   spindle drive ─▶ n_a
+//! ```
+//!
+//! A request is taken once in a control period and held; the rest passes every plant step.
+
+use super::dead_time::DeadTime;
+use super::feed_drive::{FeedDrive, FeedDriveSettings};
+use super::feed_override::{Cnc, Overridden, Override};
+use super::overload::{Overload, OverloadGuard};
+use super::spindle_drive::{SpindleDrive, SpindleDriveSettings};
+use crate::models::feed_speed::{FeedSpeed, Limits};
+
+/// What a channel is set up from.
+#[derive(Clone, Debug)]
+pub struct ChannelSetup<'a> {
+    /// Settings of the CNC.
+    pub cnc: &'a Cnc,
+    /// The feed drive.
+    pub feed_drive: &'a FeedDriveSettings,
+    /// The spindle drive.
+    pub spindle_drive: &'a SpindleDriveSettings,
+    /// Programmed values and limits of each cut, at least one.
+    pub cuts: Vec<(FeedSpeed, Limits)>,
+    /// Dead time, plant steps.
+    pub dead_ticks: usize,
+    /// Plant step, s.
+    pub dt_s: f64,
+    /// Control period, s.
+    pub period_s: f64,
+}
+
+/// The channel with its state.
+#[derive(Clone, Debug)]
+pub struct Channel {
+    cuts: Vec<(FeedSpeed, Limits)>,
+    programmed: FeedSpeed,
+    limits: Limits,
+    feed_override: Override,
+    spindle_override: Override,
+    dead_time: DeadTime,
+    guard: OverloadGuard,
+    feed_drive: FeedDrive,
+    spindle_drive: SpindleDrive,
+    dt_s: f64,
+    /// What is sent until the next request.
+    sent: [Overridden; 2],
+    actual: FeedSpeed,
+}
+
+/// The force that stops the feed, N; `None` where that is switched off.
+fn limit_n(cnc: &Cnc) -> Option<f64> {
+    cnc.force_stop.then_some(cnc.force_stop_n)
+}
+
+impl Channel {
+    /// The channel at rest at the programmed values of the first cut.
+    #[must_use]
+    pub fn new(setup: &ChannelSetup) -> Self {
+        let ChannelSetup { cnc, dt_s, period_s, .. } = *setup;
+        let (programmed, limits) = setup.cuts[0];
+        let FeedSpeed { feed_mm_min, speed_rpm } = programmed;
+        Self {
+            cuts: setup.cuts.clone(),
+            programmed,
+            limits,
+            feed_override: Override::new(cnc, feed_mm_min, period_s),
+            spindle_override: Override::new(cnc, speed_rpm, period_s),
+            dead_time: DeadTime::new(setup.dead_ticks, [feed_mm_min, speed_rpm]),
+            guard: OverloadGuard::new(limit_n(cnc)),
+            feed_drive: FeedDrive::new(setup.feed_drive, dt_s, feed_mm_min),
+            spindle_drive: SpindleDrive::new(setup.spindle_drive, dt_s, speed_rpm),
+            dt_s,
+            sent: [feed_mm_min, speed_rpm].map(Overridden::programmed),
+            actual: programmed,
+        }
+    }
+
+    /// Takes over changed settings in the cut of this number; what is under way goes on.
+    pub fn reconfigure(&mut self, setup: &ChannelSetup, cut: usize) {
+        self.cuts.clone_from(&setup.cuts);
+        self.limits = self.cuts[cut].1;
+        self.guard.reconfigure(limit_n(setup.cnc));
+        self.feed_override.reconfigure(setup.cnc, setup.period_s);
+        self.spindle_override.reconfigure(setup.cnc, setup.period_s);
+        self.dead_time.resize(setup.dead_ticks, self.sent.map(|sent| sent.command));
+        self.feed_drive.reconfigure(setup.feed_drive, self.dt_s);
+        self.spindle_drive.reconfigure(setup.spindle_drive, self.dt_s);
+    }
+
+    /// The cut of this number begins: at rest at its programmed values. The spindle turns on.
+    pub fn restart(&mut self, cut: usize) {
+        (self.programmed, self.limits) = self.cuts[cut];
+        let FeedSpeed { feed_mm_min, speed_rpm } = self.programmed;
+        self.feed_override.restart(feed_mm_min);
+        self.spindle_override.restart(speed_rpm);
+        self.dead_time.restart([feed_mm_min, speed_rpm]);
+        self.feed_drive.restart(feed_mm_min);
+        for (sent, programmed) in self.sent.iter_mut().zip([feed_mm_min, speed_rpm]) {
+            (sent.command, sent.percent) = (programmed, 100.0);
+        }
+    }
+
+    /// A control period: what is sent for a request until the next one.
+    pub fn command(&mut self, request: FeedSpeed) {
+        self.sent = [
+            self.feed_override.update(request.feed_mm_min, self.limits.feed_mm_min),
+            self.spindle_override.update(request.speed_rpm, self.limits.speed_rpm),
+        ];
+    }
+
+    /// A plant step: feed and speed at its end.
+    #[inline]
+    pub fn advance(&mut self) -> FeedSpeed {
+        let [feed, speed_rpm] = self.dead_time.pass(self.sent.map(|sent| sent.command));
+        // A stop does not wait in the queue.
+        let feed_mm_min = if self.guard.met().is_some() { 0.0 } else { feed };
+        self.actual = FeedSpeed {
+            feed_mm_min: self.feed_drive.update(feed_mm_min),
+            speed_rpm: self.spindle_drive.update(speed_rpm),
+        };
+        self.actual
+    }
+
+    /// Shows the guard the force in N that acts at a position in mm and a time in s.
+    #[inline]
+    pub fn guard(&mut self, force_n: f64, position_mm: f64, time_s: f64) {
+        self.guard.watch(force_n, position_mm, time_s);
+    }
+
+    /// What has stopped the feed, if anything has.
+    #[must_use]
+    pub fn overload(&self) -> Option<Overload> {
+        self.guard.met()
+    }
+
+    /// Programmed values of the present cut.
+    #[must_use]
+    pub fn programmed(&self) -> FeedSpeed {
+        self.programmed
+    }
+
+    /// Limits of the commands in the present cut.
+    #[must_use]
+    pub fn limits(&self) -> Limits {
+        self.limits
+    }
+
+    /// What is sent now, of feed and speed.
+    #[must_use]
+    #[inline]
+    pub fn sent(&self) -> &[Overridden; 2] {
+        &self.sent
+    }
+
+    /// The command that is sent now.
+    #[must_use]
+    pub fn command_sent(&self) -> FeedSpeed {
+        let [feed, speed] = &self.sent;
+        FeedSpeed { feed_mm_min: feed.command, speed_rpm: speed.command }
+    }
+
+    /// Feed and speed that the drives have reached.
+    #[must_use]
+    pub fn actual(&self) -> FeedSpeed {
+        self.actual
+    }
+}

@@ -1,0 +1,36 @@
+//! Feed and speed as controllers ask for them and machines limit them.
+
+use super::genetic::force_formula::{FEED_MIN_MM_MIN, SPEED_MIN_RPM};
+
+/// A pair of feed and spindle speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FeedSpeed {
+    /// Feed, mm/min.
+    pub feed_mm_min: f64,
+    /// Spindle speed, 1/min.
+    pub speed_rpm: f64,
+}
+
+/// Limits of the commands, from the override limits and the controller's own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Feed range, mm/min.
+    pub feed_mm_min: [f64; 2],
+    /// Spindle speed range, 1/min.
+    pub speed_rpm: [f64; 2],
+    /// Steps in which commands are sent: a percent of the programmed values where overrides are
+    /// whole percents, 0 where they are continuous.
+    pub resolution: FeedSpeed,
+}
+
+impl Limits {
+    /// The same, but where the force model holds: below [`FEED_MIN_MM_MIN`] the force no longer falls
+    /// with the feed, and below [`SPEED_MIN_RPM`] the spindle would be stopped to raise the force.
+    #[must_use]
+    pub fn within_force_model(mut self) -> Self {
+        let from = |[low, high]: [f64; 2], least: f64| [low.max(least).min(high), high];
+        self.feed_mm_min = from(self.feed_mm_min, FEED_MIN_MM_MIN);
+        self.speed_rpm = from(self.speed_rpm, SPEED_MIN_RPM);
+        self
+    }
+}

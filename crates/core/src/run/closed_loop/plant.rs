@@ -1,0 +1,216 @@
+//! The plant: the part, the tool and the machine that cuts it. One call in a plant step enters it.
+
+use super::machine::{Machine, Vibration};
+use crate::base::units::mm_s_from_mm_min;
+use crate::blocks::control::FeedSpeed;
+use crate::blocks::cutting::disturbance::DynamicForce;
+use crate::blocks::cutting::process::{CutStep, Force, Process};
+use crate::blocks::cutting::tool_path::{Engagement, ToolPath};
+use crate::blocks::cutting::wear::ToolWear;
+use crate::blocks::machine::coupled::CutState;
+use crate::blocks::surface::produced::ToothPlace;
+use crate::run::scenario::Scenario;
+
+/// The plant with its state.
+#[derive(Clone, Debug)]
+pub struct Plant {
+    dt_s: f64,
+    path: ToolPath,
+    disturbance: DynamicForce,
+    process: Process,
+    wear: ToolWear,
+    /// Factor of the wear on the force.
+    life_factor: f64,
+    /// The machine, where it is coupled to the cut.
+    machine: Option<Box<Machine>>,
+    now: CutNow,
+}
+
+/// What is cut at the end of a plant step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CutNow {
+    /// Actual feed and speed.
+    pub motion: FeedSpeed,
+    /// Position along the path, mm.
+    pub position_mm: f64,
+    /// Engagement at the tool's axis.
+    pub place: Engagement,
+    /// Number of the cut that has begun in this step, counted from 0.
+    pub began: Option<usize>,
+    /// The force.
+    pub force: Force,
+    /// What is felt and heard of the machine.
+    pub vibration: Vibration,
+    /// Share of the tool's life that is used.
+    pub used_life: f64,
+}
+
+fn process(scenario: &Scenario, path: &ToolPath, radial_depth_mm: f64, dt_s: f64) -> Process {
+    let window = u64::from(scenario.run.steps_per_control);
+    let mut process =
+        Process::new(&scenario.plant, &scenario.tool, path, radial_depth_mm, dt_s, window);
+    if scenario.machine.coupled {
+        process.make_rigid();
+    }
+    process
+}
+
+impl Plant {
+    /// The plant at rest at the start of the path, with feed and speed as programmed.
+    #[must_use]
+    pub fn new(scenario: &Scenario, motion: FeedSpeed) -> Self {
+        let dt_s = scenario.dt_s();
+        let path = ToolPath::new(&scenario.workpiece, scenario.tool.outline());
+        let wear = ToolWear::new(&scenario.wear, &scenario.tool);
+        let now = CutNow {
+            motion,
+            position_mm: 0.0,
+            place: Engagement::default(),
+            began: None,
+            force: Force::NONE,
+            vibration: Vibration::default(),
+            used_life: wear.used_life(),
+        };
+        Self {
+            dt_s,
+            process: process(scenario, &path, scenario.workpiece.radial_depth_mm, dt_s),
+            path,
+            disturbance: DynamicForce::new(
+                &scenario.noise,
+                scenario.tool.teeth,
+                scenario.run.seed,
+                dt_s,
+            ),
+            life_factor: wear.force_factor(),
+            wear,
+            machine: Machine::new(scenario),
+            now,
+        }
+    }
+
+    /// Takes over changed live settings; path, tool, machine and disturbance go on.
+    pub fn reconfigure(&mut self, scenario: &Scenario) {
+        self.path.reconfigure(&scenario.workpiece);
+        let place = self.path.place(self.now.position_mm);
+        self.process.reconfigure(process(scenario, &self.path, place.radial_depth_mm, self.dt_s));
+        self.wear.reconfigure(&scenario.wear);
+        self.life_factor = self.wear.force_factor();
+        self.disturbance.reconfigure(&scenario.noise, self.dt_s);
+    }
+
+    /// The next cut begins at its start; the tool comes to it through the air.
+    fn restart(&mut self, position_mm: f64) {
+        self.now.position_mm = position_mm;
+        self.process.restart();
+        if let Some(machine) = &mut self.machine {
+            machine.restart(position_mm);
+        }
+    }
+
+    /// The tool wears over a control period of `period_s` by what was cut at its end: little changes
+    /// in between.
+    pub fn wear(&mut self, period_s: f64) {
+        let FeedSpeed { feed_mm_min, speed_rpm } = self.now.motion;
+        let depth_mm = if self.now.force.air { 0.0 } else { self.now.place.axial_depth_mm };
+        self.wear.update(feed_mm_min, speed_rpm, depth_mm, period_s);
+        self.apply_wear();
+    }
+
+    /// Lets force and machine feel the wear of the tool as it is.
+    pub fn apply_wear(&mut self) {
+        if let Some(machine) = &mut self.machine {
+            machine.wear(&self.wear, &self.now.cut());
+        }
+        self.life_factor = self.wear.force_factor();
+        self.now.used_life = self.wear.used_life();
+    }
+
+    /// Plant step `tick` at the feed and speed that the drives have reached: the tool moves on, at the
+    /// end of a cut to the next one, and cuts. A force below `air_n` in N counts as none where air lies
+    /// between cuts; `mark` is told where the tooth was in every step of a machine that vibrates.
+    #[inline]
+    pub fn step(
+        &mut self,
+        tick: u64,
+        motion: FeedSpeed,
+        air_n: f64,
+        mark: impl FnMut(&ToothPlace),
+    ) -> &CutNow {
+        self.now.position_mm += mm_s_from_mm_min(motion.feed_mm_min) * self.dt_s;
+        let next_mm = self.path.next_cut(self.now.position_mm);
+        self.now.began = next_mm.map(|position_mm| {
+            self.restart(position_mm);
+            self.path.cut()
+        });
+        self.cut(tick, motion, air_n);
+        if let Some(machine) = &mut self.machine {
+            let CutNow { position_mm, place, .. } = self.now;
+            let loaded = self.path.loaded(position_mm, place);
+            let cut = CutState {
+                speed_rpm: motion.speed_rpm,
+                axial_depth_mm: loaded.axial_depth_mm,
+                radial_depth_mm: loaded.radial_depth_mm,
+            };
+            machine.shake(&mut self.now.force, &cut, tick, position_mm, mark);
+            self.now.vibration = machine.vibration();
+        }
+        &self.now
+    }
+
+    /// The force where the tool stands, before any machine vibrates.
+    #[inline]
+    pub fn cut(&mut self, tick: u64, motion: FeedSpeed, air_n: f64) -> &CutNow {
+        let FeedSpeed { feed_mm_min, speed_rpm } = motion;
+        let position_mm = self.now.position_mm;
+        let place = self.path.place(position_mm);
+        self.now.force = self.process.cut(&CutStep {
+            tick,
+            feed_mm_min,
+            speed_rpm,
+            place,
+            under: self.path.cut_at(position_mm),
+            dynamic: self.disturbance.update(tick, position_mm, speed_rpm),
+            life_factor: self.life_factor,
+            air_n,
+        });
+        (self.now.motion, self.now.place) = (motion, place);
+        &self.now
+    }
+
+    /// What is cut now.
+    #[must_use]
+    pub fn now(&self) -> &CutNow {
+        &self.now
+    }
+
+    /// The cut that the machine is in, counted from 0, and where along it the tool's axis stands, mm.
+    #[must_use]
+    pub fn place_in_cut(&self) -> (usize, f64) {
+        (self.path.cut(), self.path.cut_at(self.now.position_mm).1)
+    }
+
+    /// Share of the tool's life that is used: 1 at its end.
+    #[must_use]
+    pub fn used_life(&self) -> f64 {
+        self.wear.used_life()
+    }
+
+    /// Forces F_x, F_y, F_z on the tool in N and the spindle's turn from 0 to below 1 now, where the
+    /// force is simulated tooth by tooth.
+    #[must_use]
+    pub fn teeth(&self) -> Option<([f64; 3], f64)> {
+        self.now.force.teeth_n.zip(self.process.spindle_turn())
+    }
+}
+
+impl CutNow {
+    /// Speed and engagement at the tool's axis.
+    #[must_use]
+    pub fn cut(&self) -> CutState {
+        CutState {
+            speed_rpm: self.motion.speed_rpm,
+            axial_depth_mm: self.place.axial_depth_mm,
+            radial_depth_mm: self.place.radial_depth_mm,
+        }
+    }
+}
