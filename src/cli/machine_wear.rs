@@ -36,7 +36,7 @@ struct Surface {
 
 fn surfaces(scenario: &Scenario, job: &LifeJob) -> Vec<Surface> {
     let at = |x: f64| {
-        let (runout_um, seed) = (scenario.plant.runout_um, u64::from(scenario.run.seed));
+        let (runout_um, seed) = (scenario.tool.runout_um, u64::from(scenario.run.seed));
         let roughness = surface(job.model(), &scenario.profile, runout_um, x, seed)?;
         Some(Surface { x, ra_um: roughness.ra_um, rq_um: roughness.rq_um, rz_um: roughness.rz_um })
     };
@@ -82,7 +82,7 @@ pub fn wear(args: &MachineModel) -> Outcome {
         writeln!(
             text,
             "\nprofile with run-out {} um, filtered at {} mm\n{:>6}{:>10}{:>10}{:>10}",
-            scenario.plant.runout_um, scenario.profile.long_mm, "x", "Ra um", "Rq um", "Rz um"
+            scenario.tool.runout_um, scenario.profile.long_mm, "x", "Ra um", "Rq um", "Rz um"
         )?;
         for Surface { x, ra_um, rq_um, rz_um } in &surfaces {
             writeln!(text, "{x:>6}{ra_um:>10.4}{rq_um:>10.4}{rz_um:>10.4}")?;

@@ -65,7 +65,7 @@ impl MarkedPart {
             cuts,
             cut: 0,
             teeth: tool.teeth,
-            runout_mm: if by_teeth { mm_from_um(scenario.plant.runout_um) } else { 0.0 },
+            runout_mm: if by_teeth { mm_from_um(tool.runout_um) } else { 0.0 },
             by_teeth,
             vibrates: scenario.machine.coupled
                 && scenario.machine.roughness_from == RoughnessFrom::Vibration,

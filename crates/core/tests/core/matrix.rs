@@ -94,7 +94,7 @@ fn map_n(scenario: &Scenario, feed_mm_min: f64, speed_rpm: f64) -> f64 {
     };
     let plant = &scenario.plant;
     if plant.force_model.tooth_by_tooth() {
-        let cutter = Cutter::new(&scenario.tool, plant.runout_um / 1000.0, plant.slice_mm);
+        let cutter = Cutter::new(&scenario.tool, scenario.tool.runout_um / 1000.0, plant.slice_mm);
         let law = Kienzle::new(&CK45, 80.0, 12.0, 200.0);
         let cut = StaticCut {
             feed_per_tooth_mm: feed_mm_min / (2.0 * speed_rpm),
@@ -143,7 +143,7 @@ fn static_laws_come_to_rest_where_they_meet_the_plant() {
     for (plant, mut scenario) in plants() {
         scenario.change(|s| s.cnc.override_quantised = false).unwrap();
         // With run-out not every control period holds the larger tooth.
-        scenario.change(|s| s.plant.runout_um = 0.0).unwrap();
+        scenario.change(|s| s.tool.runout_um = 0.0).unwrap();
         // At 1.1 it oscillates where the force is far above its reference and the dead time 80 ms.
         scenario.change(|s| s.controller.proportional.kp = 0.4).unwrap();
         let all = ControllerKind::ALL.iter().map(|kind| {

@@ -62,7 +62,7 @@ fn a_revolution_has_two_teeth_18_85_ms_apart() {
     scenario
         .change(|s| {
             s.noise.level = 0.0;
-            s.plant.runout_um = 0.0;
+            s.tool.runout_um = 0.0;
             s.run.duration_s = 4.0;
             s.workpiece.cuts = vec![vec![[60.0, 3.0, 2.0]]];
         })

@@ -166,16 +166,15 @@ fn choosing_a_cutter_sets_its_values_and_what_is_set_with_it_wins() {
     scenario.set("tool.name", text("bull-nose-16-4")).unwrap();
     let file = ShippedTool::BullNose16.load();
     assert_eq!(scenario.tool, Tool { name: ShippedTool::BullNose16, ..file.tool });
-    assert_eq!(scenario.plant.runout_um, file.runout_um);
     let both = [
         ("tool.overhang_mm".to_owned(), Value::Float(60.0)),
         ("tool.name".to_owned(), text("square-20-3")),
-        ("plant.runout_um".to_owned(), Value::Float(7.0)),
+        ("tool.runout_um".to_owned(), Value::Float(7.0)),
         ("workpiece.radial_depth_mm".to_owned(), Value::Float(20.0)),
     ];
     scenario.set_all(&both).unwrap();
     assert_eq!((scenario.tool.diameter_mm, scenario.tool.overhang_mm), (20.0, 60.0));
-    assert_eq!(scenario.plant.runout_um, 7.0);
+    assert_eq!(scenario.tool.runout_um, 7.0);
     let file = scenario_file::write(&scenario, &Edits::none());
     assert_eq!(scenario_file::parse(&file).unwrap().0, scenario);
     let link = scenario_link::write(&scenario, &Edits::none());

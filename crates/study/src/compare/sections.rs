@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use crate::base::units::percent_from_ratio;
 use crate::models::ball_end::{CK45, Cutter, Kienzle, StaticCut, static_peak};
+use crate::models::tool::Tool;
 
 /// Feed per tooth of both experiments, mm.
 const FEED_PER_TOOTH_MM: f64 = 0.08;
@@ -62,8 +63,9 @@ fn section(
     (experiment, axial_depth_mm, wall_mm, reference_n): (u32, f64, f64, f64),
     with_limit: bool,
 ) -> ComparedSection {
-    let law = Kienzle::new(&CK45, 80.0, 12.0, CK45.hardness_hb);
-    let cutter = |slice_mm: f64| Cutter::two_teeth(16.0, RUNOUT_MM, slice_mm);
+    let tool = Tool::default();
+    let law = Kienzle::new(&CK45, 80.0, tool.rake_deg, CK45.hardness_hb);
+    let cutter = |slice_mm: f64| Cutter::new(&tool, RUNOUT_MM, slice_mm);
     let radial_depth_mm = cutter(SLICE_MM).radius_mm(axial_depth_mm) - wall_mm;
     let cut = StaticCut { feed_per_tooth_mm: FEED_PER_TOOTH_MM, axial_depth_mm, radial_depth_mm };
     let peak_n = |slice_mm: f64| static_peak(&cutter(slice_mm), &law, &cut).fxy_n;

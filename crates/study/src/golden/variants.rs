@@ -282,7 +282,7 @@ fn tool_life(preset: &Scenario) -> String {
         digest.word(point.sound.to_bits());
         digest.word(point.ra_um.to_bits());
     }
-    let rough = surface(&model, &preset.profile, preset.plant.runout_um, 0.5, 1);
+    let rough = surface(&model, &preset.profile, preset.tool.runout_um, 0.5, 1);
     digest.word(rough.map_or(f64::NAN, |rough| rough.rz_um).to_bits());
     let mut life = AdaptiveLife::new(preset, true);
     life.advance_by(25);

@@ -174,6 +174,45 @@ fn bisect(mut low: f64, mut high: f64, mut multiplier: impl FnMut(f64) -> f64) -
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::settings::Value;
+
+    fn cut(changes: &[(&str, Value)]) -> Result<StabilityCut, SettingError> {
+        let mut scenario = Scenario::default();
+        let changes = changes.iter().map(|(path, value)| ((*path).to_owned(), value.clone()));
+        scenario.set_all(&changes.collect::<Vec<_>>())?;
+        StabilityCut::new(&scenario)
+    }
+
+    #[test]
+    fn the_chart_follows_radial_depth_and_cutter() {
+        let any_mm = |cut: &StabilityCut| cut.depth_mm(lobes::at_any_speed(cut).stiffness_n_m);
+        let papers = cut(&[]).unwrap();
+        assert_eq!((papers.radial_depth_mm, papers.diameter_mm), (3.0, 16.0));
+        assert!(papers.engagement_text().contains("51.3 degrees"), "{}", papers.engagement_text());
+        let slot = cut(&[("workpiece.radial_depth_mm", Value::Float(16.0))]).unwrap();
+        // The depth that never chatters falls as the mean number of teeth in the cut grows.
+        let teeth = slot.engagement.mean_teeth() / papers.engagement.mean_teeth();
+        assert!((teeth - 180.0 / 51.317_8).abs() < 1e-3, "{teeth}");
+        assert!((any_mm(&papers) / any_mm(&slot) / teeth - 1.0).abs() < 1e-9);
+        let square = cut(&[("tool.name", Value::Text("square-12-4".to_owned()))]).unwrap();
+        assert_eq!((square.engagement.teeth, square.diameter_mm), (4, 12.0));
+        // Twice the teeth, each over arccos(1 - 6/12) = 60 degrees.
+        let teeth = square.engagement.mean_teeth() / papers.engagement.mean_teeth();
+        assert!((teeth - 2.0 * 60.0 / 51.317_8).abs() < 1e-3, "{teeth}");
+        assert!((any_mm(&papers) / any_mm(&square) / teeth - 1.0).abs() < 1e-9);
+        assert_eq!(square.period_s(1000.0), 0.5 * papers.period_s(1000.0));
+        let [slow, fast] = [papers, square].map(|cut| interrupted::limit_mm(&cut, 1500.0, 60.0));
+        assert!((slow.unwrap() / fast.unwrap() - 1.0).abs() > 0.1, "{slow:?} {fast:?}");
+    }
+
+    #[test]
+    fn several_cuts_are_charted_for_their_widest_section_and_none_for_no_width() {
+        let sections = vec![vec![[30.0, 2.0, 2.0], [30.0, 3.0, 1.0]]];
+        let wide = cut(&[("workpiece.cuts", Value::Cuts(sections))]).unwrap();
+        assert!((wide.radial_depth_mm - (39.0_f64.sqrt() - 1.0)).abs() < 1e-12);
+        let none = cut(&[("workpiece.radial_depth_mm", Value::Float(0.0))]).unwrap_err();
+        assert!(none.to_string().contains("workpiece.radial_depth_mm"), "{none}");
+    }
 
     #[test]
     fn the_least_unstable_depth_is_found_islands_included() {

@@ -4,6 +4,7 @@
 use serde::Serialize;
 
 use crate::models::ball_end::{CK45, Cutter, Kienzle, StaticCut, StaticPeak, static_peak};
+use crate::models::tool::Tool;
 
 /// The cuts: feed per tooth in mm, A_D and R_D in mm, run-out in mm; then Fx, Fy, Fz at the instant
 /// of the largest F_xy, that F_xy and the mean F_xy, in N. Ck45, D 16 mm, two teeth, v_c 80 m/min,
@@ -42,8 +43,9 @@ fn peak(
     [feed_per_tooth_mm, axial_depth_mm, radial_depth_mm, runout]: [f64; 4],
     slice_mm: f64,
 ) -> StaticPeak {
-    let law = Kienzle::new(&CK45, 80.0, 12.0, CK45.hardness_hb);
-    let cutter = Cutter::two_teeth(16.0, runout, slice_mm);
+    let tool = Tool::default();
+    let law = Kienzle::new(&CK45, 80.0, tool.rake_deg, CK45.hardness_hb);
+    let cutter = Cutter::new(&tool, runout, slice_mm);
     static_peak(&cutter, &law, &StaticCut { feed_per_tooth_mm, axial_depth_mm, radial_depth_mm })
 }
 

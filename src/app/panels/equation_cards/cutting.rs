@@ -95,7 +95,7 @@ fn tooth_by_tooth(row: &Row, scenario: &Scenario) -> Vec<Live> {
                 number(f64::from(tool.teeth)),
                 number(row.spindle_rpm),
                 number(per_tooth_mm),
-                number(mm_from_um(scenario.plant.runout_um))
+                number(mm_from_um(scenario.tool.runout_um))
             ),
         ),
         Live::everywhere(

@@ -165,6 +165,16 @@ mod tests {
     }
 
     #[test]
+    fn the_ripple_has_the_frequency_of_the_teeth() {
+        let settings = only(0.0, 2.0, 0.0);
+        let [mut two, mut four] = [2, 4].map(|teeth| DynamicForce::new(&settings, teeth, 3, 1e-3));
+        for k in 0..500 {
+            let [fast, slow] = [two.update(k, 0.0, 2400.0), four.update(k, 0.0, 1200.0)];
+            assert!((fast - slow).abs() < 1e-9, "{k}: {fast} {slow}");
+        }
+    }
+
+    #[test]
     fn the_inhomogeneity_belongs_to_the_position_not_to_the_time() {
         let settings = only(0.0, 0.0, 2.0);
         let mut slow = DynamicForce::new(&settings, 2, 3, 1e-3);

@@ -13,7 +13,7 @@ crate::choice! {
         Neural = "neural", "Neural network";
         /// The 8-15-3 network with the inputs and learning parameters of the 2013 paper.
         NeuralLiteral = "neural_literal", "Neural network as in the paper";
-        /// The mechanistic model of the ball-end mill, tooth by tooth (2005 milling simulator); wants
+        /// The mechanistic model of the end mill, tooth by tooth (2005 milling simulator); wants
         /// plant steps of some 30 us.
         Mechanistic = "mechanistic", "Tooth by tooth";
     }

@@ -44,9 +44,6 @@ crate::settings! {
         /// Added to the force of the formula (an error of its intercept) or of the network, for
         /// experiments on model mismatch; a plan does not know of it.
         force_offset_n: f64 = 0.0, [-100.0, 100.0], "N", live, "Force offset";
-        /// Run-out of the cutter: its axis is shifted by this towards the first tooth, so of two one stands
-        /// out and one in; tooth by tooth only.
-        runout_um: f64 = 3.0, [0.0, 50.0], "um", live, "Run-out";
         /// Height of the cutter's slices; tooth by tooth only. It is part of the calibration.
         slice_mm: f64 = 0.25, [0.05, 1.0], "mm", live, "Slice height";
     }
@@ -62,7 +59,7 @@ fn milling_setup(plant: &Plant, tool: &Tool, dt_s: f64) -> MillingSetup {
     let factor =
         plant.material.force_factor(plant.hardness_hb) / base.force_factor(base.hardness_hb());
     MillingSetup {
-        cutter: Cutter::new(tool, mm_from_um(plant.runout_um), plant.slice_mm),
+        cutter: Cutter::new(tool, mm_from_um(tool.runout_um), plant.slice_mm),
         steel,
         rake_deg: tool.rake_deg,
         hardness_hb: steel.hardness_hb,

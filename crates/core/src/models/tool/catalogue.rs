@@ -41,7 +41,7 @@ tools! {
 }
 
 impl ShippedTool {
-    /// The cutter with its run-out.
+    /// The cutter with its title and source.
     #[must_use]
     pub fn load(self) -> ToolFile {
         ToolFile::parse(self.text()).expect("the shipped tool files are checked by a test")

@@ -17,12 +17,10 @@
 //! ```
 
 use super::{EndShape, Tool};
-use crate::base::settings::{Group, Kind, SettingError, Value};
+use crate::base::settings::{Group, SettingError, Value};
 
 /// Version of the format.
 pub const FORMAT_VERSION: i64 = 1;
-/// Range of the run-out, um.
-pub(super) const RUNOUT_UM: [f64; 2] = [0.0, 50.0];
 /// Most characters of title and source.
 const MAX_CHARS: usize = 400;
 
@@ -35,8 +33,6 @@ pub struct ToolFile {
     pub source: String,
     /// The cutter; its `name` stays at the default.
     pub tool: Tool,
-    /// Run-out: how far the axis is shifted, um.
-    pub runout_um: f64,
 }
 
 fn fault(problem: String) -> SettingError {
@@ -102,22 +98,11 @@ impl ToolFile {
                 .and_then(|value| tool.set(spec.key, &value, &spec.allowed))
                 .ok_or_else(|| refused(spec.key, &found, &allowed()))?;
         }
-        let [min, max] = RUNOUT_UM;
-        let allowed = Kind::Float { min, max }.allowed("um");
-        let runout_um = match table.remove("runout_um") {
-            None => return Err(fault(format!("`runout_um` is missing: {allowed}"))),
-            Some(found) => found
-                .as_float()
-                .or_else(|| found.as_integer().map(|x| x as f64))
-                .filter(|x| (min..=max).contains(x))
-                .ok_or_else(|| refused("runout_um", &found, &allowed))?,
-        };
         if let Some(key) = table.keys().next() {
             let known: Vec<&str> = specs.iter().map(|spec| spec.key).collect();
             let known = known.join(", ");
-            let problem = format!(
-                "unknown entry `{key}`; there are version, title, source, {known}, runout_um"
-            );
+            let problem =
+                format!("unknown entry `{key}`; there are version, title, source, {known}");
             return Err(fault(problem));
         }
         if let Some(most) = tool.corner_too_large_mm() {
@@ -127,7 +112,7 @@ impl ToolFile {
             );
             return Err(fault(problem));
         }
-        Ok(Self { title, source, tool, runout_um })
+        Ok(Self { title, source, tool })
     }
 }
 

@@ -35,7 +35,7 @@ crate::choice! {
 crate::settings! {
     /// The cutter.
     pub struct Tool {
-        /// Shipped cutter; choosing one sets all that follows and the run-out to its values.
+        /// Shipped cutter; choosing one sets all that follows to its values.
         name: ShippedTool = ShippedTool::R21616B20, [], "", setup, "Cutter";
         /// Shape of its end. A ball end has a corner of half the diameter, a square end none.
         shape: EndShape = EndShape::Ball, [], "", setup, "Shape";
@@ -56,6 +56,9 @@ crate::settings! {
         /// Compliance G of tool and holder in the regeneration of the force tooth by tooth (2005 eq. 1):
         /// 50 N/um. As printed, in m/N, 650 N would bend the tool by 13 mm.
         compliance_um_n: f64 = 0.02, [0.0, 1.0], "um/N", setup, "Compliance";
+        /// Run-out: the axis is shifted by this towards the first tooth, so of two one stands out and one
+        /// in; tooth by tooth only.
+        runout_um: f64 = 3.0, [0.0, 50.0], "um", live, "Run-out";
     }
 }
 

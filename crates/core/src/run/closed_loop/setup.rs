@@ -111,7 +111,7 @@ fn finish(scenario: &Scenario) -> Option<Finish> {
         let tool = &scenario.tool;
         // Run-out is a property of the cutter that is simulated tooth by tooth.
         let by_teeth = scenario.plant.force_model.tooth_by_tooth();
-        let runout_um = if by_teeth { 2.0 * scenario.plant.runout_um } else { 0.0 };
+        let runout_um = if by_teeth { 2.0 * scenario.tool.runout_um } else { 0.0 };
         let (outline, teeth) = (tool.outline(), tool.teeth as usize);
         Finish::new(&scenario.profile, outline, teeth, mm_from_um(runout_um))
     })

@@ -4,7 +4,7 @@
 use super::groups::Settings;
 use super::table::param;
 use crate::models::genetic::ModelSet;
-use crate::models::tool::{Tool, ToolFile};
+use crate::models::tool::Tool;
 
 /// A setting that brings another one with it.
 pub struct Companion {
@@ -23,11 +23,9 @@ pub const COMPANIONS: &[Companion] = &[
     Companion {
         of: "tool.name",
         brings: "tool.diameter_mm",
-        words: "a cutter comes with all other settings of its group, and with its run-out",
+        words: "a cutter comes with all other settings of its group",
         set: |s| {
-            let ToolFile { tool, runout_um, .. } = s.tool.name.load();
-            s.tool = Tool { name: s.tool.name, ..tool };
-            s.plant.runout_um = runout_um;
+            s.tool = Tool { name: s.tool.name, ..s.tool.name.load().tool };
         },
     },
     Companion {

@@ -8,6 +8,7 @@ pub const RENAMED: &[(&str, &str)] = &[
     ("machine.chip_direction", "machine.directional_factor"),
     ("machine.reading", "machine.variant"),
     ("machine.specific_force_n_mm2", "machine.specific_cutting_force_n_mm2"),
+    ("plant.runout_um", "tool.runout_um"),
     ("wear.durability_factor", "wear.tool_life_factor"),
 ];
 
