@@ -128,3 +128,36 @@ fn public_types_have_names_of_their_own() {
     let twice: Vec<_> = names.windows(2).filter(|pair| pair[0].0 == pair[1].0).collect();
     assert!(twice.is_empty(), "{twice:#?}");
 }
+
+#[test]
+fn the_lowest_layer_names_nothing_of_milling() {
+    let trade = [
+        "cut",
+        "cuts",
+        "cutting",
+        "cutter",
+        "mill",
+        "milling",
+        "tool",
+        "tooth",
+        "teeth",
+        "wall",
+        "depth",
+        "section",
+        "sections",
+        "spindle",
+        "workpiece",
+        "force",
+        "roughness",
+        "unks",
+        "steadycut",
+    ];
+    let mut files = Vec::new();
+    sources(&folder("base"), &mut files);
+    for file in files {
+        let code = code(&file).to_lowercase();
+        for word in code.split(|c: char| !c.is_alphabetic()) {
+            assert!(!trade.contains(&word), "{} names `{word}`", file.display());
+        }
+    }
+}

@@ -206,7 +206,7 @@ fn where_nothing_is_allowed_nothing_can_be_programmed_and_the_reason_is_told() {
 fn an_error_names_its_setting_and_goes_away_with_it() {
     let zero = |path| (path, Value::Float(0.0));
     for size in [DESKTOP, LONG] {
-        let none = (("workpiece.depth_steps"), Value::Steps(Vec::new()));
+        let none = (("workpiece.depth_steps"), Value::List(Vec::new()));
         let mut screen = open(size, &[none, zero("workpiece.axial_depth_mm")]);
         let shown = texts(&screen);
         assert!(shown.contains("`workpiece.axial_depth_mm` cannot be 0 mm"), "{shown}");

@@ -1,14 +1,15 @@
 //! The editor of one setting, made from its entry in the table of settings: slider, number, choice,
-//! switch, text or depth profile. Right-click (or a long press) offers the default.
+//! switch, text, or what a structured setting asks for. Right-click (or a long press) offers the default.
 
-use egui::{ComboBox, Response, Slider, Ui, WidgetInfo};
+mod structured;
+
+use egui::{ComboBox, Response, Slider, Ui};
 
 use super::super::command::{Command, SessionCommand};
 use super::super::format;
-use super::icon::{self, Icon};
 use super::number::NumberField;
-use crate::base::settings::{DepthStep, Kind, MAX_STEPS, Value};
-use crate::run::scenario::{Param, Scenario, param, parse_value};
+use crate::base::settings::{Kind, Value};
+use crate::run::scenario::{Param, Scenario, param};
 
 /// The size of an editor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,13 +59,9 @@ pub fn setting(
                 response
             }
             (Kind::Choice { .. }, Value::Text(now)) => choice(ui, param, now, size, &mut change),
-            (Kind::Networks, Value::Text(now)) => networks(ui, param, now, &mut change),
             (Kind::Text { .. }, Value::Text(now)) => text(ui, param, now, &mut change),
-            (Kind::Steps { .. }, Value::Steps(now)) => {
-                steps(ui, param, now, &mut change, said_here)
-            }
-            (Kind::Cuts { .. }, Value::Cuts(_)) | (Kind::Numbers { .. }, Value::Numbers(_)) => {
-                cuts(ui, param, &value, &mut change, said_here)
+            (Kind::Structured(shape), now) => {
+                structured::edit(ui, param, &shape.editor(), now, &mut change, said_here)
             }
             _ => unreachable!("the table pairs kinds with values"),
         };
@@ -241,107 +238,6 @@ fn text(ui: &mut Ui, param: &Param, now: &str, change: &mut dyn FnMut(Value)) ->
     } else {
         if response.lost_focus() && draft != now {
             change(Value::Text(draft));
-        }
-        ui.data_mut(|data| data.remove::<String>(id));
-    }
-    response
-}
-
-/// Whether there are networks, and a button that removes them; files bring them.
-fn networks(ui: &mut Ui, param: &Param, now: &str, change: &mut dyn FnMut(Value)) -> Response {
-    let (label, _) = labelled(ui, param, |ui| {
-        if now.is_empty() {
-            return ui.label("none");
-        }
-        let response = ui.button("Remove").on_hover_text("Begin with those of the start again");
-        let name = format!("Remove: {}", param.spec.label);
-        response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, name.clone()));
-        if response.clicked() {
-            change(Value::Text(String::new()));
-        }
-        response
-    });
-    label
-}
-
-fn steps(
-    ui: &mut Ui,
-    param: &Param,
-    now: &[DepthStep],
-    change: &mut dyn FnMut(Value),
-    said: &mut Option<String>,
-) -> Response {
-    let Kind::Steps { max_position_mm, max_depth_mm } = param.spec.allowed else {
-        unreachable!("kind of a profile")
-    };
-    let mut steps = now.to_vec();
-    let response = ui.label(param.spec.label);
-    let mut removed = None;
-    let mut touched = false;
-    for i in 0..steps.len() {
-        // Between the neighbours: positions stay in order while they are dragged.
-        let low = if i == 0 { 0.0 } else { steps[i - 1][0] + 0.01 };
-        let high = steps.get(i + 1).map_or(max_position_mm, |next| next[0] - 0.01);
-        ui.horizontal(|ui| {
-            let mut edit = |value: &mut f64, what: &str, range, speed: f64, suffix: &str| {
-                let name = format!("{what} of depth step {}", i + 1);
-                let field =
-                    NumberField { name: &name, unit: "mm", range, speed, decimals: 3, suffix };
-                let response = field.show(ui, value, said);
-                response.widget_info(|| WidgetInfo {
-                    label: Some(name.clone()),
-                    ..WidgetInfo::drag_value(true, *value)
-                });
-                touched |= response.changed();
-            };
-            let [position, depth] = &mut steps[i];
-            edit(position, "Position", [low, high], 0.5, " mm on:");
-            edit(depth, "Depth", [0.0, max_depth_mm], 0.01, " mm deep");
-            let name = format!("Remove depth step {}", i + 1);
-            if icon::button(ui, Icon::Close, &name, &name, true).clicked() {
-                removed = Some(i);
-            }
-        });
-    }
-    if let Some(i) = removed {
-        steps.remove(i);
-        touched = true;
-    }
-    let last = steps.last().map_or(0.0, |step| step[0]);
-    let room = steps.len() < MAX_STEPS && last + 20.0 <= max_position_mm;
-    if ui.add_enabled(room, egui::Button::new("Add a depth step")).clicked() {
-        steps.push([last + 20.0, 2.0]);
-        touched = true;
-    }
-    if touched {
-        change(Value::Steps(steps));
-    }
-    response
-}
-
-/// Cuts as a list of lists, or what belongs to each of them as a list: taken over when the field is left, faults are answered.
-fn cuts(
-    ui: &mut Ui,
-    param: &Param,
-    now: &Value,
-    change: &mut dyn FnMut(Value),
-    said: &mut Option<String>,
-) -> Response {
-    let label = ui.label(param.spec.label);
-    let id = ui.scope_id().with("draft");
-    // A cut a line, as long as nothing else is being written.
-    let shown = now.to_string().replace("]], [[", "]],\n[[");
-    let mut draft = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
-    let edit = egui::TextEdit::multiline(&mut draft).desired_rows(2).desired_width(f32::INFINITY);
-    let response = ui.add(edit.code_editor()).labelled_by(label.id);
-    if response.has_focus() {
-        ui.data_mut(|data| data.insert_temp(id, draft));
-    } else {
-        if response.lost_focus() && draft != shown {
-            match parse_value(&param.path, &draft) {
-                Ok(value) => change(value),
-                Err(error) => *said = Some(error.to_string()),
-            }
         }
         ui.data_mut(|data| data.remove::<String>(id));
     }

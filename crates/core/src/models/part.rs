@@ -7,7 +7,9 @@
 //! would jump sideways at every step of the axial depth. Steps are met gradually, as the ball's
 //! contact points come to them.
 
-use crate::base::settings::{DepthStep, Section};
+mod shapes;
+
+pub use shapes::{DepthStep, MAX_CUTS, MAX_SECTIONS, MAX_STEPS, MIN_SECTION_MM, Section};
 
 /// Distance in mm that a cut starts before the part's edge: the tool comes in from the air.
 pub const APPROACH_MM: f64 = 7.6;

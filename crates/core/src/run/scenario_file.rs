@@ -92,7 +92,7 @@ fn flatten(
 }
 
 fn value_from_toml(path: &str, value: &toml::Value) -> Result<Value, SettingError> {
-    let wrong = || {
+    in_transit(value).ok_or_else(|| {
         // An unknown field must be called unknown, whatever its value.
         param(path).map_or_else(
             |unknown| unknown,
@@ -102,39 +102,21 @@ fn value_from_toml(path: &str, value: &toml::Value) -> Result<Value, SettingErro
                 allowed: param.spec.allowed.allowed(param.spec.unit),
             },
         )
-    };
-    Ok(match value {
+    })
+}
+
+/// The value; no setting is a date or a table.
+fn in_transit(value: &toml::Value) -> Option<Value> {
+    Some(match value {
         toml::Value::Integer(x) => Value::Int(*x),
         toml::Value::Float(x) => Value::Float(*x),
         toml::Value::Boolean(x) => Value::Bool(*x),
         toml::Value::String(x) => Value::Text(x.clone()),
-        toml::Value::Array(cuts) if is_cuts(cuts) => {
-            let read = toml::Value::try_into::<Vec<Vec<[f64; 3]>>>(value.clone());
-            Value::Cuts(read.map_err(|_| wrong())?)
-        }
         toml::Value::Array(list) => {
-            let number = |value: &toml::Value| {
-                value.as_float().or_else(|| value.as_integer().map(|x| x as f64))
-            };
-            if list.first().and_then(number).is_some() {
-                let numbers: Option<Vec<f64>> = list.iter().map(number).collect();
-                return numbers.map(Value::Numbers).ok_or_else(wrong);
-            }
-            let pair = |value: &toml::Value| match value.as_array().map(Vec::as_slice) {
-                Some([position, depth]) => Some([number(position)?, number(depth)?]),
-                _ => None,
-            };
-            let steps: Option<Vec<[f64; 2]>> = list.iter().map(pair).collect();
-            Value::Steps(steps.ok_or_else(wrong)?)
+            Value::List(list.iter().map(in_transit).collect::<Option<_>>()?)
         }
-        toml::Value::Datetime(_) | toml::Value::Table(_) => return Err(wrong()),
+        toml::Value::Datetime(_) | toml::Value::Table(_) => return None,
     })
-}
-
-/// Whether a list holds lists of lists: cuts of sections.
-fn is_cuts(list: &[toml::Value]) -> bool {
-    let first = list.first().and_then(toml::Value::as_array).and_then(|cut| cut.first());
-    first.is_some_and(toml::Value::is_array)
 }
 
 fn parse_edits(scenario: &Scenario, list: toml::Value) -> Result<Edits, SettingError> {

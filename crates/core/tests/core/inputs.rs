@@ -2,9 +2,7 @@
 //! links. An error or a contained run; never a panic, never a NaN in a command to the machine.
 
 use proptest::prelude::*;
-use steadycut_core::base::network::{Network, parse};
 use steadycut_core::base::settings::{Kind, SettingError, Value};
-use steadycut_core::models::unks::{FILES, Stored, StoredNetworks, UnksNetworks, UnksStart};
 use steadycut_core::run::edits::{Edit, Edits};
 use steadycut_core::run::one_run::{End, Run};
 use steadycut_core::run::presets::{PRESETS, load};
@@ -38,11 +36,13 @@ fn contained(scenario: &Scenario, edits: &Edits) {
     let mut run = Run::new(&scenario, edits);
     run.advance(4000);
     let limit = 2.5 + 1e-9;
+    let cuts = 0..scenario.workpiece.cuts.len().max(1);
+    let largest = cuts.map(|cut| scenario.programmed(cut).feed_mm_min).fold(0.0, f64::max);
     for row in run.recording().rows() {
         for (value, signal) in row.values().iter().zip(steadycut_core::run::signals::SIGNALS) {
             assert!(value.is_finite(), "{} is {value} in {scenario:?}", signal.id);
         }
-        let feed = row.feed_command_mm_min / scenario.program.feed_mm_min;
+        let feed = row.feed_command_mm_min / largest;
         let speed = row.spindle_command_rpm / scenario.program.spindle_rpm;
         assert!((0.0..=limit).contains(&feed), "feed override {feed}");
         assert!((0.0..=limit).contains(&speed), "spindle override {speed}");
@@ -67,7 +67,7 @@ fn candidates(kind: &Kind) -> Vec<Value> {
         vec![[0.0, 8.0], [1e-300, 0.0], [20000.0, 8.0]],
         vec![[1.0, 1.0]; 100],
     ] {
-        values.push(Value::Steps(steps));
+        values.push(Value::from(steps));
     }
     for cuts in [
         vec![],
@@ -77,10 +77,10 @@ fn candidates(kind: &Kind) -> Vec<Value> {
         vec![vec![[-1.0, 2.0, 1.0]]],
         vec![vec![[0.1, 0.0, -8.0], [2000.0, 8.0, 8.0]], vec![[0.1, 8.0, -8.0]]],
     ] {
-        values.push(Value::Cuts(cuts));
+        values.push(Value::from(cuts));
     }
     for numbers in [vec![], vec![f64::NAN], vec![-1.0], vec![10.0, 5000.0], vec![100.0; 17]] {
-        values.push(Value::Numbers(numbers));
+        values.push(Value::from(numbers));
     }
     match kind {
         Kind::Float { min, max } => {
@@ -91,30 +91,14 @@ fn candidates(kind: &Kind) -> Vec<Value> {
         Kind::Choice { options } => {
             values.extend(options.iter().map(|option| Value::Text(option.id.to_owned())));
         }
-        Kind::Numbers { min, max } => {
-            let around = [vec![*min, *max], vec![0.5 * (min + max), max + 1e-9], vec![min - 1e-9]];
-            values.extend(around.map(Value::Numbers));
+        Kind::Structured(shape) => {
+            for pick in 0..3 {
+                values.extend([0.0, 0.5, 1.0, 1.0 + 1e-9].map(|share| shape.example(share, pick)));
+            }
         }
-        Kind::Networks => {
-            values.extend([networks(0, 0.0), networks(1, 1.0)]);
-        }
-        Kind::Bool | Kind::Text { .. } | Kind::Steps { .. } | Kind::Cuts { .. } => {}
+        Kind::Bool | Kind::Text { .. } => {}
     }
     values
-}
-
-/// Networks of either start with weights of up to a million times their size.
-fn networks(pick: u32, share: f64) -> Value {
-    let start = UnksStart::ALL[pick as usize % UnksStart::ALL.len()];
-    let mut networks = UnksNetworks::at_start(start, 1);
-    for scaled in [&mut networks.reference, &mut networks.forward, &mut networks.inverse] {
-        let old = &scaled.network;
-        let weights = old.weights().iter().map(|weight| weight * 1e6 * share).collect();
-        scaled.network =
-            Network::new(old.sizes(), old.activation(), old.linear_output(), weights).unwrap();
-    }
-    let origin = |i: usize| parse(FILES[i]).unwrap().1;
-    StoredNetworks::value_of(&Stored::new(start, &networks, [origin(0), origin(1), origin(2)]))
 }
 
 #[test]
@@ -183,20 +167,8 @@ proptest! {
                 Kind::Choice { options } => {
                     Value::Text(options[pick as usize % options.len()].id.to_owned())
                 }
-                Kind::Steps { max_position_mm, max_depth_mm } => Value::Steps(vec![
-                    [share * 50.0, share * max_depth_mm],
-                    [share * 50.0 + 1.0, (1.0 - share) * max_depth_mm],
-                    [*max_position_mm, 1.0],
-                ]),
-                Kind::Cuts { max_length_mm, max_depth_mm } => Value::Cuts(vec![
-                    vec![[0.1 + share * 20.0, share * max_depth_mm, -share * max_depth_mm]],
-                    vec![[3.0, 2.0, 1.5], [*max_length_mm, (1.0 - share) * max_depth_mm, 0.0]],
-                ]),
-                Kind::Numbers { min, max } => {
-                    Value::Numbers(vec![min + share * (max - min); pick as usize % 3])
-                }
+                Kind::Structured(shape) => shape.example(share, pick),
                 Kind::Bool => Value::Bool(pick % 2 == 0),
-                Kind::Networks => networks(pick, share),
                 Kind::Text { .. } => Value::Text(format!(" {pick} \"quoted\" & = % # é\n' ")),
             };
             let _ = scenario.set(&param.path, value);
@@ -302,7 +274,7 @@ fn edits_survive_file_and_link() {
     for (at_s, path, value) in [
         (0.25, "target.ra_um", Value::Float(0.6)),
         (1e-7, "plant.material", Value::Text("ti6al4v".to_owned())),
-        (33.333, "workpiece.depth_steps", Value::Steps(vec![[1.0, 2.0], [3.5, 0.1]])),
+        (33.333, "workpiece.depth_steps", Value::from([[1.0, 2.0], [3.5, 0.1]])),
     ] {
         edits.push(&scenario, Edit { at_s, path: path.to_owned(), value }).unwrap();
     }

@@ -143,13 +143,9 @@ fn choices(base: &Scenario, kind: ControllerKind) -> Vec<(&'static Param, Value)
         let values: Vec<Value> = match param.spec.allowed {
             Kind::Bool => vec![Value::Bool(now != Value::Bool(true))],
             Kind::Choice { options } => options.iter().map(|option| text(option.id)).collect(),
-            Kind::Float { .. }
-            | Kind::Int { .. }
-            | Kind::Text { .. }
-            | Kind::Steps { .. }
-            | Kind::Cuts { .. }
-            | Kind::Numbers { .. }
-            | Kind::Networks => vec![],
+            Kind::Float { .. } | Kind::Int { .. } | Kind::Text { .. } | Kind::Structured(_) => {
+                vec![]
+            }
         };
         let others = values.into_iter().filter(|value| *value != now);
         found.extend(others.map(|value| (param, value)));

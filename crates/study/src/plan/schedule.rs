@@ -12,8 +12,9 @@ use super::cut::REFERENCE;
 use super::machine::MachineLimits;
 use super::optimum::Optimum;
 use super::problem::{CUTTING_SPEED_M_MIN, Problem};
-use crate::base::settings::{Section, SettingError, Value};
+use crate::base::settings::{SettingError, Value};
 use crate::blocks::cutting::tool_path::Engagement;
+use crate::models::part::Section;
 use crate::models::plan::PlannedSection;
 use crate::run::job::{Budget, Job, Progress};
 use crate::run::parts::{Making, Parts};
@@ -106,7 +107,7 @@ impl ScheduleJob {
     /// A feed lies outside the range of its setting.
     pub fn apply(&self, scenario: &Scenario) -> Result<Scenario, SettingError> {
         let mut planned = scenario.clone();
-        planned.set("program.cut_feeds_mm_min", Value::Numbers(self.feeds_mm_min()))?;
+        planned.set("program.cut_feeds_mm_min", Value::from(self.feeds_mm_min()))?;
         Ok(planned)
     }
 }

@@ -208,7 +208,7 @@ mod tests {
     #[test]
     fn several_cuts_are_charted_for_their_widest_section_and_none_for_no_width() {
         let sections = vec![vec![[30.0, 2.0, 2.0], [30.0, 3.0, 1.0]]];
-        let wide = cut(&[("workpiece.cuts", Value::Cuts(sections))]).unwrap();
+        let wide = cut(&[("workpiece.cuts", Value::from(sections))]).unwrap();
         assert!((wide.radial_depth_mm - (39.0_f64.sqrt() - 1.0)).abs() < 1e-12);
         let none = cut(&[("workpiece.radial_depth_mm", Value::Float(0.0))]).unwrap_err();
         assert!(none.to_string().contains("workpiece.radial_depth_mm"), "{none}");

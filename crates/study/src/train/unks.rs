@@ -12,7 +12,6 @@ use crate::base::network::{
     Activation, LearningParameters, Network, Provenance, ScaledNetwork, Scaling, Training, write,
 };
 use crate::base::rng::Stream;
-use crate::base::settings::Section;
 use crate::base::units::mm_s_from_mm_min;
 use crate::blocks::cnc::dead_time::DeadTime;
 use crate::blocks::cutting::disturbance::{DynamicForce, NoiseSettings};
@@ -20,7 +19,7 @@ use crate::blocks::cutting::milling::{Milling, MillingSetup};
 use crate::blocks::sensing::peak::PeakWindow;
 use crate::models::ball_end::{CK45, Cutter, MNCRSI5};
 use crate::models::feed_drive::{DriveState, ExactDrive, FeedDriveKind};
-use crate::models::part::{AIR_SHARE, APPROACH_MM, CutPath};
+use crate::models::part::{AIR_SHARE, APPROACH_MM, CutPath, Section};
 use crate::models::tool::Tool;
 use crate::models::unks::{HORIZON_BEYOND, LEAST_KN, SIZES, log_force};
 use crate::run::job::{Budget, Job, Progress};

@@ -78,7 +78,7 @@ fn feeds_per_cut_survive_file_and_link_and_wrong_ones_are_named() {
     }
     assert!(parse_value(path, "300").is_err() && parse_value(path, "[\"a\"]").is_err());
     let mut scenario = scenario;
-    scenario.set(path, Value::Numbers(vec![])).unwrap();
+    scenario.set(path, Value::List(vec![])).unwrap();
     assert_eq!(scenario.programmed(0).feed_mm_min, 400.0);
 }
 

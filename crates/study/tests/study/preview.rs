@@ -149,10 +149,13 @@ fn no_setting_at_its_ends_makes_it_fail() {
     let on_cuts = scenario("first-cut", &[("controller.kind", "preview"), cuts]);
     for base in [on_path, on_cuts] {
         for param in table() {
-            let ends = match param.spec.allowed {
-                Kind::Float { min, max } => [min, max].map(Value::Float),
-                Kind::Int { min, max } => [min, max].map(Value::Int),
-                Kind::Numbers { min, max } => [min, max].map(|x| Value::Numbers(vec![x, x])),
+            let ends = match &param.spec.allowed {
+                Kind::Float { min, max } => [*min, *max].map(Value::Float),
+                Kind::Int { min, max } => [*min, *max].map(Value::Int),
+                // Cuts and profile are those of the base.
+                Kind::Structured(shape) if shape.id() == "numbers" => {
+                    [0.0, 1.0].map(|share| shape.example(share, 2))
+                }
                 _ => continue,
             };
             for value in ends {

@@ -14,7 +14,8 @@ use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::setting::{Size, setting};
 use crate::app::widgets::window::{self, WindowPlace};
-use crate::base::settings::{MAX_CUTS, MAX_SECTIONS, MIN_SECTION_MM, Section, Value};
+use crate::base::settings::Value;
+use crate::models::part::{MAX_CUTS, MAX_SECTIONS, MIN_SECTION_MM, Section};
 use crate::blocks::cutting::tool_path::{ToolPath, wall_mm};
 use crate::blocks::cutting::workpiece::{DepthProfile, Workpiece};
 use crate::models::part::APPROACH_MM;
@@ -126,7 +127,7 @@ impl WorkpieceWindow {
         if cuts != workpiece.cuts {
             commands.push(Command::Session(SessionCommand::Set {
                 path: CUTS.to_owned(),
-                value: Value::Cuts(cuts),
+                value: Value::from(cuts),
             }));
         }
     }
@@ -207,7 +208,7 @@ fn parts(ui: &mut Ui, workpiece: &Workpiece, outline: &Outline, commands: &mut V
     let mut set = |cuts: Vec<Vec<Section>>| {
         commands.push(Command::Session(SessionCommand::Set {
             path: CUTS.to_owned(),
-            value: Value::Cuts(cuts),
+            value: Value::from(cuts),
         }));
     };
     ui.horizontal_wrapped(|ui| {

@@ -1,7 +1,7 @@
 //! The workpiece: a straight cut of given length, radial depth and axial depth profile, or several
 //! cuts of sections (2005, Experiments 1 and 2).
 
-use crate::base::settings::{DepthStep, Section};
+use crate::models::part::{DepthStep, Section};
 
 /// Axial depth A_D of the 2007 example, at which K4 holds, mm.
 pub const AXIAL_DEPTH_2007_MM: f64 = 2.0;

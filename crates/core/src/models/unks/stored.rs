@@ -10,10 +10,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{SIZES, UnksNetworks, UnksStart};
+use super::{FILES, SIZES, UnksNetworks, UnksStart};
 use crate::base::files::{JsonLayout, from_json, to_json};
-use crate::base::network::{NetworkFile, Provenance, ScaledNetwork};
-use crate::base::settings::{Field, Kind, Value};
+use crate::base::network::{Network, NetworkFile, Provenance, ScaledNetwork, parse};
+use crate::base::settings::{Editor, Structure, Value};
 
 /// Version of the format.
 const VERSION: u64 = 1;
@@ -150,27 +150,59 @@ impl From<Stored> for StoredNetworks {
     }
 }
 
-impl Field for StoredNetworks {
-    fn kind(_: f64, _: f64) -> Kind {
-        Kind::Networks
+crate::structured!(StoredNetworks);
+
+impl Structure for StoredNetworks {
+    const ID: &'static str = "networks";
+
+    fn bounds(_: [f64; 2]) -> Vec<(&'static str, f64)> {
+        Vec::new()
     }
-    fn to_value(&self) -> Value {
+    fn allowed(_: [f64; 2], _: &str) -> String {
+        "nothing, or the text of a file that `steadycut unks --save` writes: finite weights of NM-R \
+         2-12-1, NM-1 4-8-1, NM-2 4-8-1"
+            .to_owned()
+    }
+    fn write(&self) -> Value {
         self.get().map_or_else(|| Value::Text(String::new()), Self::value_of)
     }
-    fn from_value(value: &Value, _: &Kind) -> Option<Self> {
-        match value {
-            Value::Text(text) if text.trim().is_empty() => Some(Self(None)),
-            Value::Text(text) => Stored::parse(text).ok().map(Self::from),
-            _ => None,
+    fn read(value: &Value, _: [f64; 2]) -> Option<Self> {
+        let Value::Text(text) = value else { return None };
+        if text.trim().is_empty() {
+            Some(Self(None))
+        } else {
+            Stored::parse(text).ok().map(Self::from)
         }
+    }
+    fn parse(text: &str) -> Option<Value> {
+        Some(Value::Text(text.to_owned()))
+    }
+    fn fault(value: &Value) -> Option<String> {
+        let Value::Text(text) = value else { return None };
+        Stored::parse(text).err()
+    }
+    fn editor(_: [f64; 2]) -> Editor {
+        Editor::Presence
+    }
+    fn example(_: [f64; 2], share: f64, pick: u32) -> Value {
+        // Networks of either start with weights of up to a million times their size.
+        let start = UnksStart::ALL[pick as usize % UnksStart::ALL.len()];
+        let mut networks = UnksNetworks::at_start(start, 1);
+        for scaled in [&mut networks.reference, &mut networks.forward, &mut networks.inverse] {
+            let old = &scaled.network;
+            let weights = old.weights().iter().map(|weight| weight * 1e6 * share).collect();
+            scaled.network =
+                Network::new(old.sizes(), old.activation(), old.linear_output(), weights)
+                    .expect("as many weights as there were");
+        }
+        let origins = FILES.map(|file| parse(file).expect("shipped networks are tested").1);
+        Self::value_of(&Stored::new(start, &networks, origins))
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::FILES;
     use super::*;
-    use crate::base::network::parse;
 
     fn example() -> Stored {
         let origin = |i: usize| parse(FILES[i]).unwrap().1;
@@ -184,13 +216,13 @@ mod tests {
         assert_eq!(&stored.networks, UnksNetworks::shipped());
         assert_eq!(Stored::parse(&stored.write()).unwrap(), stored);
         let setting = StoredNetworks::from(stored.clone());
-        let read = StoredNetworks::from_value(&setting.to_value(), &Kind::Networks).unwrap();
+        let read = StoredNetworks::read(&setting.write(), [0.0, 0.0]).unwrap();
         assert_eq!((&read, read.get()), (&setting, Some(&stored)));
         // However it is laid out, it is the same setting.
         let laid_out = Value::Text(stored.write());
-        assert_eq!(StoredNetworks::from_value(&laid_out, &Kind::Networks), Some(read));
+        assert_eq!(StoredNetworks::read(&laid_out, [0.0, 0.0]), Some(read));
         let none = StoredNetworks::default();
-        assert_eq!(StoredNetworks::from_value(&none.to_value(), &Kind::Networks), Some(none));
+        assert_eq!(StoredNetworks::read(&none.write(), [0.0, 0.0]), Some(none));
     }
 
     #[test]

@@ -6,7 +6,6 @@ use std::sync::LazyLock;
 use super::groups::build_table;
 use super::renamed::{current, was_a_group};
 use crate::base::settings::{Kind, SettingError, Spec, Value};
-use crate::models::unks::Stored;
 
 /// One entry of the table of settings.
 #[derive(Clone, Debug)]
@@ -58,14 +57,20 @@ pub fn param(path: &str) -> Result<&'static Param, SettingError> {
 }
 
 pub(super) fn refused(param: &Param, value: &Value) -> SettingError {
-    let text = match value {
-        Value::Text(text) if param.spec.allowed == Kind::Networks => {
-            Stored::parse(text).err().unwrap_or_default()
-        }
-        Value::Text(text) => format!("{:?}", text.chars().take(60).collect::<String>()),
+    let fault = match &param.spec.allowed {
+        Kind::Structured(shape) => shape.fault(value),
+        Kind::Float { .. }
+        | Kind::Int { .. }
+        | Kind::Bool
+        | Kind::Choice { .. }
+        | Kind::Text { .. } => None,
+    };
+    let text = match (fault, value) {
+        (Some(fault), _) => fault,
+        (None, Value::Text(text)) => format!("{:?}", text.chars().take(60).collect::<String>()),
         // Written out, 1e300 would be cut to another number.
-        Value::Float(x) if x.abs() >= 1e15 => format!("{x:e}"),
-        other => {
+        (None, Value::Float(x)) if x.abs() >= 1e15 => format!("{x:e}"),
+        (None, other) => {
             let unit = param.spec.unit;
             let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
             format!("{}{unit}", other.to_string().chars().take(60).collect::<String>())
@@ -81,21 +86,15 @@ pub(super) fn refused(param: &Param, value: &Value) -> SettingError {
 /// An unknown path, or text that is no value of the setting's type.
 pub fn parse_value(path: &str, text: &str) -> Result<Value, SettingError> {
     let param = param(path)?;
-    if let Kind::Text { .. } | Kind::Networks = param.spec.allowed {
-        return Ok(Value::Text(text.to_owned()));
-    }
-    let text = text.trim();
-    let bad = || refused(param, &Value::Text(text.to_owned()));
+    // Spaces belong to a text.
+    let trimmed = text.trim();
+    let bad = || refused(param, &Value::Text(trimmed.to_owned()));
     Ok(match &param.spec.allowed {
-        Kind::Float { .. } => Value::Float(text.parse().map_err(|_| bad())?),
-        Kind::Int { .. } => Value::Int(text.parse().map_err(|_| bad())?),
-        Kind::Bool => Value::Bool(text.parse().map_err(|_| bad())?),
-        Kind::Choice { .. } | Kind::Text { .. } | Kind::Networks => Value::Text(text.to_owned()),
-        Kind::Steps { .. } => {
-            let steps: Vec<[f64; 2]> = serde_json::from_str(text).map_err(|_| bad())?;
-            Value::Steps(steps)
-        }
-        Kind::Cuts { .. } => Value::Cuts(serde_json::from_str(text).map_err(|_| bad())?),
-        Kind::Numbers { .. } => Value::Numbers(serde_json::from_str(text).map_err(|_| bad())?),
+        Kind::Float { .. } => Value::Float(trimmed.parse().map_err(|_| bad())?),
+        Kind::Int { .. } => Value::Int(trimmed.parse().map_err(|_| bad())?),
+        Kind::Bool => Value::Bool(trimmed.parse().map_err(|_| bad())?),
+        Kind::Choice { .. } => Value::Text(trimmed.to_owned()),
+        Kind::Text { .. } => Value::Text(text.to_owned()),
+        Kind::Structured(shape) => shape.parse(text).ok_or_else(bad)?,
     })
 }

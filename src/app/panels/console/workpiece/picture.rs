@@ -11,7 +11,7 @@ use egui::{RichText, pos2, vec2};
 use crate::app::format;
 use crate::app::theme::Palette;
 use crate::base::math::{PI, cos, sin};
-use crate::base::settings::Section;
+use crate::models::part::Section;
 use crate::blocks::cutting::tool_path::radial_depth_mm;
 use crate::models::tool::Outline;
 

@@ -7,9 +7,8 @@ use crate::app::format;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::number::NumberField;
-use crate::base::settings::{
-    DepthStep, Kind, MAX_SECTIONS, MAX_STEPS, MIN_SECTION_MM, Section, Value,
-};
+use crate::base::settings::Value;
+use crate::models::part::{DepthStep, MAX_SECTIONS, MAX_STEPS, MIN_SECTION_MM, Section};
 use crate::blocks::cutting::tool_path::{radial_depth_mm, wall_mm};
 use crate::models::tool::Outline;
 use crate::run::scenario::{Scenario, param};
@@ -22,10 +21,13 @@ const NEXT_STEP_MM: f64 = 20.0;
 
 /// Largest length of a section, and largest depth, mm.
 pub fn limits() -> (f64, f64) {
-    match param("workpiece.cuts").map(|param| &param.spec.allowed) {
-        Ok(Kind::Cuts { max_length_mm, max_depth_mm }) => (*max_length_mm, *max_depth_mm),
-        _ => unreachable!("the cuts are a setting of this kind"),
-    }
+    (bound("workpiece.cuts", "max_length_mm"), bound("workpiece.cuts", "max_depth_mm"))
+}
+
+/// A bound of a setting of the part.
+fn bound(path: &str, name: &str) -> f64 {
+    let bound = param(path).ok().and_then(|param| param.spec.allowed.bound(name));
+    bound.expect("the settings of the part have these bounds")
 }
 
 /// A cell with a number; whether it was changed.
@@ -145,12 +147,7 @@ pub fn profile(
     said: &mut Option<String>,
 ) {
     let workpiece = &scenario.workpiece;
-    let Ok(Kind::Steps { max_position_mm, max_depth_mm }) =
-        param(STEPS).map(|param| &param.spec.allowed)
-    else {
-        unreachable!("the profile is a setting of this kind")
-    };
-    let (most_mm, deepest_mm) = (*max_position_mm, *max_depth_mm);
+    let (most_mm, deepest_mm) = (bound(STEPS, "max_position_mm"), bound(STEPS, "max_depth_mm"));
     let outline = scenario.tool.outline();
     let wall_mm = wall_mm(&outline, workpiece.axial_depth_mm, workpiece.radial_depth_mm);
     let by_teeth = scenario.plant.force_model.tooth_by_tooth();
@@ -206,6 +203,6 @@ pub fn profile(
         set("workpiece.axial_depth_mm", Value::Float(first_mm));
     }
     if steps != workpiece.depth_steps {
-        set(STEPS, Value::Steps(steps));
+        set(STEPS, Value::from(steps));
     }
 }
