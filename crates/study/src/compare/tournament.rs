@@ -46,6 +46,25 @@ impl Compared {
 }
 
 /// All runs of a comparison.
+///
+/// ```
+/// use steadycut_core::blocks::control::ControllerKind;
+/// use steadycut_core::run::{job::Job, presets};
+/// use steadycut_study::compare::{entrants::Entrant, outcome::Measure, tournament::Tournament};
+///
+/// let base = presets::load("table3-5-noise").unwrap();
+/// let entrant = |name: &str, kind| Entrant {
+///     name: name.to_owned(),
+///     scenario: base.with(|settings| settings.controller.kind = kind).unwrap(),
+/// };
+/// let mut tournament = Tournament::new(
+///     vec![entrant("SDNRP", ControllerKind::Sdnrp), entrant("Tracking", ControllerKind::Tracking)],
+///     3,
+/// );
+/// tournament.to_end();
+/// let table = tournament.table();
+/// assert!(table[1].mean(Measure::Nsn) < table[0].mean(Measure::Nsn), "{table:?}");
+/// ```
 #[derive(Clone, Debug)]
 pub struct Tournament {
     entrants: Vec<Entrant>,
