@@ -70,7 +70,7 @@ impl Write for OutFile {
 impl Drop for OutFile {
     fn drop(&mut self) {
         if let Some(growing) = &self.growing {
-            // It is of no use, and whoever wanted it has been told why.
+            // It is of no use, and the reason has been reported.
             let _ = std::fs::remove_file(growing);
         }
     }

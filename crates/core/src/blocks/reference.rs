@@ -3,7 +3,7 @@
 
 use crate::models::Valued;
 use crate::models::genetic::GeneticModels;
-use crate::models::part::AIR_SHARE;
+use crate::models::part::AIR_FRACTION;
 
 /// Least target roughness, um.
 const RA_MIN_UM: f64 = 0.05;
@@ -69,7 +69,7 @@ impl Desired {
     pub fn new(target: &Target, models: GeneticModels) -> Self {
         let force = desired_force(target, &models);
         let ra_um = desired_ra(target, &models);
-        Self { models, force, ra_um, air_n: AIR_SHARE * force.value }
+        Self { models, force, ra_um, air_n: AIR_FRACTION * force.value }
     }
 
     /// Force below which a tool that goes through cuts with air between them counts as in the air, N.

@@ -15,7 +15,7 @@ pub use shapes::{DepthStep, MAX_CUTS, MAX_SECTIONS, MAX_STEPS, MIN_SECTION_MM, S
 pub const APPROACH_MM: f64 = 7.6;
 /// Force below which a tool that goes through cuts with air between them counts as in the air, as a
 /// share of the desired force: 40 of 665 N in 2005.
-pub const AIR_SHARE: f64 = 0.06;
+pub const AIR_FRACTION: f64 = 0.06;
 
 /// The part as it is programmed: what a controller may know of it before it is cut.
 #[derive(Clone, Copy, Debug, PartialEq)]

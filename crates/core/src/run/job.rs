@@ -1,5 +1,5 @@
-//! Long work: a job goes on in slices, tells how far it is, can be stopped between any two of its
-//! steps and gone on with later, and gives a result that can be read meanwhile.
+//! Long work: a job advances in slices, reports its progress, can be stopped between any two of its
+//! steps and continued later, and gives a result that can be read meanwhile.
 //!
 //! What a job gives depends on nothing but what it was made from: not on how it is sliced, not on
 //! whether it was stopped on the way, not on the number of threads. The pure layers have neither
@@ -25,7 +25,7 @@ pub trait Job: Send {
     /// What can be read of it at any time, finished or not.
     type Partial;
 
-    /// Goes on until the budget is spent, the job is cancelled or over; `true` when it is over.
+    /// Advances until the budget is spent, the job is cancelled or over; `true` when it is over.
     /// An advanced job that was over before stays as it is.
     fn advance(&mut self, budget: &Budget<'_>) -> bool;
 
@@ -108,7 +108,7 @@ impl Threads for OneThread {
     }
 }
 
-/// How far a job may go in one slice: so many of its steps on each thread. What a step is, and what it
+/// The budget of one slice: a number of the job's steps on each thread. What a step is, and what it
 /// costs, is the job's own; front ends measure how long a slice took and give the next one more or
 /// less.
 pub struct Budget<'a> {
@@ -124,7 +124,7 @@ impl Budget<'static> {
         Self { left: Cell::new(steps), threads: &OneThread, cancelled: &|| false }
     }
 
-    /// As many steps as there are, on one thread.
+    /// All steps, on one thread.
     #[must_use]
     pub fn all() -> Self {
         Self::steps(u64::MAX)

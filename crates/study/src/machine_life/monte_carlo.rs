@@ -153,7 +153,7 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 impl Tools {
-    /// The life of tool `number`, foretold again and again.
+    /// The life of tool `number`, predicted again and again.
     fn judge(&self, number: u64) -> ToolJudged {
         let Self { life, believed, truth, prior_min, seed, .. } = self;
         let draw = Stream::new(*seed, "life.tools");

@@ -1,4 +1,4 @@
-//! The stability chart over the speed, as a job: its points stand for themselves, each with its curves
+//! The stability chart over the speed, as a job: its points are independent, each with its curves
 //! one after the other.
 
 use serde::Serialize;

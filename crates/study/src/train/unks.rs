@@ -19,7 +19,7 @@ use crate::blocks::cutting::milling::{Milling, MillingSetup};
 use crate::blocks::sensing::peak::PeakWindow;
 use crate::models::ball_end::{CK45, Cutter, MNCRSI5};
 use crate::models::feed_drive::{DriveState, ExactDrive, FeedDriveKind};
-use crate::models::part::{AIR_SHARE, APPROACH_MM, CutPath, Section};
+use crate::models::part::{AIR_FRACTION, APPROACH_MM, CutPath, Section};
 use crate::models::tool::Tool;
 use crate::models::unks::{HORIZON_BEYOND, LEAST_KN, SIZES, log_force};
 use crate::run::job::{Budget, Job, Progress};
@@ -116,13 +116,13 @@ fn excited(number: u64, setup: &MillingSetup, force_ref_n: f64, draws: &mut Draw
             tick += 1;
         }
         let (actual, y) = (state.feed_mm_min().max(0.02), peak_n / force_ref_n);
-        periods.push((y >= AIR_SHARE).then(|| (log_force(y), actual)));
+        periods.push((y >= AIR_FRACTION).then(|| (log_force(y), actual)));
         if hold <= 0.0 {
             factor = math::exp(draws.uniform([-0.5, 0.5]));
             hold = draws.uniform([0.16, 0.8]);
         }
         hold -= PERIOD_S;
-        command = if y >= AIR_SHARE { limit(actual / y * factor, 0.05, 1.5) } else { 1.5 };
+        command = if y >= AIR_FRACTION { limit(actual / y * factor, 0.05, 1.5) } else { 1.5 };
     }
     periods
 }

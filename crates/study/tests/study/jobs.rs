@@ -210,7 +210,7 @@ fn patterns_of_unks_are_the_same_however_they_are_sliced() {
     assert_eq!(whole.progress().to_string(), "3 of 20 cuts");
 }
 
-/// Jobs in the sources that stand for themselves: parts of others are checked with them.
+/// Independent jobs in the sources: parts of others are checked with them.
 #[test]
 fn every_job_is_checked_here() {
     let parts = ["CutPlan", "PointJob", "TrialJob", "NetworkJob", "OneStep"];

@@ -1,5 +1,5 @@
 //! Settings of several numbers, or of a text with a form: their type brings along how they are read,
-//! printed, bounded, described and edited. Nothing here knows what they stand for.
+//! printed, bounded, described and edited. Nothing here knows their meaning.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -24,7 +24,7 @@ pub trait Structure: Sized + 'static {
     fn write(&self) -> Value;
     /// The typed value, or none where it does not fit.
     fn read(value: &Value, range: [f64; 2]) -> Option<Self>;
-    /// The value that a text on the command line or in a link stands for.
+    /// The value of a text on the command line or in a link.
     #[must_use]
     fn parse(text: &str) -> Option<Value> {
         serde_json::from_str::<serde_json::Value>(text).ok().map(Value::from)

@@ -1,4 +1,4 @@
-//! The overload guard: extreme force stops the feed at once, past the dead time, for good, to save the
+//! The overload guard: too large a force stops the feed at once, past the dead time, for good, to save the
 //! tool.
 
 /// A force beyond what is allowed, which has stopped the feed.

@@ -24,7 +24,7 @@ use crate::base::math::limit;
 use crate::base::settings::Group;
 use crate::models::feed_drive::{DEAD_TIME_MAX_S, DriveState, ExactDrive};
 use crate::models::genetic::ModelSet;
-use crate::models::part::AIR_SHARE;
+use crate::models::part::AIR_FRACTION;
 use crate::models::printed::Printed;
 
 /// Least actual override that anything is divided by.
@@ -182,7 +182,7 @@ impl OverrideLoop {
         self.started = true;
         let range = input.limits.feed_mm_min.map(|feed| feed / programmed);
         let mut y = input.force_measured_n / input.force_ref_n;
-        let contact = y >= AIR_SHARE;
+        let contact = y >= AIR_FRACTION;
         let delayed = self.delayed.feed_mm_min().max(LEAST);
         let mut actual = delayed;
         if self.smith {

@@ -30,7 +30,7 @@ use crate::base::math::{self, limit};
 use crate::base::units::ratio_from_percent;
 use crate::models::feed_drive::{DEAD_TIME_MAX_S, DriveState, ExactDrive};
 use crate::models::genetic::{GeneticModels, ModelSet};
-use crate::models::part::AIR_SHARE;
+use crate::models::part::AIR_FRACTION;
 use crate::models::printed::Printed;
 use crate::models::spindle::ExactSpindle;
 
@@ -44,7 +44,7 @@ crate::settings! {
         dead_time_share: f64 = 1.0, [0.0, 5.0], "", live, "Dead-time share";
         /// Measured force below which the tool counts as in the air, in percent of the desired
         /// force: the estimate is held there.
-        air_percent: f64 = 100.0 * AIR_SHARE, [0.0, 50.0], "%", live, "Air threshold";
+        air_percent: f64 = 100.0 * AIR_FRACTION, [0.0, 50.0], "%", live, "Air threshold";
     }
 }
 

@@ -10,7 +10,7 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// Before the first step of `dt_s`, so many of them to a control period.
+    /// Before the first step of `dt_s`; the count is the steps in a control period.
     #[must_use]
     pub fn new(dt_s: f64, steps_per_control: u32) -> Self {
         Self { dt_s, steps_per_control: u64::from(steps_per_control), tick: 0, to_control: 0 }

@@ -1,4 +1,4 @@
-//! The tool's life in the running cut: what the sound tells of it, and the speed that makes it the
+//! The tool's life in the running cut: its prediction from the sound, and the speed that makes it the
 //! desired one (2019). The estimator and the supervisor meet here; the law stands in
 //! [`crate::blocks::control::speed_supervisor`].
 
@@ -55,7 +55,7 @@ pub struct Stretch {
 }
 
 impl Stretch {
-    /// What a row of length `dt_s` stands for.
+    /// What a row of length `dt_s` shows.
     #[must_use]
     pub fn of_row(row: &Row, dt_s: f64) -> Self {
         Self {
@@ -89,7 +89,7 @@ impl Stretch {
     }
 }
 
-/// The estimator with the supervisor that it tells.
+/// The estimator with the supervisor that uses its predictions.
 #[derive(Clone, Debug)]
 pub struct ToolLife {
     tool: Tool,

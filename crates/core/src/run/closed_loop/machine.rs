@@ -13,7 +13,7 @@ use crate::run::scenario::Scenario;
 const UM_PER_M: f64 = 1e6;
 const MM_PER_M: f64 = 1e3;
 
-/// What is felt and heard of a machine; nothing of one that is not coupled.
+/// Vibration and sound of a machine; nothing of one that is not coupled.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vibration {
     /// Displacement of the tooth off the work as the last tooth made the surface, um.
@@ -66,7 +66,7 @@ impl Machine {
         self.largest.restart();
     }
 
-    /// Plant step `tick` under a force, up to `position_mm`: shakes the force, and tells `mark` where the
+    /// Plant step `tick` under a force, up to `position_mm`: shakes the force, and calls `mark` with where the
     /// tooth was in every machine step.
     #[inline]
     pub fn shake(
@@ -106,7 +106,7 @@ impl Machine {
         self.position_mm = position_mm;
     }
 
-    /// What is felt and heard of it.
+    /// Its vibration and sound.
     #[must_use]
     #[inline]
     pub fn vibration(&self) -> Vibration {

@@ -106,7 +106,7 @@ impl ClosedLoop {
         self.check()
     }
 
-    /// The tool wears over the last control period; what is heard of it may change the speed.
+    /// The tool wears over the last control period; its sound may change the speed.
     fn wear(&mut self) {
         if self.clock.tick() == 0 {
             return self.plant.apply_wear();
@@ -168,7 +168,7 @@ impl ClosedLoop {
         self.cnc.overload()
     }
 
-    /// Share of the tool's life that is used: 1 at its end.
+    /// Fraction of the tool's life that is used: 1 at its end.
     #[must_use]
     pub fn used_life(&self) -> f64 {
         self.plant.used_life()

@@ -39,9 +39,9 @@ pub struct CutNow {
     pub began: Option<usize>,
     /// The force.
     pub force: Force,
-    /// What is felt and heard of the machine.
+    /// Vibration and sound of the machine.
     pub vibration: Vibration,
-    /// Share of the tool's life that is used.
+    /// Fraction of the tool's life that is used.
     pub used_life: f64,
 }
 
@@ -127,7 +127,7 @@ impl Plant {
 
     /// Plant step `tick` at the feed and speed that the drives have reached: the tool moves on, at the
     /// end of a cut to the next one, and cuts. A force below `air_n` in N counts as none where air lies
-    /// between cuts; `mark` is told where the tooth was in every step of a machine that vibrates.
+    /// between cuts; `mark` gets where the tooth was in every step of a machine that vibrates.
     #[inline]
     pub fn step(
         &mut self,
@@ -189,7 +189,7 @@ impl Plant {
         (self.path.cut(), self.path.cut_at(self.now.position_mm).1)
     }
 
-    /// Share of the tool's life that is used: 1 at its end.
+    /// Fraction of the tool's life that is used: 1 at its end.
     #[must_use]
     pub fn used_life(&self) -> f64 {
         self.wear.used_life()
