@@ -24,6 +24,7 @@ use super::plan::surface::ForceSurface;
 use super::recommend::{Advisor, EngagementCode, Recommendation};
 use crate::base::math::extent;
 use crate::base::settings::SettingError;
+use crate::base::stats;
 use crate::base::units::percent_from_ratio;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::tool_path::ToolPath;
@@ -209,7 +210,8 @@ impl Adjusted {
     fn of(rows: &[&Row]) -> Option<Self> {
         let first = rows.first()?;
         let count = rows.len() as f64;
-        let mean = |get: fn(&Row) -> f64| rows.iter().map(|row| get(row)).sum::<f64>() / count;
+        let mean =
+            |get: fn(&Row) -> f64| stats::mean(rows.iter().map(|row| get(row))).unwrap_or(0.0);
         let near = |row: &&&Row| (row.force_n - row.force_ref_n).abs() <= 0.1 * row.force_ref_n;
         let overrides = rows.iter().map(|row| row.feed_override_percent);
         let [low, high] = extent(overrides);

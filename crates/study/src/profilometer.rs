@@ -7,6 +7,7 @@
 //! are evaluated. The standards take five; fewer are measured, and said.
 
 use crate::base::math;
+use crate::base::stats;
 use crate::base::units::mm_from_um;
 use crate::blocks::cutting::tool_path::strip_mm;
 use crate::blocks::surface::topography::Topography;
@@ -166,7 +167,7 @@ fn mean_ra_um(surface: &Topography, line: &ProfileLine) -> f64 {
     let first = marks.partition_point(|mark| mark.x_mm < from_mm).min(marks.len() - 1);
     let last = marks.partition_point(|mark| mark.x_mm <= to_mm).max(first + 1);
     let along = &marks[first..last];
-    along.iter().map(|mark| mark.ra_um).sum::<f64>() / along.len() as f64
+    stats::mean(along.iter().map(|mark| mark.ra_um)).unwrap_or(0.0)
 }
 
 #[cfg(test)]

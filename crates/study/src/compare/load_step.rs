@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::entrants::Entrant;
 use super::outcome::means;
+use crate::base::stats;
 use crate::base::units::percent_from_ratio;
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
@@ -82,9 +83,7 @@ pub fn judged(name: &str, run: &Run) -> Transient {
         name: name.to_owned(),
         periods: back_for_good(&means),
         overshoot_percent: percent_from_ratio(largest - 1.0),
-        offset_percent: percent_from_ratio(
-            tail.iter().sum::<f64>() / tail.len().max(1) as f64 - 1.0,
-        ),
+        offset_percent: percent_from_ratio(stats::mean(tail.iter().copied()).unwrap_or(0.0) - 1.0),
     }
 }
 

@@ -12,6 +12,7 @@
 use serde::Serialize;
 
 use super::model;
+use crate::base::stats;
 use crate::blocks::control::FeedSpeed;
 use crate::models::genetic::GeneticModels;
 use crate::models::roughness_trend::{cusp_mm, ra_um};
@@ -51,9 +52,7 @@ pub struct Calibrated {
 }
 
 fn rms(rows: &[CalibratedRow], of: impl Fn(&CalibratedRow) -> f64) -> f64 {
-    let residual = |row: &CalibratedRow| of(row) - row.ra_printed_um;
-    let squares: f64 = rows.iter().map(|row| residual(row) * residual(row)).sum();
-    (squares / rows.len() as f64).sqrt()
+    stats::rms(rows.iter().map(|row| of(row) - row.ra_printed_um)).unwrap_or(0.0)
 }
 
 /// Calibrates r_d of the scenario's machine with a sharp tool.

@@ -9,6 +9,7 @@ use super::EngagementCode;
 use super::learning::{Pattern, SugenoRecipe, learn, leave_one_out};
 use super::table::Entry;
 use crate::base::math::{self, extent, limit};
+use crate::base::stats;
 use crate::base::units::percent_from_ratio;
 use crate::recommend::sugeno::Sugeno;
 
@@ -29,12 +30,12 @@ pub struct RecommendErrors {
 impl RecommendErrors {
     /// From errors of the logarithm.
     fn of(log_errors: &[f64]) -> Self {
-        let n = log_errors.len() as f64;
         let relative: Vec<f64> = log_errors.iter().map(|e| (math::exp(*e) - 1.0).abs()).collect();
-        let squares: f64 = relative.iter().map(|x| x * x).sum();
+        // Without cuts left out there is no error to tell.
+        let of = |ratio: Option<f64>| percent_from_ratio(ratio.unwrap_or(f64::NAN));
         Self {
-            rms_percent: percent_from_ratio((squares / n).sqrt()),
-            mean_percent: percent_from_ratio(relative.iter().sum::<f64>() / n),
+            rms_percent: of(stats::rms(relative.iter().copied())),
+            mean_percent: of(stats::mean(relative.iter().copied())),
             worst_percent: percent_from_ratio(relative.into_iter().fold(0.0, f64::max)),
         }
     }

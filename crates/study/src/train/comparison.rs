@@ -14,6 +14,7 @@ use super::errors::of_components;
 use super::recipe::{RecipeKind, TrainingRecipe};
 use super::{TrainingSession, split};
 use crate::base::network::Activation;
+use crate::base::stats;
 use crate::run::job::{Budget, Job, Progress};
 use crate::run::parts::{Making, Parts};
 
@@ -180,7 +181,7 @@ impl TrialJob {
             momentum: recipe.learning.momentum,
             hidden: recipe.hidden[0],
             seed: recipe.seed,
-            error_percent: last.iter().sum::<f64>() / last.len().max(1) as f64,
+            error_percent: stats::mean(last.iter().copied()).unwrap_or(0.0),
             epochs_to_level: self.epochs_to_level,
         }
     }

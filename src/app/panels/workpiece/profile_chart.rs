@@ -8,6 +8,7 @@ use crate::app::theme::{Look, Palette};
 use crate::app::widgets::legend;
 use crate::app::widgets::plot::{grid, near, still, tick};
 use crate::base::math::extent;
+use crate::base::stats;
 use crate::study::profilometer::Measurement;
 
 /// Number of pieces whose extremes are drawn: more than there are pixels.
@@ -26,7 +27,7 @@ pub struct Curves {
 
 /// Least and largest value of every piece, in their order.
 fn thinned(values_mm: &[f64], begins_mm: f64, step_mm: f64) -> Vec<[f64; 2]> {
-    let mean_mm = values_mm.iter().sum::<f64>() / values_mm.len().max(1) as f64;
+    let mean_mm = stats::mean(values_mm.iter().copied()).unwrap_or(0.0);
     let size = values_mm.len().div_ceil(PIECES).max(1);
     let mut points = Vec::with_capacity(2 * PIECES);
     for (number, piece) in values_mm.chunks(size).enumerate() {

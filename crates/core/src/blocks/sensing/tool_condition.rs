@@ -14,6 +14,7 @@
 
 use std::collections::VecDeque;
 
+use crate::base::stats;
 use crate::models::machine_trend::LifeSettings;
 use crate::models::structure::engagement::EngagementAngles;
 use crate::models::structure::pulses::velocity_m_s_n;
@@ -153,7 +154,7 @@ impl ToolConditionEstimator {
         if self.settled_s < SETTLING_S {
             return None;
         }
-        let mean = self.expected.iter().sum::<f64>() / self.expected.len() as f64;
+        let mean = stats::mean(self.expected.iter().copied()).unwrap_or(f64::NAN);
         let middle_min = self.age_min - 0.5 * WINDOW_S * rate_min_s;
         self.predictor.observe(middle_min, observation.sound_m_s / mean.sqrt());
         self.predictor.prediction()

@@ -3,6 +3,7 @@
 use super::ProfileSettings;
 use crate::base::fft::convolve_valid;
 use crate::base::math;
+use crate::base::stats;
 
 /// sqrt(ln 2/pi): half of the amplitude passes at the cut-off.
 const ALPHA: f64 = 0.469_718_639_349_825_7;
@@ -29,7 +30,7 @@ pub fn gaussian(heights: &[f64], cutoff_mm: f64, step_mm: f64, reach: usize) -> 
     let total: f64 = weights.iter().sum();
     let weights: Vec<f64> = weights.into_iter().map(|weight| weight / total).collect();
     // The mean passes unchanged; without it nothing is lost to rounding.
-    let mean = heights.iter().sum::<f64>() / heights.len().max(1) as f64;
+    let mean = stats::mean(heights.iter().copied()).unwrap_or(0.0);
     let centred: Vec<f64> = heights.iter().map(|z| z - mean).collect();
     convolve_valid(&centred, &weights).into_iter().map(|z| z + mean).collect()
 }
