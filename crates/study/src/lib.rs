@@ -18,6 +18,8 @@
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
+// A new choice must be found by the compiler wherever it matters.
+#![deny(clippy::wildcard_enum_match_arm)]
 
 // The layers below, under the names that they have in the whole project.
 pub use steadycut_core::{base, blocks, models, run};

@@ -74,18 +74,15 @@ fn flatten(
 ) -> Result<(), SettingError> {
     for (key, value) in entries {
         let path = if prefix.is_empty() { key } else { format!("{prefix}.{key}") };
-        match value {
-            toml::Value::Table(inner) => {
-                if !is_group(&path) {
-                    let path = path.chars().take(80).collect();
-                    return Err(SettingError::Unknown { path, suggestion: None });
-                }
-                flatten(&path, inner, changes)?;
+        if let toml::Value::Table(inner) = value {
+            if !is_group(&path) {
+                let path = path.chars().take(80).collect();
+                return Err(SettingError::Unknown { path, suggestion: None });
             }
-            other => {
-                let value = value_from_toml(&path, &other)?;
-                changes.push((path, value));
-            }
+            flatten(&path, inner, changes)?;
+        } else {
+            let value = value_from_toml(&path, &value)?;
+            changes.push((path, value));
         }
     }
     Ok(())
@@ -149,7 +146,7 @@ fn literal(value: &Value) -> String {
         Value::Text(text) => toml::Value::String(text.clone()).to_string(),
         // {:?} keeps the decimal point, so that a number stays a float in TOML.
         Value::Float(x) => format!("{x:?}"),
-        other => other.to_string(),
+        Value::Int(_) | Value::Bool(_) | Value::List(_) => value.to_string(),
     }
 }
 

@@ -89,7 +89,11 @@ impl RobustnessReference {
             Measure::Nsn => self.normalized_standard_error,
             Measure::Time => self.time_of_cut_s,
             Measure::Force => self.max_force_kn,
-            _ => None,
+            Measure::Nsn20
+            | Measure::InTolerance
+            | Measure::Held
+            | Measure::Recovery
+            | Measure::Travel => None,
         }
     }
 }

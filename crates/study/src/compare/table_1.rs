@@ -92,7 +92,7 @@ impl Table1Printed {
             Measure::Nsn | Measure::Nsn20 => Some(self.normalized_standard_error),
             Measure::Time => Some(self.time_of_cut_s),
             Measure::Force => Some(self.max_force_kn),
-            _ => None,
+            Measure::InTolerance | Measure::Held | Measure::Recovery | Measure::Travel => None,
         }
     }
 }

@@ -43,11 +43,7 @@ impl Field for f64 {
         Value::Float(*self)
     }
     fn from_value(value: &Value, kind: &Kind) -> Option<Self> {
-        let x = match value {
-            Value::Float(x) => *x,
-            Value::Int(x) => *x as f64,
-            _ => return None,
-        };
+        let x = value.number()?;
         // + 0.0 turns -0.0 into 0.0, so that equal settings have equal bits.
         matches!(kind, Kind::Float { min, max } if x >= *min && x <= *max).then_some(x + 0.0)
     }
@@ -64,7 +60,7 @@ impl Field for u32 {
         let x = match value {
             Value::Int(x) => *x,
             Value::Float(x) if x.fract() == 0.0 && x.abs() < 9e15 => *x as i64,
-            _ => return None,
+            Value::Float(_) | Value::Bool(_) | Value::Text(_) | Value::List(_) => return None,
         };
         let fits = matches!(kind, Kind::Int { min, max } if x >= *min && x <= *max);
         if fits { u32::try_from(x).ok() } else { None }
@@ -79,10 +75,7 @@ impl Field for bool {
         Value::Bool(*self)
     }
     fn from_value(value: &Value, _: &Kind) -> Option<Self> {
-        match value {
-            Value::Bool(x) => Some(*x),
-            _ => None,
-        }
+        if let Value::Bool(x) = value { Some(*x) } else { None }
     }
 }
 

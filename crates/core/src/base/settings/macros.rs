@@ -130,10 +130,8 @@ macro_rules! choice {
                 value: &$crate::base::settings::Value,
                 _: &$crate::base::settings::Kind,
             ) -> Option<Self> {
-                match value {
-                    $crate::base::settings::Value::Text(id) => Self::from_id(id),
-                    _ => None,
-                }
+                let $crate::base::settings::Value::Text(id) = value else { return None };
+                Self::from_id(id)
             }
         }
     };

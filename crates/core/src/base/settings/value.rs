@@ -102,7 +102,9 @@ impl fmt::Display for Value {
                     match value {
                         // {:?} keeps the decimal point, so that a number stays a float in TOML.
                         Self::Float(x) => write!(f, "{comma}{x:?}")?,
-                        other => write!(f, "{comma}{other}")?,
+                        Self::Int(_) | Self::Bool(_) | Self::Text(_) | Self::List(_) => {
+                            write!(f, "{comma}{value}")?;
+                        }
                     }
                 }
                 write!(f, "]")

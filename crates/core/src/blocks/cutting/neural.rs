@@ -42,7 +42,15 @@ impl NeuralCut {
         let code = match material {
             Material::Ck45 => Some((1.0, HARDNESS_HB[0])),
             Material::MnCrSi5 => Some((2.0, HARDNESS_HB[1])),
-            _ => None,
+            Material::S235
+            | Material::Crmo42
+            | Material::X5CrNi
+            | Material::NiCrMoV
+            | Material::Gjl250
+            | Material::Gjs600
+            | Material::Al7075
+            | Material::Brass
+            | Material::Ti64 => None,
         };
         let (base, material_code, base_hb) = match code {
             Some((code, [low, high])) => (material, code, math::limit(hardness_hb, low, high)),

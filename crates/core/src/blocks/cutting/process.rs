@@ -54,7 +54,16 @@ crate::settings! {
 fn milling_setup(plant: &Plant, tool: &Tool, dt_s: f64) -> MillingSetup {
     let (steel, base) = match plant.material {
         Material::MnCrSi5 => (MNCRSI5, Material::MnCrSi5),
-        _ => (CK45, Material::Ck45),
+        Material::Ck45
+        | Material::S235
+        | Material::Crmo42
+        | Material::X5CrNi
+        | Material::NiCrMoV
+        | Material::Gjl250
+        | Material::Gjs600
+        | Material::Al7075
+        | Material::Brass
+        | Material::Ti64 => (CK45, Material::Ck45),
     };
     let factor =
         plant.material.force_factor(plant.hardness_hb) / base.force_factor(base.hardness_hb());
