@@ -161,3 +161,26 @@ fn the_lowest_layer_names_nothing_of_milling() {
         }
     }
 }
+
+/// Whether a controller stands in a pattern: `ControllerKind::Name` before `=>`, `|` or `if`.
+fn matches_a_controller(code: &str) -> bool {
+    code.split("ControllerKind::").skip(1).any(|rest| {
+        let rest = rest.trim_start_matches(|c: char| c.is_alphanumeric() || c == '_');
+        ["=>", "| ", "if "].iter().any(|next| rest.trim_start().starts_with(next))
+    })
+}
+
+#[test]
+fn only_a_controllers_own_file_tells_it_from_the_others() {
+    assert!(matches_a_controller("match kind { ControllerKind::Mrac => 1, _ => 2 }"));
+    assert!(matches_a_controller("matches!(kind, ControllerKind::Mrac\n | ControllerKind::Unks)"));
+    assert!(!matches_a_controller("settings.kind = ControllerKind::Mrac;"));
+    let mut files = Vec::new();
+    for layer in LAYERS.into_iter().chain(["cli", "app"]) {
+        sources(&folder(layer), &mut files);
+    }
+    let own = folder("blocks").join("control");
+    for file in files.iter().filter(|file| !file.starts_with(&own)) {
+        assert!(!matches_a_controller(&code(file)), "{} lists controllers", file.display());
+    }
+}

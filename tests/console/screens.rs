@@ -11,7 +11,7 @@ use steadycut::blocks::control::ControllerKind;
 use steadycut::blocks::cutting::process::ForceModel;
 use steadycut::models::feed_drive::FeedDriveKind;
 use steadycut::models::genetic::{Calibration, ModelSet};
-use steadycut::run::diagram::BLOCKS;
+use steadycut::run::diagram::{BLOCKS, Block};
 use steadycut::study::errata;
 use steadycut::study::published::PaperId;
 
@@ -56,16 +56,20 @@ fn text(text: &str) -> Value {
 
 #[test]
 fn every_card_opens_for_every_controller_calibration_set_and_force_model() {
-    // A character that no font has would end the test.
-    for i in 0..ControllerKind::ALL.len() {
-        let set = ModelSet::ALL[i % 2];
-        let [controller, calibration] = [ControllerKind::ALL[i].id(), Calibration::ALL[i % 3].id()];
+    // A character that no font has would end the test. So many windows that every set meets every force
+    // model and every controller is there; `live/tests.rs` has all of them with all, without a window.
+    let (sets, forces) = (ModelSet::ALL, ForceModel::ALL);
+    for i in 0..(sets.len() * forces.len()).max(ControllerKind::ALL.len()) {
+        let kind = ControllerKind::ALL[i % ControllerKind::ALL.len()];
+        let (set, force) = (sets[i % sets.len()], forces[i / sets.len() % forces.len()]);
+        let calibration = Calibration::ALL[i % Calibration::ALL.len()].id();
         let change = [
             // Fine enough for the cut tooth by tooth.
             ("run.steps_per_control", Value::Int(576)),
-            ("controller.kind", text(controller)),
+            ("controller.kind", text(kind.id())),
             ("plant.model_set", text(set.id())),
-            ("plant.force_model", text(ForceModel::ALL[i % ForceModel::ALL.len()].id())),
+            ("belief.model_set", text(set.id())),
+            ("plant.force_model", text(force.id())),
             ("plant.calibration", text(calibration)),
             ("belief.calibration", text(calibration)),
             ("cnc.override_quantised", Value::Bool(i > 2)),
@@ -80,6 +84,12 @@ fn every_card_opens_for_every_controller_calibration_set_and_force_model() {
             let shown = texts(&harness);
             for printed in info.block.printed(&scenario) {
                 assert!(shown.contains(printed.formula), "{} in {shown}", printed.formula);
+            }
+            if info.block == Block::Controller {
+                for law in scenario.controller.printed(set) {
+                    assert!(shown.contains(law.formula), "{kind:?}: {} in {shown}", law.formula);
+                    assert!(shown.contains(law.source), "{kind:?}: {} in {shown}", law.source);
+                }
             }
         }
     }

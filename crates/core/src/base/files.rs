@@ -5,6 +5,7 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde_json::error::Category;
 use serde_json::ser::{Formatter, Serializer};
 
 /// serde's words for what it expected, and those of people who know no Rust.
@@ -42,8 +43,8 @@ pub fn from_json<T: DeserializeOwned>(text: &str) -> Result<T, String> {
         let path = error.path().to_string();
         let error = error.into_inner();
         match error.classify() {
-            serde_json::error::Category::Data => explain(&path, &error.to_string()),
-            _ => format!("not JSON: {error}"),
+            Category::Data => explain(&path, &error.to_string()),
+            Category::Io | Category::Syntax | Category::Eof => format!("not JSON: {error}"),
         }
     })?;
     reader.end().map_err(|error| format!("not JSON: {error}"))?;

@@ -5,6 +5,7 @@ use super::repeat::repeated;
 use super::*;
 use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
+use crate::blocks::control::law::Held;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::{Calibration, ModelSet};
 use crate::run::edits::Edits;
@@ -199,15 +200,39 @@ fn overrides_show_whole_percents_and_the_rate() {
 }
 
 #[test]
-fn every_controller_explains_itself() {
-    for kind in ControllerKind::ALL {
-        let mut scenario = presets::load("depth-step").expect("shipped");
-        scenario.change(|s| s.controller.kind = *kind).unwrap();
-        let row = Row { gain_estimate: 1.0, force_ref_n: 180.0, ..Row::default() };
-        for info in BLOCKS {
-            let lines = live(info.block, &at(&row, &scenario));
-            assert!(!lines.is_empty(), "{}", info.title(&scenario));
-            assert!(lines.iter().all(|line| !line.values.contains("NaN")), "{lines:?}");
+fn every_controller_explains_itself_with_every_model_set_and_force_model() {
+    for set in ModelSet::ALL {
+        for force in ForceModel::ALL {
+            let mut laws = Vec::new();
+            for kind in ControllerKind::ALL {
+                let mut scenario = presets::load("depth-step").expect("shipped");
+                scenario
+                    .change(|s| {
+                        s.run.steps_per_control = 576;
+                        s.controller.kind = *kind;
+                        s.plant.force_model = *force;
+                        (s.plant.model_set, s.belief.model_set) = (*set, *set);
+                    })
+                    .unwrap();
+                let row = Row { gain_estimate: 1.0, force_ref_n: 180.0, ..Row::default() };
+                for info in BLOCKS {
+                    let lines = live(info.block, &at(&row, &scenario));
+                    assert!(!lines.is_empty(), "{}", info.title(&scenario));
+                    assert!(lines.iter().all(|line| !line.values.contains("NaN")), "{lines:?}");
+                }
+                // Its own law first, then models 2 and 3 where it computes with them.
+                let printed = Block::Controller.printed(&scenario);
+                let own = scenario.controller.printed(*set);
+                assert_eq!(printed[..own.len()], own, "{kind:?}");
+                let models = if kind.held() == Held::Roughness { 2 } else { 0 };
+                assert_eq!(printed.len() - own.len(), models, "{kind:?}");
+                assert!(own.iter().all(|law| !law.source.is_empty()), "{kind:?}");
+                laws.extend(own.iter().map(|law| law.formula));
+            }
+            let all = laws.len();
+            laws.sort_unstable();
+            laws.dedup();
+            assert_eq!(laws.len(), all, "a law is shown for two controllers: {laws:?}");
         }
     }
 }
