@@ -68,8 +68,9 @@ fn every_card_opens_for_every_controller_calibration_set_and_force_model() {
             ("run.steps_per_control", Value::Int(576)),
             ("controller.kind", text(kind.id())),
             ("plant.model_set", text(set.id())),
-            ("belief.model_set", text(set.id())),
             ("plant.force_model", text(force.id())),
+            // After those that bring it with them.
+            ("belief.model_set", text(set.id())),
             ("plant.calibration", text(calibration)),
             ("belief.calibration", text(calibration)),
             ("cnc.override_quantised", Value::Bool(i > 2)),
@@ -86,6 +87,7 @@ fn every_card_opens_for_every_controller_calibration_set_and_force_model() {
                 assert!(shown.contains(printed.formula), "{} in {shown}", printed.formula);
             }
             if info.block == Block::Controller {
+                assert_eq!(scenario.belief.model_set, set);
                 for law in scenario.controller.printed(set) {
                     assert!(shown.contains(law.formula), "{kind:?}: {} in {shown}", law.formula);
                     assert!(shown.contains(law.source), "{kind:?}: {} in {shown}", law.source);

@@ -107,23 +107,61 @@ fn map_n(scenario: &Scenario, feed_mm_min: f64, speed_rpm: f64) -> f64 {
     map.force(feed_mm_min, speed_rpm, &place, 1.0).value
 }
 
+/// What the controller asks for at the programmed values, from the force it measures.
+fn asked(scenario: &Scenario, force_ref_n: f64, force_measured_n: f64) -> FeedSpeed {
+    let models = GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration);
+    let programmed = scenario.programmed(0);
+    let input = ControlInput {
+        force_measured_n,
+        force_ref_n,
+        programmed,
+        applied: programmed,
+        limits: limits(scenario, 0),
+        models: &models,
+        cut: 0,
+        x_mm: 0.0,
+    };
+    Controller::new(&scenario.control_setup(), programmed).update(&input).request
+}
+
+/// The published static laws, written here once more.
+#[test]
+fn static_laws_ask_for_what_their_formulas_say() {
+    let mut scenario = load("table3-5").unwrap();
+    scenario.change(|s| s.cnc.override_quantised = false).unwrap();
+    let models = GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration);
+    let FeedSpeed { feed_mm_min, speed_rpm } = scenario.programmed(0);
+    let range = limits(&scenario, 0).feed_mm_min;
+    let desired_n = 180.0;
+    for measured_n in [90.0, 150.0, 180.0, 210.0, 260.0] {
+        let y = measured_n / desired_n;
+        let (kp, ks) = (scenario.controller.proportional.kp, scenario.controller.sdnrp.kp);
+        let setpoint_n = desired_n * (1.0 + ks * (1.0 - y));
+        let within = |feed: f64| feed.clamp(range[0], range[1]);
+        for (kind, feed, speed) in [
+            (ControllerKind::ConstantFeed, feed_mm_min, speed_rpm),
+            (ControllerKind::Division, within(feed_mm_min / y), speed_rpm),
+            (ControllerKind::Proportional, within(feed_mm_min * (1.0 + kp * (1.0 - y))), speed_rpm),
+            (
+                ControllerKind::Sdnrp,
+                models.feed_from_force(setpoint_n).value,
+                models.speed_from_force(setpoint_n).value,
+            ),
+        ] {
+            scenario.change(|s| s.controller.kind = kind).unwrap();
+            let asked = asked(&scenario, desired_n, measured_n);
+            assert!((asked.feed_mm_min / feed - 1.0).abs() < 1e-12, "{kind:?} at {measured_n} N");
+            assert!((asked.speed_rpm / speed - 1.0).abs() < 1e-12, "{kind:?} at {measured_n} N");
+        }
+    }
+}
+
 /// Where a static law comes to rest: force over reference, by bisection over the measured force.
 fn predicted(scenario: &Scenario, force_ref_n: f64) -> f64 {
-    let models = GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration);
-    let (programmed, limits) = (scenario.programmed(0), limits(scenario, 0));
-    let force_after = |force_measured_n: f64| {
-        let asked = Controller::new(&scenario.control_setup(), programmed).update(&ControlInput {
-            force_measured_n,
-            force_ref_n,
-            programmed,
-            applied: programmed,
-            limits,
-            models: &models,
-            cut: 0,
-            x_mm: 0.0,
-        });
+    let limits = limits(scenario, 0);
+    let force_after = |measured_n: f64| {
         let ([slow, fast], [low, high]) = (limits.feed_mm_min, limits.speed_rpm);
-        let FeedSpeed { feed_mm_min, speed_rpm } = asked.request;
+        let FeedSpeed { feed_mm_min, speed_rpm } = asked(scenario, force_ref_n, measured_n);
         map_n(scenario, feed_mm_min.clamp(slow, fast), speed_rpm.clamp(low, high))
     };
     let (mut low, mut high) = (0.01 * force_ref_n, 10.0 * force_ref_n);
