@@ -159,25 +159,29 @@ impl Predictor {
     #[must_use]
     pub fn prediction(&self) -> Option<LifePrediction> {
         let cost = |i: usize| self.squares[i] / self.variance + self.log_prior[i];
-        let possible = (0..GRID).filter(|i| self.life_min[*i] > self.age_min);
-        let points: Vec<usize> = possible.collect();
-        let least = points.iter().map(|i| cost(*i)).fold(f64::INFINITY, f64::min);
-        let weights: Vec<f64> =
-            points.iter().map(|i| math::exp(0.5 * (least - cost(*i)))).collect();
+        // The lives of the grid rise; the tool has lived beyond the first ones.
+        let possible = self.life_min.partition_point(|life_min| *life_min <= self.age_min)..GRID;
+        let least = possible.clone().map(cost).fold(f64::INFINITY, f64::min);
+        let mut weights = [0.0; GRID];
+        for i in possible.clone() {
+            weights[i] = math::exp(0.5 * (least - cost(i)));
+        }
+        let weights = &weights[possible.clone()];
         let total: f64 = weights.iter().sum();
-        if points.is_empty() || !total.is_finite() {
+        if possible.is_empty() || !total.is_finite() {
             return None;
         }
         let mean_of = |values: &[f64]| {
-            points.iter().zip(&weights).map(|(i, weight)| values[*i] * weight).sum::<f64>() / total
+            let values = &values[possible.clone()];
+            values.iter().zip(weights).map(|(value, weight)| value * weight).sum::<f64>() / total
         };
         let quantile = |probability: f64| {
             let mut sum = 0.0;
-            let reached = points.iter().zip(&weights).find(|(_, weight)| {
+            let reached = possible.clone().zip(weights).find(|(_, weight)| {
                 sum += **weight;
                 sum >= probability * total
             });
-            self.life_min[reached.map_or(GRID - 1, |(i, _)| *i)]
+            self.life_min[reached.map_or(GRID - 1, |(i, _)| i)]
         };
         let first_sound = math::exp(mean_of(&self.mean));
         Some(LifePrediction {

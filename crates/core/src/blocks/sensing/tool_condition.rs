@@ -24,6 +24,8 @@ use crate::models::wear::{WearCut, WearSettings};
 
 /// Window of the sound, s.
 const WINDOW_S: f64 = 1.0;
+/// Most samples of the window, at control periods of a millisecond; room for them is taken once.
+const WINDOW_SAMPLES: usize = 1002;
 /// Time in the cut before the sound is used: its window and the decay of the first impact, s.
 const SETTLING_S: f64 = 1.5;
 
@@ -94,7 +96,7 @@ impl ToolConditionEstimator {
             age_min,
             minutes: age_min.floor(),
             settled_s: 0.0,
-            expected: VecDeque::new(),
+            expected: VecDeque::with_capacity(WINDOW_SAMPLES),
             sensitivity: ([0.0; 2], 0.0),
             setup,
         }

@@ -40,7 +40,7 @@ impl Finish {
             settings: settings.clone(),
             outline,
             teeth: ToothMarks::new(teeth, runout_mm, 0.0, 0),
-            marks: Vec::new(),
+            marks: Vec::with_capacity(2 * MARKS),
             measured_mm: 0.0,
             added_um: 0.0,
         };
