@@ -32,11 +32,8 @@ use command::Command;
 use files::Files;
 use panels::{Panel, View, panels};
 use session::Session;
-use widgets::setting;
+use widgets::{scaffold, setting};
 
-/// Longest real time that one frame advances by, s: after a pause of the machine the cut goes on where
-/// it was.
-const LONGEST_FRAME_S: f64 = 0.25;
 /// Time without a change after which a drag counts as over, s.
 const GESTURE_PAUSE_S: f64 = 0.6;
 /// The link is brought up to date at most this often, s: browsers refuse more.
@@ -112,7 +109,7 @@ impl Console {
     /// One frame: input, time, picture, and then the commands that came of it.
     pub fn ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        let dt_s = ctx.input(|input| f64::from(input.stable_dt)).min(LONGEST_FRAME_S);
+        let dt_s = scaffold::frame_s(&ctx);
         let mut commands: Vec<Command> = self.files.answers().collect();
         self.files.take_dropped(&ctx);
         let ids: Vec<&'static str> = self.panels.iter().map(|panel| panel.id()).collect();

@@ -9,13 +9,12 @@ mod step;
 mod table;
 mod told;
 
-use egui::scroll_area::{DragScroll, ScrollSource};
-use egui::{Frame, Margin, RichText, ScrollArea, Ui};
+use egui::{Frame, Margin, RichText, Ui};
 
 use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
-use crate::app::widgets::zoom::by_touch;
+use crate::app::widgets::scaffold;
 use crate::study::compare::outcome::Measure;
 use contest::Contests;
 
@@ -48,10 +47,7 @@ impl Panel for ComparePanel {
         }
         let margin =
             Frame::new().inner_margin(Margin::symmetric(if view.narrow { 8 } else { 12 }, 6));
-        let drag = if by_touch(ui) { DragScroll::Always } else { DragScroll::Never };
-        let source = ScrollSource { drag, ..ScrollSource::default() };
-        let area = ScrollArea::vertical().id_salt("compare").scroll_source(source);
-        area.auto_shrink(false).show(ui, |ui| {
+        scaffold::column(ui, "compare").show(ui, |ui| {
             margin.show(ui, |ui| self.page(ui, view.narrow, commands));
         });
     }

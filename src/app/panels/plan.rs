@@ -20,22 +20,18 @@ mod steps;
 mod table;
 mod transport;
 
-use egui::scroll_area::{DragScroll, ScrollSource};
-use egui::{CentralPanel, CollapsingHeader, Frame, Margin, Panel as SidePanel, RichText};
-use egui::{ScrollArea, Ui};
+use egui::{CollapsingHeader, Panel as SidePanel, RichText, ScrollArea, Ui};
 
 use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
-use crate::app::widgets::zoom::by_touch;
+use crate::app::widgets::scaffold;
 use map::Map;
 use marks::Moving;
 use recommended::RecommendedCard;
 use relief::Relief;
 use search::Search;
 
-/// Longest real time that one frame advances by, s.
-const LONGEST_FRAME_S: f64 = 0.25;
 /// Width of the column with the answer, points.
 const ANSWER_WIDTH: f32 = 392.0;
 /// From this width on, points, the map stands between settings and answer.
@@ -76,7 +72,7 @@ impl Panel for PlanPanel {
 
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         self.search.follow(view.session.scenario());
-        let dt_s = ui.input(|input| f64::from(input.stable_dt)).min(LONGEST_FRAME_S);
+        let dt_s = scaffold::frame_s(ui.ctx());
         self.search.advance(dt_s);
         if self.search.playing {
             ui.ctx().request_repaint();
@@ -91,21 +87,14 @@ impl Panel for PlanPanel {
 
 impl PlanPanel {
     fn wide(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        let margin = Frame::new().inner_margin(Margin::symmetric(12, 8));
-        SidePanel::left("plan controls")
-            .exact_size(theme::CONTROLS_WIDTH)
-            .resizable(false)
-            .frame(margin)
-            .show(ui, |ui| {
-                ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-                    controls::show(ui, view.session, commands);
-                    self.recommended.show(ui, view.session.scenario(), commands);
-                });
-            });
+        scaffold::controls(ui, "plan controls", |ui| {
+            controls::show(ui, view.session, commands);
+            self.recommended.show(ui, view.session.scenario(), commands);
+        });
         SidePanel::right("plan answer")
             .exact_size(ANSWER_WIDTH)
             .resizable(false)
-            .frame(margin)
+            .frame(scaffold::wide())
             .show(ui, |ui| {
                 ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
                     self.pinned(ui);
@@ -114,7 +103,7 @@ impl PlanPanel {
                     self.steps(ui, view);
                 });
             });
-        CentralPanel::no_frame().frame(margin).show(ui, |ui| {
+        scaffold::middle(ui, |ui| {
             self.transport(ui, view, commands);
             let gap = ui.spacing().item_spacing.y;
             self.map(ui, view, ui.available_height() - CONVERGENCE_HEIGHT - 2.0 * gap);
@@ -123,14 +112,9 @@ impl PlanPanel {
     }
 
     fn narrow(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        let margin = Frame::new().inner_margin(Margin::symmetric(8, 4));
-        // Fingers scroll from the first touch on; a mouse that drags zooms the map.
-        let drag = if by_touch(ui) { DragScroll::Always } else { DragScroll::Never };
-        let source = ScrollSource { drag, ..ScrollSource::default() };
-        let area = ScrollArea::vertical().id_salt("plan").scroll_source(source);
         let room = ui.available_height() - LEGEND_HEIGHT - BUTTONS_HEIGHT;
-        area.auto_shrink([false, false]).show(ui, |ui| {
-            margin.show(ui, |ui| {
+        scaffold::column(ui, "plan").show(ui, |ui| {
+            scaffold::narrow().show(ui, |ui| {
                 self.transport(ui, view, commands);
                 let height = MAP_FRACTION * ui.available_width();
                 // All of it is in sight at once, its legend and what moves the swarm with it.

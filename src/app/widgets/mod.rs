@@ -5,6 +5,7 @@ pub mod icon;
 pub mod legend;
 pub mod number;
 pub mod plot;
+pub mod scaffold;
 pub mod setting;
 pub mod target;
 pub mod window;

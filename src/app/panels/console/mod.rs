@@ -6,8 +6,7 @@ mod headline;
 mod revolution;
 mod workpiece;
 
-use egui::scroll_area::{DragScroll, ScrollSource};
-use egui::{CentralPanel, CollapsingHeader, Frame, Margin, Panel as SidePanel, ScrollArea, Ui};
+use egui::{CentralPanel, CollapsingHeader, ScrollArea, Ui};
 
 use revolution::RevolutionWindow;
 use workpiece::WorkpieceWindow;
@@ -17,7 +16,7 @@ use crate::app::command::Command;
 use crate::app::format;
 use crate::app::theme::{self, Look};
 use crate::app::widgets::chart::{self, Axes, Chart, ChartCurve};
-use crate::app::widgets::zoom::by_touch;
+use crate::app::widgets::scaffold;
 use crate::base::units::ratio_from_percent;
 
 /// The first screen.
@@ -159,21 +158,14 @@ impl Panel for ConsolePanel {
 
 impl ConsolePanel {
     fn wide(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        let margin = Frame::new().inner_margin(Margin::symmetric(12, 8));
-        SidePanel::left("controls")
-            .exact_size(theme::CONTROLS_WIDTH)
-            .resizable(false)
-            .frame(margin)
-            .show(ui, |ui| {
-                ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-                    controls::presets(ui, view, commands);
-                    ui.add_space(6.0);
-                    controls::first(ui, view, commands);
-                    ui.add_space(6.0);
-                    controls::more(ui, view, &mut self.windows, commands);
-                });
-            });
-        CentralPanel::no_frame().frame(margin).show(ui, |ui| {
+        scaffold::controls(ui, "controls", |ui| {
+            controls::presets(ui, view, commands);
+            ui.add_space(6.0);
+            controls::first(ui, view, commands);
+            ui.add_space(6.0);
+            controls::more(ui, view, &mut self.windows, commands);
+        });
+        scaffold::middle(ui, |ui| {
             headline::show(ui, view);
             ui.add_space(2.0);
             self.plots(ui, view, columns(ui), false);
@@ -182,8 +174,7 @@ impl ConsolePanel {
 
     /// In one column, but for the plots where there is room beside each other.
     fn narrow(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        let margin = Frame::new().inner_margin(Margin::symmetric(8, 4));
-        CentralPanel::no_frame().frame(margin).show(ui, |ui| {
+        CentralPanel::no_frame().frame(scaffold::narrow()).show(ui, |ui| {
             // Where it is low as well, the headline is scrolled with the plots.
             let low = ui.available_height() < theme::LOW;
             if !low {
@@ -206,11 +197,7 @@ impl ConsolePanel {
     fn plots(&mut self, ui: &mut Ui, view: &View<'_>, columns: usize, with_headline: bool) {
         let charts = charts(view);
         let rows = charts.len() / columns;
-        // Fingers scroll from the first touch on; a mouse that drags marks a range of time.
-        let drag = if by_touch(ui) { DragScroll::Always } else { DragScroll::Never };
-        let source = ScrollSource { drag, ..ScrollSource::default() };
-        let area = ScrollArea::vertical().id_salt("plots").scroll_source(source);
-        area.auto_shrink([false, false]).show(ui, |ui| {
+        scaffold::column(ui, "plots").show(ui, |ui| {
             if with_headline {
                 headline::show(ui, view);
             }

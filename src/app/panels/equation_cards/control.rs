@@ -1,7 +1,7 @@
 //! The card of the controller: its law with the values of the moment.
 
-use super::live::Live;
 use super::models::{feed, speed};
+use crate::base::equation::Live;
 use crate::models::genetic::GeneticModels;
 use crate::run::explanation::explain_controller;
 use crate::run::scenario::Scenario;

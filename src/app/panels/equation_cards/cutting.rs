@@ -1,8 +1,8 @@
 //! The card of the cutting process.
 
 use super::formula::number;
-use super::live::Live;
 use super::neural::neural;
+use crate::base::equation::Live;
 use crate::base::units::mm_from_um;
 use crate::blocks::cutting::force_map::ForceMap;
 use crate::blocks::cutting::process::ForceModel;

@@ -1,7 +1,7 @@
 //! What the coupled machine adds to the cards of force and surface.
 
 use super::formula::number;
-use super::live::Live;
+use crate::base::equation::Live;
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 

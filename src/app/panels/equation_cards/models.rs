@@ -5,8 +5,8 @@ use super::laws::{
     curve_formula, curve_inverse, curve_inverse_formula, curve_with, exponential, exponential_with,
     polynomial, polynomial_with, quartic_with, straight_on,
 };
-use super::live::Live;
 use crate::app::format;
+use crate::base::equation::Live;
 use crate::base::math;
 use crate::models::Valued;
 use crate::models::genetic::sdnrp_2007::{K2_MIN_N, K3_MAX_N, K5_MAX_N};

@@ -3,8 +3,8 @@
 
 use super::cutting::map_at;
 use super::formula::number;
-use super::live::Live;
 use crate::app::format;
+use crate::base::equation::Live;
 use crate::blocks::cutting::material::Material;
 use crate::blocks::cutting::neural::NeuralCut;
 use crate::blocks::cutting::process::Plant;

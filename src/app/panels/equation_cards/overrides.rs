@@ -1,7 +1,7 @@
 //! The card of the overrides DNCFRO and DNCSPO: limits, whole percents, rate.
 
 use super::formula::number;
-use super::live::Live;
+use crate::base::equation::Live;
 use crate::base::units::percent_from_ratio;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::run::closed_loop::limits;

@@ -14,13 +14,11 @@ mod state;
 mod vibration;
 mod wear;
 
-use egui::scroll_area::{DragScroll, ScrollSource};
-use egui::{CentralPanel, CollapsingHeader, Frame, Margin, Panel as SidePanel, ScrollArea, Ui};
+use egui::{CollapsingHeader, Frame, Margin, ScrollArea, Ui};
 
 use super::{Panel, View};
 use crate::app::command::Command;
-use crate::app::theme;
-use crate::app::widgets::zoom::by_touch;
+use crate::app::widgets::scaffold;
 use crate::base::units::rev_s_from_rpm;
 use crate::models::wear::WearModel;
 use life::{Life, LifeInCut};
@@ -30,8 +28,6 @@ use state::MachineState;
 use vibration::VibrationView;
 use wear::WearView;
 
-/// Longest real time that one frame advances by, s.
-const LONGEST_FRAME_S: f64 = 0.25;
 /// Room at the right for the last number of an axis, points.
 const AXIS_END: i8 = 16;
 /// Height of the stability chart where it is scrolled, points.
@@ -79,7 +75,7 @@ impl Panel for MachinePanel {
     }
 
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        let dt_s = ui.input(|input| f64::from(input.stable_dt)).min(LONGEST_FRAME_S);
+        let dt_s = scaffold::frame_s(ui.ctx());
         self.advance(ui, view, dt_s);
         if view.narrow {
             self.narrow(ui, view, commands);
@@ -119,17 +115,10 @@ impl MachinePanel {
     }
 
     fn wide(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        let margin = Frame::new().inner_margin(Margin::symmetric(12, 8));
-        SidePanel::left("machine controls")
-            .exact_size(theme::CONTROLS_WIDTH)
-            .resizable(false)
-            .frame(margin)
-            .show(ui, |ui| {
-                ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-                    controls::show(ui, view.session.current(), commands);
-                });
-            });
-        CentralPanel::no_frame().frame(margin).show(ui, |ui| {
+        scaffold::controls(ui, "machine controls", |ui| {
+            controls::show(ui, view.session.current(), commands);
+        });
+        scaffold::middle(ui, |ui| {
             self.head(ui, view);
             ui.add_space(2.0);
             let height = ui.available_height();
@@ -142,13 +131,8 @@ impl MachinePanel {
     }
 
     fn narrow(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        let margin = Frame::new().inner_margin(Margin::symmetric(8, 4));
-        // Fingers scroll from the first touch on; a mouse that drags moves the cursor.
-        let drag = if by_touch(ui) { DragScroll::Always } else { DragScroll::Never };
-        let source = ScrollSource { drag, ..ScrollSource::default() };
-        let area = ScrollArea::vertical().id_salt("machine").scroll_source(source);
-        area.auto_shrink([false, false]).show(ui, |ui| {
-            margin.show(ui, |ui| {
+        scaffold::column(ui, "machine").show(ui, |ui| {
+            scaffold::narrow().show(ui, |ui| {
                 self.head(ui, view);
                 let room = Frame::new().inner_margin(Margin { right: AXIS_END, ..Margin::ZERO });
                 room.show(ui, |ui| self.part(ui, view, CHART_HEIGHT, commands));
