@@ -63,7 +63,8 @@ impl Compared {
 /// );
 /// tournament.to_end();
 /// let table = tournament.table();
-/// assert!(table[1].mean(Measure::Nsn) < table[0].mean(Measure::Nsn), "{table:?}");
+/// // Under noise, Tracking moves the override less than the proportional loop.
+/// assert!(table[1].mean(Measure::Travel) < table[0].mean(Measure::Travel), "{table:?}");
 /// ```
 #[derive(Clone, Debug)]
 pub struct Tournament {
