@@ -11,8 +11,8 @@ use egui::{RichText, pos2, vec2};
 use crate::app::format;
 use crate::app::theme::Palette;
 use crate::base::math::{PI, cos, sin};
-use crate::models::part::Section;
 use crate::blocks::cutting::tool_path::radial_depth_mm;
+use crate::models::part::Section;
 use crate::models::tool::Outline;
 
 /// Largest and least scale, points per mm. Long cuts are drawn with depths larger than lengths.

@@ -8,8 +8,8 @@ use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::number::NumberField;
 use crate::base::settings::Value;
-use crate::models::part::{DepthStep, MAX_SECTIONS, MAX_STEPS, MIN_SECTION_MM, Section};
 use crate::blocks::cutting::tool_path::{radial_depth_mm, wall_mm};
+use crate::models::part::{DepthStep, MAX_SECTIONS, MAX_STEPS, MIN_SECTION_MM, Section};
 use crate::models::tool::Outline;
 use crate::run::scenario::{Scenario, param};
 

@@ -12,10 +12,10 @@
 //! taken for sharp-cut Ck45: what it really is the controller estimates as the gain.
 
 use crate::base::math;
-use crate::models::part::{DepthStep, Section};
 use crate::base::units::ratio_from_percent;
 use crate::models::ball_end::{CK45, Cutter, Kienzle, PeakTable, Sliced};
 use crate::models::part::{CutPath, ProgrammedPart};
+use crate::models::part::{DepthStep, Section};
 use crate::models::tool::Tool;
 
 use crate::blocks::control::{Belief, ControlInput};
