@@ -142,7 +142,7 @@ fn the_lowest_layer_names_nothing_of_milling() {
         "tooth",
         "teeth",
         "wall",
-        "depth",
+        "axial",
         "section",
         "sections",
         "spindle",
