@@ -20,16 +20,12 @@ fn steady(force_model: ForceModel) -> Scenario {
             s.noise.level = 0.0;
             s.plant.force_model = force_model;
             s.run.duration_s = 0.6;
-        })
-        .unwrap();
-    if force_model.tooth_by_tooth() {
-        scenario
-            .change(|s| {
+            if force_model.tooth_by_tooth() {
                 s.run.steps_per_control = 576;
                 s.run.record_every = 576;
-            })
-            .unwrap();
-    }
+            }
+        })
+        .unwrap();
     scenario
 }
 
