@@ -13,6 +13,8 @@ use steadycut::base::settings::Value;
 use steadycut::run::edits::{Edit, Edits};
 use steadycut::run::one_run::Run;
 use steadycut::run::{Start, presets};
+use steadycut::study::compare::contest::ContestJob;
+use steadycut::study::compare::entrants::{TABLE_1, experiment_2, on};
 
 const SIZE: egui::Vec2 = egui::vec2(1280.0, 800.0);
 
@@ -159,5 +161,26 @@ fn parts(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, console, part, parts);
+/// A frame while the runs of Table 1 go on, on threads and in the frames as in a page.
+fn at_work(criterion: &mut Criterion) {
+    for (name, in_slices) in [("threads", false), ("slices", true)] {
+        let mut bench = Bench::new("first-cut");
+        if in_slices {
+            bench.console.jobs().work_in_slices();
+        }
+        let contest = ContestJob::new(on(&experiment_2(), &TABLE_1), 500);
+        let work = bench.console.jobs().begin("Compare", contest, 20_000);
+        criterion.bench_function(&format!("frame while Compare runs, {name}"), |bencher| {
+            bencher.iter(|| black_box(bench.frame(Vec::new())));
+        });
+        // As a test it is one frame, which may be over before the first slice.
+        let worked = (0..10_000).any(|_| {
+            bench.frame(Vec::new());
+            work.progress().done > 0.0
+        });
+        assert!(worked && work.is_running());
+    }
+}
+
+criterion_group!(benches, console, part, parts, at_work);
 criterion_main!(benches);

@@ -4,6 +4,7 @@
 use egui::{RichText, Role, ThemePreference, Ui, WidgetInfo};
 
 use super::command::{Command, FileCommand, SessionCommand, ShellCommand};
+use super::jobs;
 use super::panels::View;
 use super::theme::{self, Palette};
 use super::widgets::icon::{self, Icon};
@@ -53,6 +54,7 @@ pub fn show(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &
                 ui.separator();
                 undo_buttons(ui, view, commands);
             }
+            jobs::show(ui, view.jobs);
             let taken = ui.min_rect().width() + GAP;
             if taken != room {
                 // The tabs beside them are laid out again.

@@ -2,12 +2,14 @@
 //! [`command::Command`]s; [`Console`] carries them out.
 
 mod bar;
+mod clock;
 pub mod command;
 pub mod cut;
 mod execute;
 mod files;
 pub mod format;
 pub mod history;
+pub mod jobs;
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 pub mod panels;
@@ -30,6 +32,7 @@ use crate::run::{Start, scenario_link};
 use bar::Tab;
 use command::Command;
 use files::Files;
+use jobs::Jobs;
 use panels::{Panel, View, panels};
 use session::Session;
 use widgets::{scaffold, setting};
@@ -42,6 +45,7 @@ const LINK_EVERY_S: f64 = 0.5;
 /// The application.
 pub struct Console {
     session: Session,
+    jobs: Jobs,
     panels: Vec<Box<dyn Panel>>,
     shown: usize,
     files: Files,
@@ -89,6 +93,7 @@ impl Console {
         }
         Self {
             session,
+            jobs: Jobs::default(),
             panels,
             shown: 0,
             files: Files::default(),
@@ -106,6 +111,12 @@ impl Console {
         &self.session
     }
 
+    /// The long work of the screens.
+    #[must_use]
+    pub fn jobs(&self) -> &Jobs {
+        &self.jobs
+    }
+
     /// One frame: input, time, picture, and then the commands that came of it.
     pub fn ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
@@ -118,6 +129,7 @@ impl Console {
             self.execute(command, &ctx);
         }
         self.session.advance(dt_s);
+        self.jobs.pump(&ctx);
         self.since_change_s += dt_s;
         if self.since_change_s > GESTURE_PAUSE_S && !ctx.input(|input| input.pointer.any_down()) {
             self.session.end_gesture();
@@ -139,7 +151,8 @@ impl Console {
     }
 
     fn draw(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
-        let view = View { session: &self.session, narrow: ui.available_width() < theme::NARROW };
+        let narrow = ui.available_width() < theme::NARROW;
+        let view = View { session: &self.session, jobs: &self.jobs, narrow };
         let tabs: Vec<Tab> =
             self.panels.iter().map(|p| Tab { id: p.id(), title: p.title() }).collect();
         let side = if view.narrow { 8 } else { 12 };

@@ -17,7 +17,7 @@ fn every_number_of_cores_gives_the_same_text_and_no_bar_without_a_terminal() {
         &["plan", "experiment-2", "--per-cut", "lightest"],
         &["machine", "stability", "--speeds", "5"],
         &["machine", "life", "--tools", "6", "--json"],
-        &["train", "force", "--rows", "60", "--epochs", "3", "--hidden", "4"],
+        &["train", "force", "--rows", "120", "--epochs", "3", "--hidden", "4"],
     ];
     for args in commands {
         let [one, four] = ["1", "4"].map(|threads| steadycut(args, threads));

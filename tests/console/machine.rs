@@ -261,7 +261,9 @@ fn every_part_looks_as_its_picture() {
         |ui, console: &mut Option<Console>| {
             let scenario = presets::load("first-cut").expect("shipped");
             let start = || Start { scenario, edits: Edits::none(), notice: None };
-            console.get_or_insert_with(|| Console::new(ui.ctx(), start())).ui(ui);
+            console
+                .get_or_insert_with(|| crate::screen::sliced(Console::new(ui.ctx(), start())))
+                .ui(ui);
         },
         None,
     );

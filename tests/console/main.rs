@@ -2,6 +2,7 @@
 
 mod compare;
 mod drawn;
+mod jobs;
 mod learning;
 mod machine;
 mod panels;

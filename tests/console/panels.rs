@@ -27,7 +27,7 @@ fn frame(ui: &mut egui::Ui, console: &mut Option<Console>) {
         edits: Edits::none(),
         notice: None,
     };
-    console.get_or_insert_with(|| Console::new(ui.ctx(), start())).ui(ui);
+    console.get_or_insert_with(|| crate::screen::sliced(Console::new(ui.ctx(), start()))).ui(ui);
 }
 
 fn builder(size: Vec2) -> egui_kittest::HarnessBuilder<Option<Console>> {

@@ -12,6 +12,12 @@ use steadycut::run::{Start, presets};
 /// The console, made in the first frame.
 pub type Screen<'a> = Harness<'a, Option<Console>>;
 
+/// A console that does its long work in its frames, as in a page: so many frames, so much of it.
+pub fn sliced(console: Console) -> Console {
+    console.jobs().work_in_slices();
+    console
+}
+
 /// The screen with this title two frames after it was opened, on a preset with these changes.
 pub fn open<'a>(preset: &str, size: Vec2, title: &str, changes: &[(&str, Value)]) -> Screen<'a> {
     let mut scenario = presets::load(preset).expect("shipped");
@@ -23,7 +29,7 @@ pub fn open<'a>(preset: &str, size: Vec2, title: &str, changes: &[(&str, Value)]
             let console = console.get_or_insert_with(|| {
                 let start =
                     Start { scenario: scenario.clone(), edits: Edits::none(), notice: None };
-                Console::new(ui.ctx(), start)
+                sliced(Console::new(ui.ctx(), start))
             });
             console.ui(ui);
         },

@@ -31,7 +31,9 @@ fn at<'a>(preset: &str, size: Vec2, theme: Option<Theme>, time_s: usize) -> Scre
     };
     let frame = move |ui: &mut egui::Ui, console: &mut Option<Console>| {
         let start = || Start { scenario: scenario.clone(), edits: Edits::none(), notice: None };
-        console.get_or_insert_with(|| Console::new(ui.ctx(), start())).ui(ui);
+        console
+            .get_or_insert_with(|| crate::screen::sliced(Console::new(ui.ctx(), start())))
+            .ui(ui);
     };
     let mut screen = builder.build_ui_state(frame, None);
     screen.run_steps(2);

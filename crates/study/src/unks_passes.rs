@@ -205,6 +205,8 @@ pub struct PassesSoFar {
     pub learned: Option<Stored>,
     /// What they show, once all are done.
     pub verdict: Option<PassesVerdict>,
+    /// Why there is no further pass, if what was learned was refused.
+    pub refused: Option<String>,
 }
 
 /// A step is a control period.
@@ -228,7 +230,8 @@ impl Job for Passes {
         let of_pass = (row.position_mm / self.length_mm.max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
         let of_pass = if self.is_done() { 0.0 } else { of_pass };
         let done = self.done.len() as f64 + of_pass;
-        Progress { done, total: f64::from(self.wanted), unit: "passes" }
+        let total = if self.refused.is_some() { done } else { f64::from(self.wanted) };
+        Progress { done, total, unit: "passes" }
     }
 
     fn partial(&self) -> PassesSoFar {
@@ -236,6 +239,7 @@ impl Job for Passes {
             done: self.done.clone(),
             learned: self.learned.clone(),
             verdict: self.verdict(),
+            refused: self.refused.as_ref().map(ToString::to_string),
         }
     }
 }

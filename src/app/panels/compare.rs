@@ -41,20 +41,17 @@ impl Panel for ComparePanel {
     }
 
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        self.contests.follow(view.session.scenario());
-        if self.contests.advance(ui.input(|input| f64::from(input.unstable_dt))) {
-            ui.ctx().request_repaint();
-        }
+        self.contests.follow(view.session.scenario(), view.jobs);
         let margin =
             Frame::new().inner_margin(Margin::symmetric(if view.narrow { 8 } else { 12 }, 6));
         scaffold::column(ui, "compare").show(ui, |ui| {
-            margin.show(ui, |ui| self.page(ui, view.narrow, commands));
+            margin.show(ui, |ui| self.page(ui, view, commands));
         });
     }
 }
 
 impl ComparePanel {
-    fn page(&mut self, ui: &mut Ui, narrow: bool, commands: &mut Vec<Command>) {
+    fn page(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let palette = Palette::at(ui);
         controls::show(ui, &mut self.contests);
         let printed = self.contests.is_table_1();
@@ -71,15 +68,15 @@ impl ComparePanel {
         };
         let compared = contest.table();
         ui.add_space(4.0);
-        if narrow {
-            table::cards(ui, contest.tournament(), compared, printed, commands);
+        if view.narrow {
+            table::cards(ui, contest.entrants(), compared, printed, commands);
         } else {
-            table::table(ui, contest.tournament(), compared, printed, commands);
+            table::table(ui, contest.entrants(), compared, printed, commands);
         }
         ui.add_space(8.0);
-        boxes::show(ui, contest.tournament(), compared, &mut self.measure, printed);
+        boxes::show(ui, &contest.runs(), compared, &mut self.measure, printed);
         step::show(ui, contest, printed);
         told::show(ui, compared, printed);
-        robust::show(ui, &mut self.contests.robust);
+        robust::show(ui, &mut self.contests.robust, view.jobs);
     }
 }

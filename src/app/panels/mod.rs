@@ -5,12 +5,15 @@ pub mod equation_cards;
 pub mod learning;
 
 use super::command::Command;
+use super::jobs::Jobs;
 use super::session::Session;
 
 /// What a panel sees of the console; it changes nothing but by commands.
 pub struct View<'a> {
     /// Scenario, edits, the run with its constant-feed twin, and the playhead.
     pub session: &'a Session,
+    /// Long work, which goes on when a screen is left.
+    pub jobs: &'a Jobs,
     /// Whether the window is as narrow as a phone's.
     pub narrow: bool,
 }

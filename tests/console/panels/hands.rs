@@ -125,7 +125,9 @@ fn the_end_of_a_long_run_is_followed_until_it_is_reached() {
             move |ui, console: &mut Option<Console>| {
                 let start =
                     || Start { scenario: scenario.clone(), edits: Edits::none(), notice: None };
-                console.get_or_insert_with(|| Console::new(ui.ctx(), start())).ui(ui);
+                console
+                    .get_or_insert_with(|| crate::screen::sliced(Console::new(ui.ctx(), start())))
+                    .ui(ui);
             },
             None,
         );

@@ -56,12 +56,14 @@ impl ContestJob {
 }
 
 /// What a contest has given so far.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ContestSoFar {
     /// How the first entrants took the load step.
     pub transients: Vec<Transient>,
     /// The table.
     pub table: Vec<Compared>,
+    /// How far the tournament is.
+    pub runs: Progress,
 }
 
 /// A step is one of the plant in one of the runs.
@@ -88,6 +90,10 @@ impl Job for ContestJob {
     }
 
     fn partial(&self) -> ContestSoFar {
-        ContestSoFar { transients: self.transients().to_vec(), table: self.tournament.table() }
+        ContestSoFar {
+            transients: self.transients().to_vec(),
+            table: self.tournament.table(),
+            runs: self.tournament.progress(),
+        }
     }
 }

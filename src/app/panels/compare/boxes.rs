@@ -8,9 +8,9 @@ use super::table::{printed_of, title, value};
 use crate::app::theme::Palette;
 use crate::app::widgets::legend;
 use crate::app::widgets::plot::{grid, still};
-use crate::run::job::{Job, Progress};
+use crate::run::job::Progress;
 use crate::study::compare::outcome::Measure;
-use crate::study::compare::tournament::{Compared, Tournament};
+use crate::study::compare::tournament::Compared;
 
 /// Height of a box with its gap, and of the axis, points.
 const ROW: f32 = 34.0;
@@ -21,7 +21,7 @@ const WIDTH: f64 = 0.5;
 /// The choice of the measure and the plot.
 pub fn show(
     ui: &mut Ui,
-    tournament: &Tournament,
+    runs: &Progress,
     compared: &[Compared],
     measure: &mut Measure,
     belongs: bool,
@@ -129,7 +129,7 @@ pub fn show(
             plot.points(dots("printed", printed, palette.reference, MarkerShape::Diamond));
         })
         .response;
-    let Progress { done, total: all, .. } = tournament.progress();
+    let Progress { done, total: all, .. } = *runs;
     response.widget_info(|| {
         let label = format!("Box plots of {}, {:.0} of {all} runs", title(measure), done.floor());
         WidgetInfo::labeled(Role::Figure, true, label)

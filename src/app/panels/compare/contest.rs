@@ -1,15 +1,17 @@
 //! What is compared, and the tournaments so far: a set-up once run is kept, and more seeds go on
 //! where fewer ended.
 
+use std::sync::Arc;
+
+use crate::app::jobs::{Jobs, Work};
 use crate::base::settings::{SettingError, Value};
 use crate::blocks::cutting::material::Material;
-use crate::run::edits::Edits;
-use crate::run::job::{Job, Progress};
-use crate::run::one_run::Run;
+use crate::run::job::Progress;
 use crate::run::scenario::Scenario;
-use crate::study::compare::entrants::{BEYOND, Method, TABLE_1};
+use crate::study::compare::contest::{ContestJob, ContestSoFar};
+use crate::study::compare::entrants::{BEYOND, Entrant, Method, TABLE_1};
 use crate::study::compare::entrants::{experiment_2, experiment_2_per_cut, on, set_dead_time};
-use crate::study::compare::load_step::{self, Transient};
+use crate::study::compare::load_step::Transient;
 use crate::study::compare::robustness::{self, RobustnessRow};
 use crate::study::compare::tournament::{Compared, Tournament};
 
@@ -17,10 +19,8 @@ use crate::study::compare::tournament::{Compared, Tournament};
 const KEPT: usize = 12;
 /// Seeds of the table of changed conditions.
 const ROBUST_SEEDS: u32 = 2;
-/// Steps of the plant in a frame: at the start, at least and at most.
-const TICKS: [u64; 3] = [20_000, 5_000, 400_000];
-/// Time that a frame may take, s: the page stays usable.
-const FRAME_S: f64 = 0.04;
+/// Steps of the plant in the first slice.
+const FIRST: u64 = 20_000;
 
 steadycut_core::choice! {
     /// The part that is milled.
@@ -123,27 +123,26 @@ impl ContestSetup {
     }
 }
 
-/// A tournament with what it belongs to.
+/// A contest with what it belongs to. It goes on when another one, or another screen, is shown.
 pub struct Contest {
     base: Scenario,
     chosen: Vec<bool>,
-    tournament: Tournament,
-    /// The load step of each entrant in turn, and the one that is on its way.
-    transients: Vec<Transient>,
-    stepping: Option<Box<Run>>,
-    /// The table, and the number of runs that it is of.
-    table: (f64, Vec<Compared>),
+    entrants: Vec<Entrant>,
+    seeds: u32,
+    /// The work at it.
+    pub work: Work<ContestJob>,
+    latest: Arc<ContestSoFar>,
 }
 
 impl Contest {
-    /// The tournament.
-    pub fn tournament(&self) -> &Tournament {
-        &self.tournament
+    /// Who takes part.
+    pub fn entrants(&self) -> &[Entrant] {
+        &self.entrants
     }
 
     /// How the entrants took the load step, as far as they have.
     pub fn transients(&self) -> &[Transient] {
-        &self.transients
+        &self.latest.transients
     }
 
     /// Whether the load step belongs to the part: it is made of sections that are milled.
@@ -151,32 +150,22 @@ impl Contest {
         !self.base.workpiece.cuts.is_empty()
     }
 
-    /// Advances by `ticks` steps of the plant; `true` when all is done.
-    fn advance(&mut self, ticks: u64) -> bool {
-        let entrants = self.tournament.entrants();
-        let next = entrants.get(self.transients.len()).filter(|_| self.has_load_step());
-        let Some(entrant) = next else { return self.tournament.advance_by(ticks) };
-        let mut run = self.stepping.take().unwrap_or_else(|| {
-            Box::new(Run::new(&load_step::scenario(&entrant.scenario), &Edits::none()))
-        });
-        if run.advance(ticks) {
-            self.transients.push(load_step::judged(&entrant.name, &run));
-        } else {
-            self.stepping = Some(run);
-        }
-        false
+    /// How far the runs over the seeds are.
+    pub fn runs(&self) -> Progress {
+        self.latest.runs
     }
 
     /// The table so far.
     pub fn table(&self) -> &[Compared] {
-        &self.table.1
+        &self.latest.table
     }
 
-    fn refresh(&mut self) {
-        let done = self.tournament.progress().done.floor();
-        if self.table.0 != done || self.table.1.is_empty() {
-            self.table = (done, self.tournament.table());
+    fn refresh(&mut self, seeds: u32) {
+        if self.seeds != seeds {
+            self.seeds = seeds;
+            self.work.change(move |contest| contest.set_seeds(seeds));
         }
+        self.latest = self.work.partial();
     }
 }
 
@@ -184,35 +173,46 @@ impl Contest {
 #[derive(Default)]
 pub struct Robust {
     /// All runs; made when they are first wanted.
-    tournament: Option<Tournament>,
-    /// Whether it runs.
-    pub running: bool,
-    /// The rows, and the number of runs that they are of.
-    rows: (usize, Vec<RobustnessRow>),
+    work: Option<Work<Tournament>>,
+    /// The rows, and the table that they are of.
+    rows: Option<(Arc<Vec<Compared>>, Vec<RobustnessRow>)>,
 }
 
 impl Robust {
-    /// Runs done, the present one by its share, and all runs.
+    /// How far the runs are.
     pub fn progress(&self) -> Progress {
         let all = robustness::CONDITIONS.len() * robustness::methods().count();
         let total = (all * ROBUST_SEEDS as usize) as f64;
         let none = Progress { done: 0.0, total, unit: "runs" };
-        self.tournament.as_ref().map_or(none, Tournament::progress)
+        self.work.as_ref().map_or(none, Work::progress)
+    }
+
+    /// Whether it goes on.
+    pub fn is_running(&self) -> bool {
+        self.work.as_ref().is_some_and(Work::is_running)
+    }
+
+    /// Begins it, or goes on.
+    pub fn go_on(&mut self, jobs: &Jobs) {
+        let new = || Tournament::new(robustness::entrants(), ROBUST_SEEDS);
+        let work = self.work.get_or_insert_with(|| jobs.take("Compare: conditions", new(), FIRST));
+        work.go_on();
+    }
+
+    /// Stands still.
+    pub fn stop(&self) {
+        self.work.iter().for_each(Work::stop);
     }
 
     /// The rows so far.
-    pub fn rows(&self) -> &[RobustnessRow] {
-        &self.rows.1
-    }
-
-    fn advance(&mut self, ticks: u64) {
-        let new = || Tournament::new(robustness::entrants(), ROBUST_SEEDS);
-        let tournament = self.tournament.get_or_insert_with(new);
-        self.running = !tournament.advance_by(ticks);
-        let done = tournament.progress().done as usize;
-        if done != self.rows.0 {
-            self.rows = (done, robustness::rows(tournament.table()));
+    pub fn rows(&mut self) -> &[RobustnessRow] {
+        let Some(work) = &self.work else { return &[] };
+        let latest = work.partial();
+        if !self.rows.as_ref().is_some_and(|(of, _)| Arc::ptr_eq(of, &latest)) {
+            let rows = robustness::rows(latest.to_vec());
+            self.rows = Some((latest, rows));
         }
+        self.rows.as_ref().map_or(&[], |(_, rows)| rows)
     }
 }
 
@@ -222,8 +222,6 @@ pub struct Contests {
     pub setup: ContestSetup,
     /// Number of seeds.
     pub seeds: u32,
-    /// Whether it runs.
-    pub running: bool,
     /// The table of changed conditions.
     pub robust: Robust,
     kept: Vec<Contest>,
@@ -235,7 +233,6 @@ pub struct Contests {
     pub refused: Option<String>,
     /// What there is to say about a number of seeds that was typed.
     pub said: Option<String>,
-    ticks: u64,
 }
 
 impl Default for Contests {
@@ -243,46 +240,42 @@ impl Default for Contests {
         Self {
             setup: ContestSetup::default(),
             seeds: 20,
-            running: false,
             robust: Robust::default(),
             followed: None,
             kept: Vec::new(),
             shown: None,
             refused: None,
             said: None,
-            ticks: TICKS[0],
         }
     }
 }
 
 impl Contests {
     /// Shows the tournament of the present set-up, a new one if there is none.
-    pub fn follow(&mut self, open: &Scenario) {
+    pub fn follow(&mut self, open: &Scenario, jobs: &Jobs) {
         let open_part = (self.setup.part == ContestPart::Open).then_some(open);
         let same = self.followed.as_ref().is_some_and(|(setup, scenario)| {
             *setup == self.setup && scenario.as_ref() == open_part
         });
         if !same {
             self.followed = Some((self.setup.clone(), open_part.cloned()));
-            self.show(open);
+            self.show(open, jobs);
         }
         if let Some(contest) = self.shown.and_then(|index| self.kept.get_mut(index)) {
-            contest.tournament.set_seeds(self.seeds);
-            contest.refresh();
+            contest.refresh(self.seeds);
         }
     }
 
-    fn show(&mut self, open: &Scenario) {
+    fn show(&mut self, open: &Scenario, jobs: &Jobs) {
         self.refused = None;
         self.shown = None;
         if !self.setup.chosen.contains(&true) {
-            self.running = false;
             return;
         }
         let base = match self.setup.base(open) {
             Ok(base) => base,
             Err(error) => {
-                (self.refused, self.running) = (Some(error.to_string()), false);
+                self.refused = Some(error.to_string());
                 return;
             }
         };
@@ -293,16 +286,12 @@ impl Contests {
             }
             let chosen = methods().zip(&self.setup.chosen).filter(|(_, chosen)| **chosen);
             let chosen: Vec<Method> = chosen.map(|(method, _)| *method).collect();
-            let tournament = Tournament::new(on(&base, &chosen), self.seeds);
-            let chosen = self.setup.chosen.clone();
-            self.kept.push(Contest {
-                base,
-                chosen,
-                tournament,
-                transients: Vec::new(),
-                stepping: None,
-                table: (0.0, Vec::new()),
-            });
+            let entrants = on(&base, &chosen);
+            let name = format!("Compare: {}", self.setup.part.label());
+            let job = ContestJob::new(entrants.clone(), self.seeds);
+            let work = jobs.take(name, job, FIRST);
+            let (chosen, latest) = (self.setup.chosen.clone(), work.partial());
+            self.kept.push(Contest { base, chosen, entrants, seeds: self.seeds, work, latest });
             self.kept.len() - 1
         });
         self.shown = Some(found);
@@ -316,23 +305,5 @@ impl Contests {
     /// Whether the printed table belongs to what is shown.
     pub fn is_table_1(&self) -> bool {
         self.setup.is_table_1()
-    }
-
-    /// Advances for one frame if it runs; the last frame took `frame_s` seconds.
-    pub fn advance(&mut self, frame_s: f64) -> bool {
-        if !self.running && !self.robust.running {
-            return false;
-        }
-        let ticks = if frame_s > FRAME_S { self.ticks / 2 } else { self.ticks + self.ticks / 8 };
-        self.ticks = ticks.clamp(TICKS[1], TICKS[2]);
-        match self.shown.and_then(|index| self.kept.get_mut(index)) {
-            Some(contest) if self.running => {
-                self.running = !contest.advance(self.ticks);
-                contest.refresh();
-            }
-            _ if self.robust.running => self.robust.advance(self.ticks),
-            _ => {}
-        }
-        true
     }
 }

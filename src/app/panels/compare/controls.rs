@@ -7,7 +7,7 @@ use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::number::NumberField;
 use crate::base::settings::Choice;
-use crate::run::job::{Job, Progress};
+use crate::run::job::Progress;
 
 /// Least and most seeds.
 const SEEDS: [u32; 2] = [1, 500];
@@ -34,19 +34,20 @@ pub fn show(ui: &mut Ui, contests: &mut Contests) {
     });
     ui.horizontal_wrapped(|ui| {
         let over = contests.shown().is_some_and(|contest| {
-            let progress = contest.tournament().progress();
-            progress.done >= progress.total
+            let runs = contest.runs();
+            contest.work.is_over() || runs.done >= runs.total
         });
+        let running = contests.shown().is_some_and(|contest| contest.work.is_running());
         let possible = contests.shown().is_some() && !over;
-        if contests.running {
+        if running {
             let help = "Stands still; what is done stays";
             if icon::button(ui, Icon::Pause, "Pause the comparison", help, true).clicked() {
-                contests.running = false;
+                contests.shown().iter().for_each(|contest| contest.work.stop());
             }
         } else {
-            let help = "Runs everybody on every seed, one after the other";
+            let help = "Runs everybody on every seed; it goes on while other screens are shown";
             if icon::button(ui, Icon::Play, "Run the comparison", help, possible).clicked() {
-                contests.running = true;
+                contests.shown().iter().for_each(|contest| contest.work.go_on());
             }
         }
         let name = ui.label("Seeds").id;
@@ -63,12 +64,12 @@ pub fn show(ui: &mut Ui, contests: &mut Contests) {
         field.show(ui, &mut seeds, &mut contests.said).labelled_by(name).on_hover_text(help);
         contests.seeds = seeds.round() as u32;
         if let Some(contest) = contests.shown() {
-            let progress = contest.tournament().progress();
+            let progress = contest.runs();
             let Progress { done, total: all, .. } = progress;
             ui.add(
                 ProgressBar::new(progress.share() as f32).desired_width(120.0).desired_height(10.0),
             );
-            let state = match (over, contests.running) {
+            let state = match (over, running) {
                 (true, _) => "done".to_owned(),
                 (false, true) => format!("run {:.0} of {all}", done.floor() + 1.0),
                 (false, false) => format!("{:.0} of {all} runs done", done.floor()),

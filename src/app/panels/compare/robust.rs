@@ -5,6 +5,7 @@ use egui::{Grid, ProgressBar, RichText, ScrollArea, TextWrapMode, Ui};
 
 use super::contest::Robust;
 use super::table::value;
+use crate::app::jobs::Jobs;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::run::job::Progress;
@@ -17,7 +18,7 @@ const NOTE: f32 = 11.5;
 const MEASURES: [Measure; 3] = [Measure::Nsn, Measure::Time, Measure::Force];
 
 /// The section.
-pub fn show(ui: &mut Ui, robust: &mut Robust) {
+pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs) {
     let palette = Palette::at(ui);
     ui.add_space(8.0);
     ui.heading("Without retuning anything");
@@ -29,15 +30,15 @@ pub fn show(ui: &mut Ui, robust: &mut Robust) {
     let Progress { done, total: all, .. } = progress;
     ui.horizontal_wrapped(|ui| {
         let over = done >= all;
-        if robust.running {
+        if robust.is_running() {
             let help = "Stands still; what is done stays";
             if icon::button(ui, Icon::Pause, "Pause the conditions", help, true).clicked() {
-                robust.running = false;
+                robust.stop();
             }
         } else {
             let help = "Runs everybody under every condition";
             if icon::button(ui, Icon::Play, "Run the conditions", help, !over).clicked() {
-                robust.running = true;
+                robust.go_on(jobs);
             }
         }
         ui.add(ProgressBar::new(progress.share() as f32).desired_width(120.0).desired_height(10.0));

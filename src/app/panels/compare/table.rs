@@ -8,9 +8,10 @@ use crate::app::format;
 use crate::app::theme::{self, Palette};
 use crate::run::edits::Edits;
 use crate::run::scenario_file;
+use crate::study::compare::entrants::Entrant;
 use crate::study::compare::outcome::Measure;
 use crate::study::compare::table_1::{self, Table1Printed};
-use crate::study::compare::tournament::{Compared, Tournament};
+use crate::study::compare::tournament::Compared;
 
 /// Size of type of deviations and printed figures.
 const NOTE: f32 = 11.5;
@@ -89,8 +90,8 @@ fn mean_text(figure: &Figure, palette: &Palette) -> RichText {
 }
 
 /// The button that loads an entrant's scenario into the console.
-fn load(ui: &mut Ui, tournament: &Tournament, index: usize, commands: &mut Vec<Command>) {
-    let entrant = &tournament.entrants()[index];
+fn load(ui: &mut Ui, entrants: &[Entrant], index: usize, commands: &mut Vec<Command>) {
+    let entrant = &entrants[index];
     let button = ui.small_button("Load");
     let name = format!("Load {}", entrant.name);
     button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.clone()));
@@ -120,7 +121,7 @@ fn trouble(one: &Compared) -> Option<String> {
 /// The table as a grid.
 pub fn table(
     ui: &mut Ui,
-    tournament: &Tournament,
+    entrants: &[Entrant],
     compared: &[Compared],
     belongs: bool,
     commands: &mut Vec<Command>,
@@ -144,7 +145,7 @@ pub fn table(
                         ui.label(RichText::new(trouble).size(NOTE).color(palette.bad));
                     }
                 });
-                load(ui, tournament, index, commands);
+                load(ui, entrants, index, commands);
                 for measure in Measure::ALL {
                     let figure = figure(one, compared, *measure, printed);
                     ui.vertical(|ui| {
@@ -176,7 +177,7 @@ fn doc(measure: Measure) -> String {
 /// The table as a card for everybody.
 pub fn cards(
     ui: &mut Ui,
-    tournament: &Tournament,
+    entrants: &[Entrant],
     compared: &[Compared],
     belongs: bool,
     commands: &mut Vec<Command>,
@@ -188,7 +189,7 @@ pub fn cards(
             ui.set_width(ui.available_width());
             ui.horizontal(|ui| {
                 ui.strong(&one.name);
-                load(ui, tournament, index, commands);
+                load(ui, entrants, index, commands);
             });
             if let Some(trouble) = trouble(one) {
                 ui.label(RichText::new(trouble).size(NOTE).color(palette.bad));

@@ -35,7 +35,7 @@ pub struct LearningView {
 impl LearningView {
     /// Draws it into the whole of `ui`; the passes go on even while other things are looked at.
     pub fn show(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        self.passes.advance(ui, view.session.scenario());
+        self.passes.follow(view.session.scenario());
         let samples = view.session.chosen().learning().until(view.session.playback().playhead_s);
         if view.narrow {
             ScrollArea::vertical().id_salt("learning").auto_shrink(false).show(ui, |ui| {

@@ -4,37 +4,33 @@ use egui::{Grid, ProgressBar, RichText, Ui};
 
 use crate::app::command::{Command, SessionCommand};
 use crate::app::format::{deviation, number};
+use crate::app::jobs::Work;
 use crate::app::panels::View;
 use crate::app::theme::Palette;
 use crate::base::units::percent_from_ratio;
-use crate::run::job::Job;
 use crate::run::scenario::Scenario;
 use crate::study::unks_passes::{BETTER, Pass, Passes, PassesVerdict, beginning_with};
 
 /// How many passes.
 const PASSES: u32 = 5;
-/// Ticks of the plant that one frame may cost: some milliseconds.
-const TICKS_PER_FRAME: u64 = 12_000;
+/// Control periods of the first slice.
+const FIRST: u64 = 20;
 
 /// The passes under way, with the scenario that they were begun from.
 #[derive(Default)]
 pub struct PassesView {
-    job: Option<(Scenario, Passes)>,
-    stopped: bool,
+    begun: Option<(Scenario, Work<Passes>)>,
 }
 
 impl PassesView {
-    /// Advances by one slice.
-    pub fn advance(&mut self, ui: &Ui, scenario: &Scenario) {
-        let Some((begun, job)) = &mut self.job else { return };
-        if self.stopped || job.is_done() {
-            return;
+    /// Stops where the scenario has become another one: a change made meanwhile would mix two set-ups in
+    /// one table.
+    pub fn follow(&mut self, scenario: &Scenario) {
+        if let Some((begun, work)) = &self.begun
+            && begun != scenario
+        {
+            work.stop();
         }
-        let ticks = TICKS_PER_FRAME / u64::from(begun.run.steps_per_control);
-        job.advance_by(ticks.max(1));
-        // A change made meanwhile would mix two set-ups in one table.
-        self.stopped = begun != scenario;
-        ui.ctx().request_repaint();
     }
 
     /// The button, the progress, the table and what it shows.
@@ -46,33 +42,34 @@ impl PassesView {
              was learned is carried on."
         );
         ui.label(RichText::new(note).small().color(palette.weak));
-        let running = !self.stopped && self.job.as_ref().is_some_and(|(_, job)| !job.is_done());
+        let running = self.begun.as_ref().is_some_and(|(_, work)| work.is_running());
         if running {
             if ui.button("Stop the passes").clicked() {
-                self.stopped = true;
+                self.begun.iter().for_each(|(_, work)| work.stop());
             }
         } else if ui.button(format!("Cut {PASSES} passes")).clicked() {
             let scenario = view.session.scenario().clone();
             let job = Passes::new(&scenario, PASSES);
-            (self.job, self.stopped) = (Some((scenario, job)), false);
+            self.begun = Some((scenario, view.jobs.begin("Passes of UNKS", job, FIRST)));
         }
-        let Some((begun, job)) = &self.job else { return };
+        let Some((begun, work)) = &self.begun else { return };
+        let so_far = work.partial();
         if running {
-            let bar = ProgressBar::new(job.progress().share() as f32).show_percentage();
+            let bar = ProgressBar::new(work.progress().share() as f32).show_percentage();
             ui.add(bar.desired_height(16.0));
         }
-        table(ui, job.done());
-        if let Some(refused) = job.refused() {
+        table(ui, &so_far.done);
+        if let Some(refused) = &so_far.refused {
             ui.label(RichText::new(format!("No further pass: {refused}")).color(palette.bad));
         }
-        if let Some(verdict) = job.verdict() {
-            judge(ui, &verdict);
+        if let Some(verdict) = &so_far.verdict {
+            judge(ui, verdict);
         }
         if begun != view.session.scenario() {
             let text = "Made with other settings than those of now.";
             ui.label(RichText::new(text).color(palette.warn));
         }
-        if let Some(stored) = job.learned().filter(|_| !running) {
+        if let Some(stored) = so_far.learned.as_ref().filter(|_| !running) {
             let help = "Begin the cut with the networks as they are after the last pass";
             if ui.button("Use these networks").on_hover_text(help).clicked() {
                 commands.push(Command::Session(SessionCommand::SetUp(beginning_with(stored))));

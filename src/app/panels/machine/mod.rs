@@ -101,10 +101,14 @@ impl MachinePanel {
             Part::Vibration => self.vibration.advance(dt_s),
             Part::Life => {
                 self.in_cut.follow(view.session);
-                let life = self.life.get_or_insert_with(|| Life::new(scenario, adjusts));
-                life.follow(scenario, adjusts)
+                let life = self.life.get_or_insert_with(|| Life::new(scenario, adjusts, view.jobs));
+                life.follow(scenario, adjusts, view.jobs);
+                false
             }
-            Part::Stability => self.stability.follow(scenario),
+            Part::Stability => {
+                self.stability.follow(scenario, view.jobs);
+                false
+            }
         };
         let wears = scenario.wear.model == WearModel::Life;
         self.wear.follow(wears.then_some(view.session.row().used_life));

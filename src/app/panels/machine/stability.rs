@@ -1,12 +1,15 @@
 //! The stability chart: the depth at which the cut chatters over the speed, and where the present
 //! cut stands in it.
 
+use std::sync::Arc;
+
 use egui::{ProgressBar, RichText, Role, Sense, Ui, WidgetInfo};
 use egui_plot::MarkerShape;
 
 use super::plot::{Figure, Marks, PlotCurve};
 use crate::app::command::{Command, SessionCommand};
 use crate::app::format;
+use crate::app::jobs::{Jobs, Work};
 use crate::app::theme::{self, Look, Palette};
 use crate::base::math::{extent, limit};
 use crate::base::settings::Value;
@@ -14,8 +17,8 @@ use crate::blocks::cutting::workpiece::Workpiece;
 use crate::models::structure::MachineSettings;
 use crate::models::structure::parameters::{QUALITY_PRINTED, SPINDLE_QUALITY};
 use crate::models::tool::Tool;
-use crate::run::job::Job;
 use crate::run::scenario::Scenario;
+use crate::study::stability::StabilityCut;
 use crate::study::stability::chart::{ChartJob, LobePoint, Range};
 use crate::study::stability::interrupted::multiplier;
 
@@ -47,35 +50,43 @@ pub struct StabilityView {
 struct Charted {
     settings: (MachineSettings, Tool, Workpiece),
     /// The chart, or why there is none.
-    job: Result<ChartJob, String>,
-    done: bool,
+    chart: Result<Chart, String>,
     /// The cut that was judged last, with its multiplier.
     judged: Option<(Operating, f64)>,
 }
 
-fn begin(scenario: &Scenario) -> Result<ChartJob, String> {
+/// A chart on its way.
+struct Chart {
+    cut: StabilityCut,
+    any_speed_mm: f64,
+    work: Work<ChartJob>,
+    points: Arc<Vec<LobePoint>>,
+}
+
+fn begin(scenario: &Scenario, jobs: &Jobs) -> Result<Chart, String> {
     let [from_rpm, to_rpm] = SPEEDS_RPM;
     let mut range =
         Range { from_rpm, to_rpm, speeds: SPEEDS, highest_mm: f64::MAX, simulate: false };
     let of = |range| ChartJob::new(scenario, range).map_err(|error| error.to_string());
     range.highest_mm = HIGHEST * of(range)?.any_speed_mm();
-    of(range)
+    let job = of(range)?;
+    let (cut, any_speed_mm) = (job.cut().clone(), job.any_speed_mm());
+    let work = jobs.begin("Stability chart", job, 1);
+    Ok(Chart { cut, any_speed_mm, points: work.partial(), work })
 }
 
 impl StabilityView {
-    /// Follows the scenario and advances by one slice; `true` while there is more to do.
-    pub fn follow(&mut self, scenario: &Scenario) -> bool {
+    /// Keeps up with the scenario.
+    pub fn follow(&mut self, scenario: &Scenario, jobs: &Jobs) {
         let settings =
             (scenario.machine.clone(), scenario.tool.clone(), scenario.workpiece.clone());
         if self.charted.as_ref().is_none_or(|charted| charted.settings != settings) {
-            let job = begin(scenario);
-            self.charted = Some(Charted { settings, job, done: false, judged: None });
+            let chart = begin(scenario, jobs);
+            self.charted = Some(Charted { settings, chart, judged: None });
         }
-        let Some(charted) = &mut self.charted else { return false };
-        let Ok(job) = &mut charted.job else { return false };
-        // One curve at one speed: some milliseconds.
-        charted.done = charted.done || job.advance_by(1);
-        !charted.done
+        if let Some(Charted { chart: Ok(chart), .. }) = &mut self.charted {
+            chart.points = chart.work.partial();
+        }
     }
 
     /// Draws all of it, `height` points high, with the verdict on the present cut.
@@ -87,8 +98,8 @@ impl StabilityView {
         };
         let top = ui.cursor().top();
         quality(ui, charted.settings.0.spindle_quality, commands);
-        let job = match &charted.job {
-            Ok(job) => job,
+        let chart = match &charted.chart {
+            Ok(chart) => chart,
             Err(error) => {
                 theme::card(palette).show(ui, |ui| {
                     ui.set_width(ui.available_width());
@@ -101,17 +112,20 @@ impl StabilityView {
         };
         let cuts = now.speed_rpm > 0.0 && now.depth_mm > 0.0;
         if cuts && charted.judged.is_none_or(|(judged, _)| far(judged, now)) {
-            let grown = multiplier(job.cut(), now.speed_rpm, now.depth_mm);
+            let grown = multiplier(&chart.cut, now.speed_rpm, now.depth_mm);
             charted.judged = Some((now, grown));
         }
         let grown = charted.judged.map(|(_, grown)| grown).filter(|_| cuts);
-        verdict(ui, now, grown, job);
-        let figure = figure(job, now, grown, palette);
+        verdict(ui, now, grown, chart);
+        let figure = figure(chart, now, grown, palette);
         figure.legend(ui);
-        if !charted.done {
-            let curves = job.points().len() as f32 / SPEEDS as f32;
-            let bar = ProgressBar::new(curves).show_percentage();
+        if !chart.work.is_over() {
+            let share = chart.work.progress().share() as f32;
+            let bar = ProgressBar::new(share).show_percentage();
             ui.add(bar.desired_height(14.0));
+            if !chart.work.is_running() && ui.button("Go on with the chart").clicked() {
+                chart.work.go_on();
+            }
         }
         let height = height - (ui.cursor().top() - top);
         figure.show(ui, height.max(theme::PLOT_HEIGHT_SCROLLED), Sense::hover());
@@ -151,7 +165,7 @@ fn quality(ui: &mut Ui, now: f64, commands: &mut Vec<Command>) {
     });
 }
 
-fn verdict(ui: &mut Ui, now: Operating, grown: Option<f64>, job: &ChartJob) {
+fn verdict(ui: &mut Ui, now: Operating, grown: Option<f64>, chart: &Chart) {
     let palette = Palette::at(ui);
     let at = format!(
         "{} and {} deep",
@@ -171,7 +185,7 @@ fn verdict(ui: &mut Ui, now: Operating, grown: Option<f64>, job: &ChartJob) {
     ui.horizontal_wrapped(|ui| {
         let label = ui.label(RichText::new(&text).strong().color(color));
         label.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
-        let any_speed_mm = job.any_speed_mm();
+        let any_speed_mm = chart.any_speed_mm;
         let text = match any_speed_mm.is_finite() {
             true => {
                 let any = format::quantity(any_speed_mm, "mm");
@@ -181,31 +195,30 @@ fn verdict(ui: &mut Ui, now: Operating, grown: Option<f64>, job: &ChartJob) {
         };
         ui.label(RichText::new(text).color(palette.weak));
     });
-    let cut = format!("Charted: {}.", job.cut().engagement_text());
+    let cut = format!("Charted: {}.", chart.cut.engagement_text());
     ui.label(RichText::new(cut).small().color(palette.weak));
 }
 
-fn figure(job: &ChartJob, now: Operating, grown: Option<f64>, palette: &Palette) -> Figure {
+fn figure(chart: &Chart, now: Operating, grown: Option<f64>, palette: &Palette) -> Figure {
     let [from_rpm, to_rpm] = SPEEDS_RPM;
     let across = [from_rpm.min(now.speed_rpm), to_rpm.max(now.speed_rpm)];
     let across = if grown.is_some() { across } else { SPEEDS_RPM };
     let mut figure = Figure::new("Limit depth", ["1/min", "mm"], across);
     figure.over = "speed";
     let curve = |name, look, of: fn(&LobePoint) -> Option<f64>| {
-        let points = job.points().into_iter();
-        let points = points.map(|point| [point.speed_rpm, of(&point).unwrap_or(f64::INFINITY)]);
+        let points = chart.points.iter();
+        let points = points.map(|point| [point.speed_rpm, of(point).unwrap_or(f64::INFINITY)]);
         PlotCurve { name, look, points: points.collect() }
     };
     figure.curves = vec![
         curve("lobes", Look::Twin, |point| point.mean_mm),
         curve("interrupted cut", Look::Produced, |point| point.interrupted_mm),
     ];
-    let any_speed_mm = job.any_speed_mm();
+    let any_speed_mm = chart.any_speed_mm;
     if any_speed_mm.is_finite() {
         figure.levels.push(("stable at every speed", Look::Limit, any_speed_mm));
     }
-    let points = job.points();
-    let found = points.iter().filter_map(|point| point.interrupted_mm);
+    let found = chart.points.iter().filter_map(|point| point.interrupted_mm);
     let [_, highest] = extent(found);
     let highest = limit(highest, 1.2 * any_speed_mm, SHOWN * any_speed_mm);
     let highest = highest.max(1.3 * now.depth_mm);

@@ -100,9 +100,12 @@ impl WearView {
                 let help = "The tool of the running cut, which wears in it";
                 ui.checkbox(&mut self.follows, "As in the cut").on_hover_text(help);
             }
-            if life.findings.is_none() {
+            if life.findings().is_none() {
                 let bar = ProgressBar::new(life.progress() as f32).show_percentage();
                 ui.add(bar.desired_width(120.0).desired_height(14.0));
+            }
+            if life.is_stopped() && ui.button("Go on").clicked() {
+                life.go_on();
             }
         });
         let (factor, unit) = sound_unit(life);
@@ -171,14 +174,14 @@ impl WearView {
             let help = "Every ten minutes the cutting speed is set so that the tool reaches the \
                         desired tool life, as far as its sound shows it";
             ui.checkbox(&mut self.adjusts, "Adjust the speed").on_hover_text(help);
-            let said = match (life.tool_done, life.tool.end_min()) {
+            let said = match (life.tool_done, life.tool.end_min) {
                 (_, Some(end_min)) => {
                     format!("worn out after {}", format::quantity(end_min, "min"))
                 }
                 (true, None) => "not worn out in ten times the desired tool life".to_owned(),
-                (false, None) => format!("cutting: minute {}", life.tool.minutes().len()),
+                (false, None) => format!("cutting: minute {}", life.tool.minutes.len()),
             };
-            let speed = life.tool.minutes().last().map_or(0.0, |minute| minute.cutting_speed_m_min);
+            let speed = life.tool.minutes.last().map_or(0.0, |minute| minute.cutting_speed_m_min);
             let text = format!("{said}, at last {}", format::quantity(speed, "m/min"));
             ui.label(RichText::new(text).small().color(Palette::at(ui).weak));
         });
@@ -232,11 +235,11 @@ fn share(of: fn(&TrendPoint) -> f64, life: &Life) -> impl Fn(&TrendPoint) -> f64
 }
 
 fn trends(ui: &mut Ui, life: &Life, x: f64, height: f32) {
-    let points = life.trends.points();
+    let points = &life.trends.points;
     let step = (points.len() / DRAWN).max(1);
     let curve = |name, look, of: fn(&TrendPoint) -> f64| {
         let share = share(of, life);
-        let last = points.last().filter(|_| life.findings.is_some());
+        let last = points.last().filter(|_| life.findings().is_some());
         let some = points.iter().step_by(step).chain(last);
         PlotCurve { name, look, points: some.map(|point| [point.x, share(point)]).collect() }
     };
@@ -252,7 +255,7 @@ fn trends(ui: &mut Ui, life: &Life, x: f64, height: f32) {
 
 /// The predicted life over the time in cut, with its 90 % range.
 fn prediction(life: &Life) -> Figure {
-    let minutes = life.tool.minutes();
+    let minutes = &life.tool.minutes;
     let wanted_min = life.model().life.tool_life_min;
     let predicted = minutes.iter().filter_map(|minute| {
         let (remaining, range) = (minute.remaining_min?, minute.remaining_range_min?);
@@ -271,7 +274,7 @@ fn prediction(life: &Life) -> Figure {
         vec![PlotCurve { name: "from the sound", look: Look::Produced, points: points.collect() }];
     figure.levels.push(("desired", Look::Reference, wanted_min));
     let known = predicted.iter().flat_map(|(_, _, range)| *range);
-    let end = life.tool.end_min();
+    let end = life.tool.end_min;
     if let Some(end_min) = end {
         figure.levels.push(("true", Look::Ghost, end_min));
     }
@@ -313,11 +316,11 @@ fn prediction_in_cut(life: &Life, estimates: &[ConditionEstimate]) -> Figure {
 fn words(ui: &mut Ui, life: &Life) {
     let palette = Palette::at(ui);
     let r = |value: Option<f64>| value.map_or("none".to_owned(), |r| format!("{r:.4}"));
-    let Some(findings) = &life.findings else {
+    let Some(findings) = life.findings() else {
         ui.label(RichText::new("The equations are being solved for every second.").small());
         return;
     };
-    let [trend_r, spectrum_r] = life.measured_r.map(r);
+    let [trend_r, spectrum_r] = life.measured_r().map(r);
     let found = [
         format!(
             "found R = {}, largest difference {:.3}",
