@@ -259,7 +259,8 @@ fn neural_ratio() {
 /// plant step, with the surface behind the tool and without.
 #[expect(clippy::disallowed_methods, reason = "a bench needs a clock")]
 fn coupled_ratio() {
-    const LIMITS: [f64; 2] = [8.0, 40.0];
+    // Measured: 5.5 and 15.0. Other work on the machine has made it 8.5 and 22.5.
+    const LIMITS: [f64; 2] = [8.0, 30.0];
     let run = |coupled: bool, from: RoughnessFrom| {
         let mut scenario = noisy(ControllerKind::Sdnrp);
         scenario

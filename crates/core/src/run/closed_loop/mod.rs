@@ -94,15 +94,16 @@ impl ClosedLoop {
         let motion = self.cnc.advance();
         let (tick, air_n) = (self.clock.advance(), self.desired.air_n());
         let surface = &mut self.surface;
-        let cut = *self.plant.step(tick, motion, air_n, |tooth| surface.pass(tooth));
-        if let Some(number) = cut.began {
+        let began = self.plant.step(tick, motion, air_n, |tooth| surface.pass(tooth));
+        if let Some(number) = began {
             self.restart(number);
         }
+        let cut = self.plant.now();
         let force = &cut.force;
         self.sensor.take(tick, force.dynamic_n, force.across_n());
         self.cnc.guard(force.acting_n(), cut.position_mm, self.clock.time_s());
         let ra = self.surface.leave(force.model.value, force.dynamic_n, force.air);
-        self.record(&cut, ra);
+        self.record(ra);
         self.check()
     }
 

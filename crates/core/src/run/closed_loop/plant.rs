@@ -35,8 +35,6 @@ pub struct CutNow {
     pub position_mm: f64,
     /// Engagement at the tool's axis.
     pub place: Engagement,
-    /// Number of the cut that has begun in this step, counted from 0.
-    pub began: Option<usize>,
     /// The force.
     pub force: Force,
     /// Vibration and sound of the machine.
@@ -66,7 +64,6 @@ impl Plant {
             motion,
             position_mm: 0.0,
             place: Engagement::default(),
-            began: None,
             force: Force::NONE,
             vibration: Vibration::default(),
             used_life: wear.used_life(),
@@ -127,7 +124,8 @@ impl Plant {
 
     /// Plant step `tick` at the feed and speed that the drives have reached: the tool moves on, at the
     /// end of a cut to the next one, and cuts. A force below `air_n` in N counts as none where air lies
-    /// between cuts; `mark` gets where the tooth was in every step of a machine that vibrates.
+    /// between cuts; `mark` gets where the tooth was in every step of a machine that vibrates. Gives the
+    /// number of the cut that begins in this step, counted from 0, if one does.
     #[inline]
     pub fn step(
         &mut self,
@@ -135,10 +133,10 @@ impl Plant {
         motion: FeedSpeed,
         air_n: f64,
         mark: impl FnMut(&ToothPlace),
-    ) -> &CutNow {
+    ) -> Option<usize> {
         self.now.position_mm += mm_s_from_mm_min(motion.feed_mm_min) * self.dt_s;
         let next_mm = self.path.next_cut(self.now.position_mm);
-        self.now.began = next_mm.map(|position_mm| {
+        let began = next_mm.map(|position_mm| {
             self.restart(position_mm);
             self.path.cut()
         });
@@ -154,12 +152,12 @@ impl Plant {
             machine.shake(&mut self.now.force, &cut, tick, position_mm, mark);
             self.now.vibration = machine.vibration();
         }
-        &self.now
+        began
     }
 
     /// The force where the tool stands, before any machine vibrates.
     #[inline]
-    pub fn cut(&mut self, tick: u64, motion: FeedSpeed, air_n: f64) -> &CutNow {
+    pub fn cut(&mut self, tick: u64, motion: FeedSpeed, air_n: f64) {
         let FeedSpeed { feed_mm_min, speed_rpm } = motion;
         let position_mm = self.now.position_mm;
         let place = self.path.place(position_mm);
@@ -174,11 +172,11 @@ impl Plant {
             air_n,
         });
         (self.now.motion, self.now.place) = (motion, place);
-        &self.now
     }
 
     /// What is cut now.
     #[must_use]
+    #[inline]
     pub fn now(&self) -> &CutNow {
         &self.now
     }

@@ -1,6 +1,5 @@
 //! The record of a plant step: the row, written once at its end, and the check that it is finite.
 
-use super::plant::CutNow;
 use super::{ClosedLoop, Fault};
 use crate::models::Valued;
 use crate::run::signals::{Row, SIGNALS, flag};
@@ -33,7 +32,8 @@ pub(super) fn bit(on: bool, bit: u32) -> u32 {
 impl ClosedLoop {
     /// Writes the row of the present moment.
     #[inline]
-    pub(super) fn record(&mut self, cut: &CutNow, [ra, ra_dyn]: [Valued; 2]) {
+    pub(super) fn record(&mut self, [ra, ra_dyn]: [Valued; 2]) {
+        let cut = self.plant.now();
         let [feed, speed] = self.cnc.sent();
         let flags = self.sample.flags
             | bit(!self.desired.force.valid, flag::K1_OUTSIDE)

@@ -36,12 +36,13 @@ impl ClosedLoop {
             desired,
             row: Row::default(),
         };
-        let cut = *this.plant.cut(0, this.cnc.programmed(), this.desired.air_n());
+        this.plant.cut(0, this.cnc.programmed(), this.desired.air_n());
+        let cut = this.plant.now();
         this.sensor.take(0, cut.force.dynamic_n, cut.force.across_n());
         this.sample.force_measured_n = cut.force.dynamic_n;
         this.cnc.guard(cut.force.acting_n(), cut.position_mm, 0.0);
         let ra = this.surface.leave(cut.force.model.value, cut.force.dynamic_n, cut.force.air);
-        this.record(&cut, ra);
+        this.record(ra);
         this
     }
 
