@@ -297,7 +297,7 @@ fn networks_learned_in_passes_are_saved_and_loaded() {
     assert!(error.contains("`controller.kind` is sdnrp"), "{error}");
     std::fs::write(&first, "{}").unwrap();
     let error = refused(&["run", "experiment-2", "--networks", one]);
-    assert!(error.contains("unks-1.json") && error.contains("`version` is missing"), "{error}");
+    assert!(error.contains("unks-1.json") && error.contains("missing field `version`"), "{error}");
 }
 
 #[test]

@@ -4,7 +4,7 @@
 //! vibration of the teeth is the same for all of them and leaves no roughness.
 
 use crate::base::units::mm_from_um;
-use crate::blocks::surface::profile::{CutStep, ToothMarks};
+use crate::blocks::surface::profile::{ProfileStep, ToothMarks};
 use crate::models::machine_trend::MachineTrend;
 use crate::models::roughness_profile::{
     ProfileMark, ProfileSettings, Roughness, evaluation_mm, measure, run_up_mm,
@@ -31,7 +31,7 @@ pub fn marks(
     let mut cutter = ToothMarks::new(teeth as usize, mm_from_um(runout_um), from_mm, seed);
     let mut marks = Vec::new();
     for i in 1..=(length_mm / feed_mm).ceil() as u64 {
-        let step = CutStep {
+        let step = ProfileStep {
             turns: 1.0 / teeth,
             position_mm: from_mm + i as f64 * feed_mm,
             vibration_mm: 0.0,

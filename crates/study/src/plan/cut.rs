@@ -46,7 +46,7 @@ impl CutAtPoint {
 
 /// Taylor's tool life T = T_0 (v_0/v_c)^4 (f_0/f_z)^0.8 (a_0/A_D)^0.4 by its reference values.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ToolLife {
+pub struct PlannedToolLife {
     /// Tool life at the reference cut, min.
     pub life_min: f64,
     /// Cutting speed in m/min, feed per tooth in mm and axial depth in mm of the reference cut.
@@ -54,10 +54,10 @@ pub struct ToolLife {
 }
 
 /// The preset `table_2005`: 60 min at the 2005 paper's cut (chosen).
-pub const TABLE_2005: ToolLife =
-    ToolLife { life_min: 60.0, reference: [REFERENCE[0], REFERENCE[1], 2.0] };
+pub const TABLE_2005: PlannedToolLife =
+    PlannedToolLife { life_min: 60.0, reference: [REFERENCE[0], REFERENCE[1], 2.0] };
 
-impl ToolLife {
+impl PlannedToolLife {
     /// T v_c^4 f_z^0.8 at an axial depth in mm.
     #[must_use]
     pub fn factor(&self, axial_depth_mm: f64) -> f64 {

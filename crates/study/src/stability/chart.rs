@@ -3,7 +3,7 @@
 
 use serde::Serialize;
 
-use super::simulated::{self, Teeth};
+use super::simulated::{self, ForcedTeeth};
 use super::{StabilityCut, interrupted, lobes};
 use crate::base::settings::SettingError;
 use crate::run::job::{Budget, Job, Progress};
@@ -167,11 +167,11 @@ impl PointJob {
             1 => point.interrupted_mm = interrupted::limit_mm(cut, speed, highest_mm),
             2 => {
                 point.simulated_mean_mm =
-                    simulated::limit_mm(cut, Teeth::Mean, speed, DT_S, highest_mm);
+                    simulated::limit_mm(cut, ForcedTeeth::Mean, speed, DT_S, highest_mm);
             }
             _ => {
                 let simulated =
-                    simulated::limit_mm(cut, Teeth::Interrupted, speed, DT_S, highest_mm);
+                    simulated::limit_mm(cut, ForcedTeeth::Interrupted, speed, DT_S, highest_mm);
                 point.simulated_interrupted_mm = simulated;
                 if !agree(simulated, point.interrupted_mm) {
                     let beside = [1.0 - BESIDE, 1.0 + BESIDE];

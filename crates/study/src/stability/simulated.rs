@@ -19,7 +19,7 @@ const GROWN_M: f64 = 1.0;
 
 /// How the teeth's windows enter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Teeth {
+pub enum ForcedTeeth {
     /// Their mean number, all the time.
     Mean,
     /// As they come and go.
@@ -28,7 +28,13 @@ pub enum Teeth {
 
 /// Factor by which a disturbance grows from one tooth period to the next, for steps of `dt_s`.
 #[must_use]
-pub fn growth(cut: &StabilityCut, teeth: Teeth, speed_rpm: f64, depth_mm: f64, dt_s: f64) -> f64 {
+pub fn growth(
+    cut: &StabilityCut,
+    teeth: ForcedTeeth,
+    speed_rpm: f64,
+    depth_mm: f64,
+    dt_s: f64,
+) -> f64 {
     let period_s = cut.period_s(speed_rpm);
     let kappa = cut.stiffness_per_mm * depth_mm;
     let mut response = ModalResponse::new(&cut.reduction, dt_s, period_s).holding_contact();
@@ -39,8 +45,8 @@ pub fn growth(cut: &StabilityCut, teeth: Teeth, speed_rpm: f64, depth_mm: f64, d
     let mut energy = [0.0; 2];
     for step in 0..end {
         let teeth = match teeth {
-            Teeth::Mean => cut.engagement.mean_teeth(),
-            Teeth::Interrupted => {
+            ForcedTeeth::Mean => cut.engagement.mean_teeth(),
+            ForcedTeeth::Interrupted => {
                 let from = turn_rad * f64::from(step);
                 cut.engagement.means(from, from + turn_rad).teeth
             }
@@ -73,7 +79,7 @@ pub fn growth(cut: &StabilityCut, teeth: Teeth, speed_rpm: f64, depth_mm: f64, d
 #[must_use]
 pub fn limit_mm(
     cut: &StabilityCut,
-    teeth: Teeth,
+    teeth: ForcedTeeth,
     speed_rpm: f64,
     dt_s: f64,
     highest_mm: f64,
@@ -98,7 +104,7 @@ mod tests {
         let speed = 1591.549;
         let exact = cut.depth_mm(lobes::limit(&cut, speed).unwrap().stiffness_n_m);
         for (dt_s, stated) in [(1e-3, 7.4), (5e-4, 1.7), (2e-4, 0.27), (1e-4, 0.067)] {
-            let limit = limit_mm(&cut, Teeth::Mean, speed, dt_s, 100.0).unwrap();
+            let limit = limit_mm(&cut, ForcedTeeth::Mean, speed, dt_s, 100.0).unwrap();
             let percent = 100.0 * (limit / exact - 1.0);
             assert!((percent - stated).abs() < 0.06 + 0.03 * stated, "{dt_s}: {percent} %");
         }
@@ -111,7 +117,7 @@ mod tests {
             scenario.change(|s| s.machine.spindle_quality = quality).unwrap();
             let cut = StabilityCut::new(&scenario).unwrap();
             let expected = multiplier(&cut, 1591.549, depth);
-            let found = growth(&cut, Teeth::Interrupted, 1591.549, depth, 1e-4);
+            let found = growth(&cut, ForcedTeeth::Interrupted, 1591.549, depth, 1e-4);
             assert!((found / expected - 1.0).abs() < 0.01, "{quality} {depth}: {found} {expected}");
             // The papers' cut is quiet on either machine; deep and lightly damped, it chatters.
             assert_eq!(found > 1.0, quality > 10.0 && depth > 5.0, "{quality} {depth}: {found}");
@@ -123,7 +129,7 @@ mod tests {
         let cut = cut();
         let period = cut.period_s(1591.549);
         let decay = math::exp(cut.reduction.poles[0].re * period);
-        let found = growth(&cut, Teeth::Interrupted, 1591.549, 1e-9, 1e-4);
+        let found = growth(&cut, ForcedTeeth::Interrupted, 1591.549, 1e-9, 1e-4);
         assert!((found / decay - 1.0).abs() < 1e-3, "{found} {decay}");
     }
 }

@@ -7,7 +7,7 @@ use crate::app::format;
 use crate::base::equation::Live;
 use crate::blocks::cutting::material::Material;
 use crate::blocks::cutting::neural::NeuralCut;
-use crate::blocks::cutting::process::Plant;
+use crate::blocks::cutting::process::PlantSettings;
 use crate::models::neural_force::{
     AXIAL_DEPTH_MM, AXIAL_PER_DIAMETER, CutPoint, DIAMETER_MM, FEED_PER_TOOTH_MM, GEOMETRY_CODE,
     HARDNESS_HB, NeuralForce, NeuralKind, RADIAL_PER_DIAMETER, SPEED_M_MIN, speed_m_min,
@@ -94,7 +94,7 @@ fn inputs(network: &NeuralForce, point: &CutPoint) -> Live {
 
 /// The ranges of the training data; only those that are left, where any are.
 fn ranges(point: &CutPoint, cut: &NeuralCut, scenario: &Scenario) -> String {
-    let Plant { material, hardness_hb, .. } = scenario.plant;
+    let PlantSettings { material, hardness_hb, .. } = scenario.plant;
     let diameter = point.diameter_mm;
     let axial_max = (diameter * AXIAL_PER_DIAMETER).min(AXIAL_DEPTH_MM[1]);
     let speed = speed_m_min(diameter, point.speed_rpm);

@@ -4,10 +4,11 @@
 use crate::app::playback::Speed;
 use crate::base::settings::SettingError;
 use crate::blocks::control::Belief;
-use crate::blocks::cutting::process::Plant;
+use crate::blocks::cutting::process::PlantSettings;
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::Target;
 use crate::models::plan::PlanSettings;
+use crate::models::tool::Tool;
 use crate::run::job::Job;
 use crate::run::scenario::Scenario;
 use crate::study::plan::PlanJob;
@@ -26,7 +27,8 @@ pub const SPEEDS: [Speed; 4] =
 #[derive(Clone, PartialEq)]
 struct Key {
     plan: PlanSettings,
-    plant: Plant,
+    plant: PlantSettings,
+    tool: Tool,
     workpiece: Workpiece,
     target: Target,
     belief: Belief,
@@ -37,6 +39,7 @@ impl Key {
         Self {
             plan: scenario.plan.clone(),
             plant: scenario.plant.clone(),
+            tool: scenario.tool.clone(),
             workpiece: scenario.workpiece.clone(),
             target: scenario.target.clone(),
             belief: scenario.belief.clone(),

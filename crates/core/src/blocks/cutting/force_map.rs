@@ -11,7 +11,7 @@
 //! knows depths and material itself; wear multiplies its force as well.
 
 use super::neural::{NeuralCut, NeuralLaw};
-use super::process::Plant;
+use super::process::PlantSettings;
 use super::tool_path::Engagement;
 use super::workpiece::AXIAL_DEPTH_2007_MM;
 use crate::base::math;
@@ -45,7 +45,7 @@ pub struct ForceMap {
 impl ForceMap {
     /// The map of a plant with a tool at a radial depth of cut in mm; the formula where its force model is none.
     #[must_use]
-    pub fn new(plant: &Plant, tool: &Tool, radial_depth_mm: f64) -> Self {
+    pub fn new(plant: &PlantSettings, tool: &Tool, radial_depth_mm: f64) -> Self {
         let models = GeneticModels::new(plant.model_set, plant.calibration);
         let mut models = models.for_tool(tool);
         models.force.intercept_n += plant.force_offset_n;

@@ -27,7 +27,7 @@ use crate::models::tool::Tool;
 
 crate::settings! {
     /// The plant: what really is cut, whatever the controller believes.
-    pub struct Plant {
+    pub struct PlantSettings {
         /// Set of the true force and roughness models; choosing one also sets the controller's.
         model_set: ModelSet = ModelSet::Sdnrp2007, [], "", live, "Model set";
         /// What gives the true cutting force; choosing it tooth by tooth also sets the controller's
@@ -51,7 +51,7 @@ crate::settings! {
 
 /// The tool in the plant's material. Materials but the two of the 2005 paper are Ck45
 /// times the ratio of their forces, hardness included.
-fn milling_setup(plant: &Plant, tool: &Tool, dt_s: f64) -> MillingSetup {
+fn milling_setup(plant: &PlantSettings, tool: &Tool, dt_s: f64) -> MillingSetup {
     let (steel, base) = match plant.material {
         Material::MnCrSi5 => (MNCRSI5, Material::MnCrSi5),
         Material::Ck45
@@ -166,7 +166,7 @@ impl Process {
     /// control period.
     #[must_use]
     pub fn new(
-        plant: &Plant,
+        plant: &PlantSettings,
         tool: &Tool,
         path: &ToolPath,
         radial_depth_mm: f64,

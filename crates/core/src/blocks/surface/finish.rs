@@ -9,7 +9,7 @@
 //! surface. The only random part is the dynamic component of the force, which acts on u_k: no further
 //! noise is added.
 
-use super::profile::{CutStep, ToothMarks};
+use super::profile::{ProfileStep, ToothMarks};
 use crate::models::roughness_profile::{
     ProfileMark, ProfileSettings, evaluation_mm, measure, run_up_mm,
 };
@@ -64,7 +64,7 @@ impl Finish {
     /// in m.
     #[inline]
     pub fn update(&mut self, turns: f64, position_mm: f64, displacement_m: f64, in_cut: bool) {
-        let step = CutStep {
+        let step = ProfileStep {
             turns,
             position_mm,
             vibration_mm: 1000.0 * self.settings.normal_share * displacement_m,

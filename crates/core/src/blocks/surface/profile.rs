@@ -43,7 +43,7 @@ impl Passing {
 
 /// One step of the cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CutStep {
+pub struct ProfileStep {
     /// Turns of the spindle in the step.
     pub turns: f64,
     /// Position along the feed at its end, mm.
@@ -61,7 +61,7 @@ pub struct ToothMarks {
     stands_back_mm: Vec<f64>,
     random: Stream,
     passing: Passing,
-    last: CutStep,
+    last: ProfileStep,
 }
 
 impl ToothMarks {
@@ -76,12 +76,12 @@ impl ToothMarks {
             stands_back_mm: (0..teeth).map(back).collect(),
             random: Stream::new(seed, "surface.marks"),
             passing: Passing::default(),
-            last: CutStep { turns: 0.0, position_mm, vibration_mm: 0.0, random_mm: 0.0 },
+            last: ProfileStep { turns: 0.0, position_mm, vibration_mm: 0.0, random_mm: 0.0 },
         }
     }
 
     /// Advances by a step; `leave` gets the marks of the teeth that pass in it, first to last.
-    pub fn update(&mut self, step: &CutStep, mut leave: impl FnMut(ProfileMark)) {
+    pub fn update(&mut self, step: &ProfileStep, mut leave: impl FnMut(ProfileMark)) {
         let Self { stands_back_mm, random, passing, last } = self;
         let teeth = stands_back_mm.len();
         passing.advance(step.turns * teeth as f64, |tooth, fraction| {
@@ -110,7 +110,7 @@ mod tests {
         let mut marks = Vec::new();
         for i in 1..=(1.0 / dt_s).round() as u32 {
             let time_s = f64::from(i) * dt_s;
-            let step = CutStep {
+            let step = ProfileStep {
                 turns: dt_s * 1600.0 / 60.0,
                 position_mm: 8.0 * time_s,
                 vibration_mm: vibration(time_s),
@@ -151,7 +151,7 @@ mod tests {
         let mut heights = Vec::new();
         for i in 0..4000 {
             let position_mm = 0.1 * f64::from(i);
-            let step = CutStep { turns: 0.5, position_mm, vibration_mm: 0.0, random_mm: 0.002 };
+            let step = ProfileStep { turns: 0.5, position_mm, vibration_mm: 0.0, random_mm: 0.002 };
             cutter.update(&step, |mark| heights.push(mark.z_mm));
         }
         let squares: f64 = heights.iter().map(|z| z * z).sum();

@@ -4,7 +4,7 @@ use super::super::scenario::Scenario;
 use super::super::signals::{FlagInfo, flag};
 use super::{Block, BlockInfo, Lamp};
 use crate::blocks::control::law::Held;
-use crate::blocks::cutting::process::{ForceModel, Plant};
+use crate::blocks::cutting::process::{ForceModel, PlantSettings};
 use crate::models::genetic::{Calibration, ModelSet};
 
 /// The models that a box computes with.
@@ -70,7 +70,7 @@ impl Names {
     /// The names in a scenario.
     #[must_use]
     pub fn of(scenario: &Scenario) -> Self {
-        let Plant { model_set, force_model, .. } = scenario.plant;
+        let PlantSettings { model_set, force_model, .. } = scenario.plant;
         Self { belief: scenario.belief.model_set, plant: model_set, force: force_model }
     }
 

@@ -7,7 +7,7 @@ use crate::blocks::cnc::feed_override::{Cnc, Program};
 use crate::blocks::cnc::spindle_drive::SpindleDriveSettings;
 use crate::blocks::control::{Belief, ControlSetup, ControllerSettings, FeedSpeed};
 use crate::blocks::cutting::disturbance::NoiseSettings;
-use crate::blocks::cutting::process::Plant;
+use crate::blocks::cutting::process::PlantSettings;
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::Target;
 use crate::models::genetic::GeneticModels;
@@ -105,7 +105,7 @@ scenario! {
     "", info: Info;
     "target", target: Target;
     "tool", tool: Tool;
-    "plant", plant: Plant;
+    "plant", plant: PlantSettings;
     "noise", noise: NoiseSettings;
     "controller", controller: ControllerSettings;
     "belief", belief: Belief;
