@@ -171,10 +171,10 @@ mod baseline {
             row.radial_depth_mm = ((depth * (16.0 - depth)).max(0.0).sqrt() - wall).max(0.0);
             row.feed_mm_min = feed;
             row.force_n = held.true_n;
-            row.force_dyn_n = (x * x + y * y).sqrt();
+            row.force_dyn_n = held.true_n;
             let air = held.true_n < 0.06 * reference;
             row.ra_um = if air { 0.0 } else { surface.ra_from_force(held.true_n).value };
-            row.ra_dyn_um = if air { 0.0 } else { surface.ra_from_force(sensed).value };
+            row.ra_dyn_um = row.ra_um;
             if tick == 0 {
                 row.force_measured_n = row.force_dyn_n;
             }
