@@ -28,7 +28,7 @@ fn a_file_and_a_link_of_0_4_0_mean_what_they_meant() {
     let linked = scenario_link::parse(LINK.trim_end()).unwrap();
     assert_eq!(linked, (scenario.clone(), edits.clone()));
 
-    // What is written has the new names, and is the same again. (A link is packed.)
+    // What is written has the new names, and is the same again.
     let file = scenario_file::write(&scenario, &edits);
     for (old, new) in RENAMED {
         let (old_key, new_key) = (old.rsplit('.').next(), new.rsplit('.').next());
@@ -67,4 +67,22 @@ fn a_setting_under_both_its_names_is_refused() {
     let refused = scenario.set("life.durability_min", Value::Float(1.0)).unwrap_err();
     assert!(refused.to_string().contains("`life.tool_life_min` cannot be 1 min"), "{refused}");
     assert_eq!(scenario_file::parse("version = 1\n").unwrap().1, Edits::none());
+}
+
+#[test]
+fn a_link_that_is_not_packed_has_the_new_names() {
+    for (old, new) in RENAMED {
+        let scenario = ["0.5", "0.25", "100", "B"]
+            .into_iter()
+            .filter_map(|text| parse_value(new, text).ok())
+            .find_map(|value| {
+                let mut scenario = Scenario::default();
+                let set = scenario.set(new, value).is_ok() && scenario != Scenario::default();
+                set.then_some(scenario)
+            })
+            .unwrap_or_else(|| panic!("{new}: none of these differs from its default"));
+        let link = scenario_link::write(&scenario, &Edits::none());
+        assert!(link.contains(new) && !link.contains(old), "{new}: {link}");
+        assert_eq!(scenario_link::parse(&link).unwrap().0, scenario);
+    }
 }
