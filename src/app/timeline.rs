@@ -73,15 +73,13 @@ fn state(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
     let progress = view.session.progress();
     if let Some(end) = view.session.finished() {
-        let (text, color) = match end {
-            End::PathDone => ("Cut finished".to_owned(), palette.good),
-            End::TimeLimit => ("Cut finished: time limit".to_owned(), palette.warn),
-            End::Overload(stop) => (format!("The machine {stop}"), palette.bad),
-            End::Fault(fault) => (fault.to_string(), palette.bad),
-            End::Refused(refused) => (refused.to_string(), palette.bad),
+        let color = match end {
+            End::PathDone => palette.good,
+            End::TimeLimit => palette.warn,
+            End::Overload(_) | End::Fault(_) | End::Refused(_) => palette.bad,
         };
         // Whole, on the next line where this one has no room for it.
-        let text = RichText::new(text).color(color).strong();
+        let text = RichText::new(end.to_string()).color(color).strong();
         ui.add(Label::new(text).wrap_mode(TextWrapMode::Extend));
         if ui.button("Restart the cut").on_hover_text("Space does the same").clicked() {
             commands.push(Command::Playback(PlaybackCommand::Restart));

@@ -3,19 +3,31 @@
 use std::io::Write;
 use std::process::ExitCode;
 
+use serde::Serialize;
 use serde_json::json;
 
 use super::args::CombineArgs;
 use super::plan::read_machine;
-use super::recommend::{print as print_recommended, read_table};
-use super::run::{apply, end_text, load};
+use super::recommend::{print as print_recommended, read_table, table_id};
+use super::run::{Ended, apply, load};
 use super::{Outcome, out_file, progress};
 use crate::run::edits::Edits;
+use crate::run::metrics::Metrics;
 use crate::run::scenario_file;
 use crate::study::combined::{Adjusted, Combined, Planned, Recommended, STEPS};
 use crate::study::plan::optimum::Optimum;
 use crate::study::plan::remarks::remarks;
 use crate::study::recommend::{Advisor, EngagementCode, NOTE};
+
+/// The JSON object of the run.
+#[derive(Serialize)]
+struct RunReport<'a> {
+    #[serde(flatten)]
+    end: Option<Ended<'a>>,
+    metrics: Metrics,
+    ticks: u64,
+    digest: String,
+}
 
 pub fn execute(args: &CombineArgs) -> Outcome {
     let (mut scenario, _) = load(&args.scenario)?;
@@ -26,7 +38,15 @@ pub fn execute(args: &CombineArgs) -> Outcome {
     progress::work(&mut combined, "combined system", args.json)?;
     let mut out = std::io::stdout().lock();
     if args.json {
-        writeln!(out, "{}", serde_json::to_string_pretty(&to_json(&combined, &source))?)?;
+        writeln!(
+            out,
+            "{}",
+            serde_json::to_string_pretty(&to_json(
+                &combined,
+                &table_id(args.table.as_deref()),
+                &source
+            ))?
+        )?;
     } else {
         print(&mut out, &combined, &source)?;
     }
@@ -43,16 +63,17 @@ pub fn execute(args: &CombineArgs) -> Outcome {
     Ok(if combined.run().is_some() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
-fn to_json(combined: &Combined, source: &str) -> serde_json::Value {
-    let run = combined.run().map(|run| {
-        json!({
-            "end": end_text(run), "metrics": run.metrics(), "ticks": run.ticks(),
-            "digest": run.recording().digest(),
-        })
+fn to_json(combined: &Combined, table: &str, source: &str) -> serde_json::Value {
+    let run = combined.run().map(|run| RunReport {
+        end: run.end().map(Ended::new),
+        metrics: run.metrics(),
+        ticks: run.ticks(),
+        digest: run.recording().digest(),
     });
     json!({
         "scenario": combined.scenario().info.name,
-        "table": source,
+        "table": table,
+        "table_text": source,
         "note": NOTE,
         "steps": STEPS,
         "recommended": combined.recommended(),
@@ -85,12 +106,12 @@ fn print(out: &mut impl Write, combined: &Combined, source: &str) -> std::io::Re
         ("time of cut", format!("{:.2} s", m.time_of_cut_s)),
         ("largest force", format!("{:.1} N", m.max_force_n)),
         ("metal removed", format!("{:.3} cm3", m.metal_removed_cm3)),
-        ("end", end_text(run)),
+        ("end", run.end().map_or(String::new(), ToString::to_string)),
     ] {
         writeln!(out, "  {name:<24}{value}")?;
     }
     writeln!(out)?;
-    remarks(scenario).iter().try_for_each(|remark| writeln!(out, "{remark}."))
+    remarks(scenario).iter().try_for_each(|remark| writeln!(out, "{}.", remark.text))
 }
 
 fn recommended(out: &mut impl Write, found: &Recommended, source: &str) -> std::io::Result<()> {
@@ -124,7 +145,7 @@ fn planned(out: &mut impl Write, plan: &Planned) -> std::io::Result<()> {
         out,
         "  for the {} section, at most {speed:.1} m/min and {feed:.4} mm: {} after {} iterations",
         plan.section,
-        o.verdict(),
+        o.verdict_text(),
         plan.iterations
     )?;
     for (name, value) in [

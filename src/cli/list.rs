@@ -16,6 +16,7 @@ use crate::blocks::cutting::process::ForceModel;
 use crate::models::feed_drive::FeedDriveKind;
 use crate::models::genetic::{Calibration, ModelSet};
 use crate::models::tool::ShippedTool;
+use crate::run::end::EndId;
 use crate::run::presets::{self, PRESETS};
 use crate::run::scenario::{COMPANIONS, RULES, table};
 
@@ -27,6 +28,7 @@ const CHOICES: &[(&str, &[Choice])] = &[
     ("drives", FeedDriveKind::OPTIONS),
     ("materials", Material::OPTIONS),
     ("tools", ShippedTool::OPTIONS),
+    ("ends", EndId::OPTIONS),
 ];
 
 pub fn execute(args: &ListArgs) -> Outcome {

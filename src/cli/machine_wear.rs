@@ -121,6 +121,7 @@ fn trends(text: &mut String, rows: &[TrendPoint], findings: &LifeFindings) -> st
 /// A group of tools and how well their lives were predicted.
 #[derive(Serialize)]
 struct Group {
+    id: &'static str,
     tools: &'static str,
     prior_error_percent: f64,
     predictions: Vec<Judgement>,
@@ -131,7 +132,11 @@ fn groups(scenario: &Scenario, count: u32, quiet: bool) -> Result<Vec<Group>, pr
     let model = crate::study::machine_life::model(scenario);
     let calibrated = Growth::calibrated(&model);
     let linear = Growth::linear(calibrated.lambda());
-    let group = |tools, believed: &Growth, truth: &Growth, other_shapes, reference| {
+    let group = |[id, tools]: [&'static str; 2],
+                 believed: &Growth,
+                 truth: &Growth,
+                 other_shapes,
+                 reference| {
         let setup = Tools {
             wear: model.wear.clone(),
             life: model.life.clone(),
@@ -144,6 +149,7 @@ fn groups(scenario: &Scenario, count: u32, quiet: bool) -> Result<Vec<Group>, pr
         let mut study = LifeMonteCarlo::new(setup, count as usize);
         progress::work(&mut study, tools, quiet)?;
         Ok(Group {
+            id,
             tools,
             prior_error_percent: study.prior_error_percent(),
             predictions: study.table(),
@@ -152,10 +158,28 @@ fn groups(scenario: &Scenario, count: u32, quiet: bool) -> Result<Vec<Group>, pr
     };
     let [right, other] = REFERENCE_PERCENT;
     Ok(vec![
-        group("sound in proportion to wear", &linear, &linear, false, Some(right))?,
-        group("the same, every tool of its own shape", &linear, &linear, true, Some(other))?,
-        group("sound of the machine, known", &calibrated, &calibrated, false, None)?,
-        group("sound of the machine, believed in proportion", &linear, &calibrated, false, None)?,
+        group(["linear", "sound in proportion to wear"], &linear, &linear, false, Some(right))?,
+        group(
+            ["linear_other_shapes", "the same, every tool of its own shape"],
+            &linear,
+            &linear,
+            true,
+            Some(other),
+        )?,
+        group(
+            ["calibrated", "sound of the machine, known"],
+            &calibrated,
+            &calibrated,
+            false,
+            None,
+        )?,
+        group(
+            ["calibrated_believed_linear", "sound of the machine, believed in proportion"],
+            &linear,
+            &calibrated,
+            false,
+            None,
+        )?,
     ])
 }
 

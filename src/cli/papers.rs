@@ -8,7 +8,7 @@ use super::args::{ComparedPaper, PapersArgs};
 use super::papers_2005;
 use super::papers_2019;
 use crate::study::errata::Erratum;
-use crate::study::papers::{Cell, CellVerdict, PaperTable, table};
+use crate::study::papers::{CellVerdict, PaperTable, table};
 use crate::study::published::PaperId;
 use crate::study::train::data::NOTE;
 
@@ -30,15 +30,6 @@ pub fn execute(args: &PapersArgs) -> Outcome {
         print(&mut out, id, &paper)?;
     }
     Ok(ExitCode::SUCCESS)
-}
-
-fn word(cell: &Cell) -> &'static str {
-    match cell.verdict {
-        CellVerdict::Met => "met",
-        CellVerdict::Missed => "MISSED",
-        CellVerdict::Given => "given",
-        CellVerdict::Reported => "-",
-    }
 }
 
 /// A state with its model's name in the paper: ids call models by their names of 2007.
@@ -87,7 +78,7 @@ fn print(out: &mut impl Write, id: PaperId, paper: &PaperTable) -> std::io::Resu
                 cell.reproduced,
                 cell.residual,
                 cell.residual_percent,
-                word(cell)
+                cell.verdict.label()
             )?;
         }
         writeln!(

@@ -50,7 +50,7 @@ fn print(out: &mut impl Write) -> std::io::Result<()> {
             row.damping_printed_n_s_m,
             row.damping_rule_n_s_m,
             row.damping_printed_n_s_m / row.damping_rule_n_s_m,
-            row.verdict
+            row.verdict_text
         )?;
     }
     writeln!(out, "\nmeasured")?;

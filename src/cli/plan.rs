@@ -14,8 +14,8 @@ use crate::study::plan::PlanJob;
 use crate::study::plan::constraints::{Checked, ORIGIN};
 use crate::study::plan::field::exhaustive;
 use crate::study::plan::machine::{MachineLimits, Source};
-use crate::study::plan::optimum::Optimum;
-use crate::study::plan::remarks::remarks;
+use crate::study::plan::optimum::{Optimum, PlanVerdict};
+use crate::study::plan::remarks::{Remark, remarks};
 use crate::study::plan::swarm::Iteration;
 use crate::study::train::data::NOTE;
 
@@ -27,7 +27,10 @@ const GRID: usize = 200;
 struct Report<'a> {
     scenario: &'a str,
     machine: &'a MachineLimits,
-    verdict: String,
+    verdict: PlanVerdict,
+    verdict_text: String,
+    /// Ids of the constraints that bind, or that are violated where nothing is feasible.
+    active: Vec<&'static str>,
     optimum: &'a Optimum,
     iterations: u32,
     evaluations: u64,
@@ -35,7 +38,7 @@ struct Report<'a> {
     grid: &'a Optimum,
     grid_evaluations: u64,
     constraints_origin: &'static str,
-    remarks: Vec<String>,
+    remarks: Vec<Remark>,
 }
 
 /// Runs the command.
@@ -54,6 +57,8 @@ pub fn execute(args: &PlanArgs) -> Outcome {
         scenario: &scenario.info.name,
         machine: &machine,
         verdict: optimum.verdict(),
+        verdict_text: optimum.verdict_text(),
+        active: optimum.active().map(|one| one.constraint.id).collect(),
         optimum: &optimum,
         iterations: job.counts().iteration,
         evaluations: job.counts().evaluations,
@@ -71,7 +76,7 @@ pub fn execute(args: &PlanArgs) -> Outcome {
     }
     if let Some(path) = &args.out {
         if !optimum.feasible {
-            return Err(format!("{}: not written: {}", path.display(), report.verdict).into());
+            return Err(format!("{}: not written: {}", path.display(), report.verdict_text).into());
         }
         let text = scenario_file::write(&optimum.apply(&scenario)?, &edits);
         out_file::write(path, &text)?;
@@ -95,7 +100,7 @@ pub fn read_machine(path: Option<&Path>) -> Result<MachineLimits, Box<dyn std::e
 
 fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {
     let o = report.optimum;
-    writeln!(out, "{}: {}", report.scenario, report.verdict)?;
+    writeln!(out, "{}: {}", report.scenario, report.verdict_text)?;
     let [x, y, z] = o.components_n;
     let lines = [
         ("programmed feed", format!("{:.2} mm/min", o.feed_mm_min)),
@@ -159,7 +164,7 @@ fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {
         )?;
     }
     writeln!(out, "Costs, tool life and process limits are chosen values.")?;
-    report.remarks.iter().try_for_each(|remark| writeln!(out, "{remark}."))
+    report.remarks.iter().try_for_each(|remark| writeln!(out, "{}.", remark.text))
 }
 
 fn constraint(out: &mut impl Write, one: &Checked) -> std::io::Result<()> {

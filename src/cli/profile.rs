@@ -26,7 +26,7 @@ struct Report<'a> {
     ra_um: f64,
     rq_um: f64,
     rz_um: f64,
-    run_ra_um: f64,
+    run_ra_um: Option<f64>,
 }
 
 /// Runs a scenario to its end and measures cut number `cut`, or the last one reached.
@@ -73,8 +73,8 @@ pub fn execute(
     writeln!(out, "{}, cut {number}: from ({x0}, {y0}) to ({x1}, {y1}) mm", report.scenario)?;
     let lengths = format!("{} of {} mm", report.sampling_lengths, report.long_mm);
     let run = match report.run_ra_um {
-        0.0 => "none: simulated tooth by tooth, K5 does not hold".to_owned(),
-        ra_um => format!("{ra_um:.4} um"),
+        None => "none: simulated tooth by tooth, K5 does not hold".to_owned(),
+        Some(ra_um) => format!("{ra_um:.4} um"),
     };
     for (name, value) in [
         ("Ra", format!("{:.4} um", report.ra_um)),

@@ -39,7 +39,7 @@ pub fn execute(args: &RecommendArgs) -> Outcome {
         };
         let report = json!({
             "recommendation": found, "inside_table": found.inside_table(),
-            "table": source, "note": NOTE,
+            "table": table_id(args.table.as_deref()), "table_text": source, "note": NOTE,
             "systems": {
                 "cutting_speed_m_min": system(&advisor.speed),
                 "feed_per_tooth_mm": system(&advisor.feed),
@@ -77,6 +77,11 @@ pub fn read_table(path: Option<&Path>) -> Result<(Table, String), Box<dyn std::e
     let text = std::fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
     let table = Table::parse(&text).map_err(|error| format!("{name}: {error}"))?;
     Ok((table, name))
+}
+
+/// A table in reports: `shipped`, or its file.
+pub fn table_id(path: Option<&Path>) -> String {
+    path.map_or_else(|| "shipped".to_owned(), |path| path.display().to_string())
 }
 
 /// The recommended values.

@@ -24,11 +24,27 @@ use crate::study::export::csv;
 #[derive(Serialize)]
 struct Report<'a> {
     scenario: &'a str,
-    end: String,
+    #[serde(flatten)]
+    end: Ended<'a>,
     #[serde(flatten)]
     metrics: &'a Metrics,
     ticks: u64,
     digest: String,
+}
+
+/// Why a run is over: `end`, an id of [`End`], `end_details` and, for people, `end_text`.
+#[derive(Serialize)]
+pub struct Ended<'a> {
+    #[serde(flatten)]
+    end: &'a End,
+    end_text: String,
+}
+
+impl<'a> Ended<'a> {
+    /// The end of a run.
+    pub fn new(end: &'a End) -> Self {
+        Self { end, end_text: end.to_string() }
+    }
 }
 
 /// Loads a preset or a scenario file; what looks like a file name is read as one.
@@ -92,19 +108,19 @@ pub fn execute(args: &RunArgs) -> Outcome {
     let mut run = Run::new(&scenario, &checked);
     progress::work(&mut run, "run", args.json)?;
 
-    let metrics = run.metrics();
+    let (metrics, end) = (run.metrics(), end_of(&run)?);
     let mut stdout = std::io::stdout().lock();
     if args.json {
         let report = Report {
             scenario: &scenario.info.name,
-            end: end_text(&run),
+            end: Ended::new(end),
             metrics: &metrics,
             ticks: run.ticks(),
             digest: run.recording().digest(),
         };
         writeln!(stdout, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
-        print_metrics(&mut stdout, &scenario, &run, &metrics)?;
+        print_metrics(&mut stdout, &scenario, &run, &metrics, end)?;
     }
     if let Some((path, mut file)) = out {
         csv::write(&mut file, run.recording())
@@ -115,8 +131,7 @@ pub fn execute(args: &RunArgs) -> Outcome {
         }
     }
     // A fault is a failure of the run, not of the program: its own exit code.
-    let failed = matches!(run.end(), Some(End::Fault(_) | End::Refused(_)));
-    Ok(if failed { ExitCode::from(1) } else { ExitCode::SUCCESS })
+    Ok(if end.failed() { ExitCode::from(1) } else { ExitCode::SUCCESS })
 }
 
 /// The forces within the last revolution before `at_s`, as CSV.
@@ -131,7 +146,7 @@ fn print_revolution(scenario: &Scenario, edits: &Edits, at_s: f64) -> Outcome {
     run.advance(at);
     if run.ticks() < at {
         let end_s = run.ticks() as f64 * scenario.dt_s();
-        return Err(refused(format!("the run ends at {end_s:.3} s ({})", end_text(&run))).into());
+        return Err(refused(format!("the run ends at {end_s:.3} s ({})", end_of(&run)?)).into());
     }
     let found = revolution(&run, at_s, 1).ok_or_else(|| {
         let needed = "`plant.force_model = \"mechanistic\"` and plant steps of at most 0.1 ms";
@@ -141,15 +156,9 @@ fn print_revolution(scenario: &Scenario, edits: &Edits, at_s: f64) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Why a run is over, for reports.
-pub fn end_text(run: &Run) -> String {
-    match run.end() {
-        Some(End::PathDone) => "path_done".to_owned(),
-        Some(End::TimeLimit) | None => "time_limit".to_owned(),
-        Some(End::Overload(stop)) => stop.to_string(),
-        Some(End::Fault(fault)) => fault.to_string(),
-        Some(End::Refused(refused)) => refused.to_string(),
-    }
+/// Why a run is over.
+pub fn end_of(run: &Run) -> Result<&End, &'static str> {
+    run.end().ok_or("the run is not over")
 }
 
 fn shown(value: Option<f64>, text: &dyn Fn(f64) -> String) -> String {
@@ -161,6 +170,7 @@ fn print_metrics(
     scenario: &Scenario,
     run: &Run,
     m: &Metrics,
+    end: &End,
 ) -> std::io::Result<()> {
     writeln!(out, "{} ({})", scenario.info.name, scenario.controller.kind.label())?;
     if !scenario.info.description.is_empty() {
@@ -194,7 +204,7 @@ fn print_metrics(
         ("at a limit", format!("{:.1} % of time", m.saturated_percent)),
         ("models outside range", format!("{:.1} % of time", m.outside_percent)),
         ("dead time", format!("{} s ({dead_ticks} ticks)", dead_ticks as f64 * scenario.dt_s())),
-        ("end", end_text(run)),
+        ("end", end.to_string()),
         ("ticks", run.ticks().to_string()),
         ("digest", run.recording().digest()),
     ];

@@ -50,7 +50,7 @@ pub fn execute(
                 o.feed_mm_min,
                 o.feed_per_tooth_mm,
                 o.force_n,
-                o.verdict()
+                o.verdict_text()
             )?;
         }
         writeln!(out, "\nprogram.cut_feeds_mm_min = {:?}", job.feeds_mm_min())?;

@@ -230,7 +230,7 @@ fn print_study(
         found.seed_spread_percent
     )?;
     for (i, finding) in found.findings.iter().enumerate() {
-        let (paper, verdict) = (finding.paper, finding.verdict());
+        let (paper, verdict) = (finding.paper, finding.verdict.label());
         writeln!(out, "{}. paper: {paper}\n   found here: {verdict}", i + 1)?;
         for claim in &finding.claims {
             let word = if claim.found { "yes" } else { "no" };

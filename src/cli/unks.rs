@@ -74,7 +74,8 @@ pub fn execute(args: &UnksArgs) -> Outcome {
         let report = json!({
             "scenario": scenario.info.name, "start": start.id(), "seed": scenario.run.seed,
             "note": NOTE, "passes": passes.done(),
-            "refused": passes.refused().map(ToString::to_string), "verdict": passes.verdict(),
+            "refused": passes.refused(),
+            "refused_text": passes.refused().map(ToString::to_string), "verdict": passes.verdict(),
         });
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {

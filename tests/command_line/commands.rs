@@ -57,6 +57,34 @@ fn run_prints_one_json_object_with_the_promised_keys() {
 }
 
 #[test]
+fn the_end_of_a_run_is_an_id_with_its_details_beside_it() {
+    let ends = json(&["list", "--json"])["ends"].clone();
+    let ids: Vec<&str> =
+        ends.as_array().unwrap().iter().map(|end| end["id"].as_str().unwrap()).collect();
+    let of = |args: &[&str]| {
+        let report = json(&[&["run"], args, &["--json"]].concat());
+        let end = report["end"].as_str().unwrap().to_owned();
+        assert!(ids.contains(&end.as_str()), "{end}");
+        assert!(!report["end_text"].as_str().unwrap().is_empty());
+        (end, report["end_details"].clone())
+    };
+    let whole = ["--set", "workpiece.length_mm=5"];
+    assert_eq!(
+        of(&[&["table3-5"], &whole[..]].concat()),
+        ("path_done".to_owned(), serde_json::Value::Null)
+    );
+    assert_eq!(of(&["table3-5"]), ("time_limit".to_owned(), serde_json::Value::Null));
+    let stop = ["--set", "cnc.force_stop=true", "--set", "cnc.force_stop_n=100"];
+    let (end, details) = of(&[&["table3-5"], &stop[..]].concat());
+    assert_eq!(end, "overload");
+    assert_eq!(details["limit_n"], 100.0);
+    assert!(details["force_n"].as_f64().unwrap() > 100.0, "{details}");
+    for key in ["position_mm", "time_s"] {
+        assert!(details[key].is_f64(), "{details}");
+    }
+}
+
+#[test]
 fn set_and_out_work_together() {
     let file = temporary("trace.csv");
     let args = ["run", "table3-5", "--set", "run.duration_s=2", "--set", "target.ra_um=0.6"];

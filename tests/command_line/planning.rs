@@ -93,7 +93,7 @@ fn every_constraint_can_bind() {
         let optimum = planned(sets, &machine(from, to));
         let active: Vec<&str> = optimum.active().map(|one| one.constraint.id).collect();
         assert!(optimum.feasible && active.contains(id), "{id}: {active:?} at {optimum:?}");
-        assert!(optimum.verdict().contains(expected.label));
+        assert!(optimum.verdict_text().contains(expected.label));
     }
 }
 
@@ -107,7 +107,7 @@ fn where_nothing_is_feasible_the_least_violation_is_returned_and_marked() {
     assert!(!optimum.inside_training_data, "the network was trained up to 5 x 8 mm");
     let active: Vec<&str> = optimum.active().map(|one| one.constraint.id).collect();
     assert!(active.contains(&"force"), "{active:?}");
-    assert!(optimum.verdict().contains("nothing is feasible"), "{}", optimum.verdict());
+    assert!(optimum.verdict_text().contains("nothing is feasible"), "{}", optimum.verdict_text());
     let grid = exhaustive(job.problem(), 100, 100);
     assert!(optimum.score.violation <= grid.score.violation * 1.005, "{grid:?}");
     assert!(job.history().iter().all(|iteration| iteration.feasible_share == 0.0));

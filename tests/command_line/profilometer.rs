@@ -28,7 +28,8 @@ fn a_measured_profile_has_the_roughness_of_the_run_and_slices_and_the_command_li
     let (sum, count) = along.fold((0.0, 0.0), |(sum, n), row| (sum + row.ra_dyn_um, n + 1.0));
     let ra_um = found.roughness.ra_um;
     assert!((ra_um / (sum / count) - 1.0).abs() < 0.1, "{ra_um} against {}", sum / count);
-    assert!((found.run_ra_um / (sum / count) - 1.0).abs() < 0.01, "{}", found.run_ra_um);
+    let run_ra_um = found.run_ra_um.unwrap();
+    assert!((run_ra_um / (sum / count) - 1.0).abs() < 0.01, "{run_ra_um}");
 
     let mut slices = Run::new(&scenario, &Edits::none());
     let mut marked = MarkedPart::new(&scenario);
@@ -47,7 +48,7 @@ fn a_measured_profile_has_the_roughness_of_the_run_and_slices_and_the_command_li
         ("ra_um", found.roughness.ra_um),
         ("rq_um", found.roughness.rq_um),
         ("rz_um", found.roughness.rz_um),
-        ("run_ra_um", found.run_ra_um),
+        ("run_ra_um", found.run_ra_um.unwrap()),
     ] {
         assert_eq!(report[key].as_f64(), Some(value), "{key}");
     }

@@ -80,7 +80,7 @@ fn the_swarm_moves_an_iteration_at_a_time_and_finds_the_optimum() {
     let optimum = job.optimum();
     for said in [
         "Optimum".to_owned(),
-        optimum.verdict().replacen("feasible", "Feasible", 1),
+        optimum.verdict_text().replacen("feasible", "Feasible", 1),
         format!("{:.0} mm/min", optimum.feed_mm_min),
         format!("{:.0} 1/min", optimum.speed_rpm),
         format!("{:.1} N", optimum.force_n),

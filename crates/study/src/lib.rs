@@ -43,3 +43,4 @@ pub mod sound;
 pub mod stability;
 pub mod train;
 pub mod unks_passes;
+pub mod verdict;

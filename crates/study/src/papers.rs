@@ -19,18 +19,18 @@ use crate::run::recording::Recording;
 use crate::run::scenario::{Scenario, Settings};
 use crate::run::signals::FLAGS;
 
-/// Whether a reproduced value lies within its band.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum CellVerdict {
-    /// Within the band.
-    Met,
-    /// Outside the band.
-    Missed,
-    /// A start value: given, not reproduced.
-    Given,
-    /// Reported without a band.
-    Reported,
+steadycut_core::choice! {
+    /// Whether a reproduced value lies within its band.
+    pub enum CellVerdict {
+        /// Within the band.
+        Met = "met", "met";
+        /// Outside the band.
+        Missed = "missed", "MISSED";
+        /// A start value: given, not reproduced.
+        Given = "given", "given";
+        /// Reported without a band.
+        Reported = "reported", "-";
+    }
 }
 
 /// One cell of a table.

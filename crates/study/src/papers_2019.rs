@@ -36,16 +36,26 @@ pub struct MachineTableRow {
     /// Spring and damper, each within what rounding explains.
     pub agrees: [bool; 2],
     /// What is wrong, if anything.
-    pub verdict: &'static str,
+    pub verdict: MachineTableVerdict,
+    /// The same in words.
+    pub verdict_text: &'static str,
 }
 
-const VERDICTS: [&str; 5] = [
-    "as the rules say",
-    "Q wrong: the damper shows 5, not 17",
-    "m3 rounded to one digit; damper wrong",
-    "exponent of the spring wrong: 8, not 12",
-    "exponent of the damper wrong: 5, not 8",
-];
+steadycut_core::choice! {
+    /// What is wrong with a row of Table 1.
+    pub enum MachineTableVerdict {
+        /// Nothing: spring and damper follow from the rules.
+        AsRuled = "as_ruled", "as the rules say";
+        /// The quality factor does not belong to the damper.
+        Quality = "quality", "Q wrong: the damper shows 5, not 17";
+        /// The mass has lost its digits, and the damper does not belong to it.
+        Mass = "mass", "m3 rounded to one digit; damper wrong";
+        /// The exponent of the spring.
+        SpringExponent = "spring_exponent", "exponent of the spring wrong: 8, not 12";
+        /// The exponent of the damper.
+        DamperExponent = "damper_exponent", "exponent of the damper wrong: 5, not 8";
+    }
+}
 
 /// The five rows.
 #[must_use]
@@ -66,7 +76,8 @@ pub fn table() -> [MachineTableRow; 5] {
                 near(STIFFNESS_PRINTED_N_M[i], stiffness_rule_n_m),
                 near(DAMPING_PRINTED_N_S_M[i], damping_rule_n_s_m),
             ],
-            verdict: VERDICTS[i],
+            verdict: MachineTableVerdict::ALL[i],
+            verdict_text: MachineTableVerdict::ALL[i].label(),
         }
     })
 }

@@ -103,8 +103,8 @@ pub struct Measurement {
     pub begins_mm: f64,
     /// Sampling lengths evaluated.
     pub lengths: usize,
-    /// Mean of the Ra that the run has along the line, um; 0 where it has none, tooth by tooth.
-    pub run_ra_um: f64,
+    /// Mean of the Ra that the run has along the line, um; none tooth by tooth.
+    pub run_ra_um: Option<f64>,
 }
 
 /// The least and the largest length of a line in mm.
@@ -160,14 +160,15 @@ pub fn measure(
     Ok(Measurement { roughness, begins_mm: run_up_mm, lengths, run_ra_um })
 }
 
-/// Mean of the run's Ra over the marks along the line, um.
-fn mean_ra_um(surface: &Topography, line: &ProfileLine) -> f64 {
+/// Mean of the run's Ra over the marks along the line, um; none where the run gives no Ra.
+fn mean_ra_um(surface: &Topography, line: &ProfileLine) -> Option<f64> {
     let [from_mm, to_mm] = math::extent([line.from_mm[0], line.to_mm[0]].into_iter());
     let marks = surface.marks();
     let first = marks.partition_point(|mark| mark.x_mm < from_mm).min(marks.len() - 1);
     let last = marks.partition_point(|mark| mark.x_mm <= to_mm).max(first + 1);
     let along = &marks[first..last];
-    stats::mean(along.iter().map(|mark| mark.ra_um)).unwrap_or(0.0)
+    // Tooth by tooth the marks carry none.
+    stats::mean(along.iter().map(|mark| mark.ra_um)).filter(|ra_um| *ra_um > 0.0)
 }
 
 #[cfg(test)]
@@ -194,7 +195,7 @@ mod tests {
     fn feed_marks_alone_have_their_closed_form_whichever_way_they_are_measured() {
         let there = at([10.0, 4.0], [16.0, 4.0], 0.0).unwrap();
         let back = at([16.0, 4.0], [10.0, 4.0], 0.0).unwrap();
-        assert_eq!((there.lengths, there.run_ra_um), (5, 0.0));
+        assert_eq!((there.lengths, there.run_ra_um), (5, None));
         // Ra = 4 h/(9 3^0.5), h = f^2/(8 r) on the circle that the ball has there, r^2 = 8^2 - 4^2;
         // of waves of 0.2 mm the filter takes a few parts in a thousand.
         let ra_um = 1000.0 * 0.2566 * 0.04 / (8.0 * 48.0_f64.sqrt());

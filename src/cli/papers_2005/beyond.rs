@@ -57,8 +57,8 @@ fn print(
         }
     }
     writeln!(out, "\nverdicts")?;
-    for Table1Verdict { band, found, ok } in verdicts {
-        let word = if *ok { "ok" } else { "not reached" };
+    for verdict @ Table1Verdict { band, found, .. } in verdicts {
+        let word = if verdict.kept() { "ok" } else { "not reached" };
         writeln!(out, "  {word:<12}{band}: {found}")?;
     }
     Ok(())

@@ -11,6 +11,7 @@ use crate::study::compare::table_1::{
 };
 use crate::study::compare::tournament::Compared;
 use crate::study::errata::COMBINED_2005;
+use crate::study::verdict::Verdict;
 
 /// Measures of the table with their titles, decimals and widths.
 const COLUMNS: [(Measure, &str, usize, usize); 4] = [
@@ -31,15 +32,15 @@ pub fn report(out: &mut impl Write, report: &Report) -> Result<()> {
     )?;
     table(out, &report.table, printed)?;
     writeln!(out, "\nverdicts")?;
-    for Table1Verdict { band, found, ok } in &report.verdicts {
-        let word = if *ok { "ok" } else { "not reached" };
+    for verdict @ Table1Verdict { band, found, .. } in &report.verdicts {
+        let word = if verdict.kept() { "ok" } else { "not reached" };
         writeln!(out, "  {word:<12}{band}: {found}")?;
     }
     writeln!(out, "\n{BY_A_HAIR}")?;
     steps(out, &report.steps, printed)?;
     writeln!(out, "\nclaims of the paper")?;
-    for ControlClaim { paper, holds, found } in &report.claims {
-        let word = if *holds { "true" } else { "not true" };
+    for ControlClaim { verdict, paper, found, .. } in &report.claims {
+        let word = if *verdict == Verdict::Holds { "true" } else { "not true" };
         writeln!(out, "  {word:<10}{paper}\n            {found}")?;
     }
     for (title, lines) in
@@ -131,8 +132,12 @@ mod tests {
             overshoot_percent: 1.0,
             offset_percent: 2.0,
         };
-        let claim =
-            |holds: bool| ControlClaim { paper: "a claim", holds, found: "a figure".to_owned() };
+        let claim = |holds: bool| ControlClaim {
+            id: "claim",
+            verdict: holds.into(),
+            paper: "a claim",
+            found: "a figure".to_owned(),
+        };
         let told = Report {
             seeds: 1,
             verdicts: table_1::verdicts(&table),

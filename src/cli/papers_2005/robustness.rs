@@ -11,6 +11,7 @@ use crate::study::compare::claims::ControlClaim;
 use crate::study::compare::outcome::Measure;
 use crate::study::compare::robustness::{RobustnessRow, entrants, material_claim, rows};
 use crate::study::compare::tournament::Tournament;
+use crate::study::verdict::Verdict;
 
 const NOTE: &str = "in brackets the figures of an independent prototype of the same simulator and \
                     controllers, not of the paper, which has none; * where they differ by more than \
@@ -59,8 +60,8 @@ fn print(out: &mut impl Write, seeds: u32, rows: &[RobustnessRow]) -> std::io::R
             stops => writeln!(out, "  {stops} of {} stopped by overload", row.found.runs)?,
         }
     }
-    if let Some(ControlClaim { paper, holds, found }) = material_claim(rows) {
-        let word = if holds { "true" } else { "not true" };
+    if let Some(ControlClaim { verdict, paper, found, .. }) = material_claim(rows) {
+        let word = if verdict == Verdict::Holds { "true" } else { "not true" };
         writeln!(out, "\nclaim of the paper\n  {word:<10}{paper}\n            {found}")?;
     }
     Ok(())

@@ -8,6 +8,7 @@ pub mod closed_loop;
 pub mod diagram;
 pub mod digest;
 pub mod edits;
+pub mod end;
 pub mod explanation;
 pub mod job;
 pub mod metrics;

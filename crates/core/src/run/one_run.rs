@@ -1,30 +1,15 @@
 //! A run that can be advanced in slices, rewound and branched; slicing never changes its bits.
 
-use super::closed_loop::{ClosedLoop, Fault};
+use super::closed_loop::ClosedLoop;
 use super::edits::Edits;
+pub use super::end::End;
 use super::job::{Budget, Job, Progress};
 use super::metrics::{self, Metrics};
 use super::recording::Recording;
 use super::scenario::Scenario;
 use crate::base::math::limit;
 use crate::base::settings::SettingError;
-use crate::blocks::cnc::overload::Overload;
 use crate::blocks::cutting::tool_path::ToolPath;
-
-/// Why a run is over.
-#[derive(Clone, Debug, PartialEq)]
-pub enum End {
-    /// The whole path is cut.
-    PathDone,
-    /// The time limit came first.
-    TimeLimit,
-    /// An overload stopped the feed.
-    Overload(Overload),
-    /// A signal stopped being finite.
-    Fault(Fault),
-    /// An edit does not fit the scenario: it was pushed to the edits of another one.
-    Refused(SettingError),
-}
 
 /// Ticks between snapshots at first: the most that a rewind has to repeat.
 const SNAPSHOT_TICKS: u64 = 10_000;

@@ -111,25 +111,28 @@ pub fn verdicts(rows: &[BeyondRow]) -> Vec<Table1Verdict> {
         .iter()
         .map(|(measure, wanted)| {
             let found = mean("UNKS", 2, *measure);
-            Table1Verdict {
-                band: format!(
-                    "UNKS with a feed for every cut: {} near {wanted}",
-                    with_unit(*measure)
-                ),
-                found: format!("{found:.3}"),
-                ok: found <= NEAR * wanted,
-            }
+            Table1Verdict::new(
+                format!("unks_per_cut_near.{}", measure.id()),
+                &[found, *wanted],
+                format!("UNKS with a feed for every cut: {} near {wanted}", with_unit(*measure)),
+                format!("{found:.3}"),
+                found <= NEAR * wanted,
+            )
         })
         .collect();
     for condition in [1, 3] {
         for measure in [Measure::Time, Measure::Nsn, Measure::Force] {
             let [unks, own] = ["UNKS", "Preview"].map(|name| mean(name, condition, measure));
+            let BeyondCondition { per_cut, .. } = CONDITIONS[condition];
             let label = CONDITIONS[condition].label();
-            all.push(Table1Verdict {
-                band: format!("{label}: Preview's {} below that of UNKS", with_unit(measure)),
-                found: format!("{own:.4} against {unks:.4}"),
-                ok: own < unks,
-            });
+            let feeds = if per_cut { "per_cut" } else { "one_feed" };
+            all.push(Table1Verdict::new(
+                format!("preview_below_unks.{feeds}.{}", measure.id()),
+                &[own, unks],
+                format!("{label}: Preview's {} below that of UNKS", with_unit(measure)),
+                format!("{own:.4} against {unks:.4}"),
+                own < unks,
+            ));
         }
     }
     all

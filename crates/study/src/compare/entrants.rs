@@ -18,6 +18,8 @@ pub struct Entrant {
 /// A way of control: its name, and what it changes in any scenario.
 #[derive(Clone, Copy, Debug)]
 pub struct Method {
+    /// Its id in reports.
+    pub id: &'static str,
     /// Its name in tables.
     pub name: &'static str,
     /// Makes settings its own.
@@ -38,17 +40,34 @@ impl Method {
 
 /// The six methods in the order of Table 1, as shipped.
 pub const TABLE_1: [Method; 6] = [
-    Method { name: "Conventional", apply: |s| s.controller.kind = ControllerKind::ConstantFeed },
-    Method { name: "Division", apply: |s| s.controller.kind = ControllerKind::Division },
-    Method { name: "P", apply: |s| s.controller.kind = ControllerKind::Proportional },
-    Method { name: "Adjustable PI", apply: |s| s.controller.kind = ControllerKind::AdjustablePi },
-    Method { name: "MRAC", apply: |s| s.controller.kind = ControllerKind::Mrac },
-    Method { name: "UNKS", apply: |s| s.controller.kind = ControllerKind::Unks },
+    Method {
+        id: "conventional",
+        name: "Conventional",
+        apply: |s| s.controller.kind = ControllerKind::ConstantFeed,
+    },
+    Method {
+        id: "division",
+        name: "Division",
+        apply: |s| s.controller.kind = ControllerKind::Division,
+    },
+    Method {
+        id: "proportional",
+        name: "P",
+        apply: |s| s.controller.kind = ControllerKind::Proportional,
+    },
+    Method {
+        id: "adjustable_pi",
+        name: "Adjustable PI",
+        apply: |s| s.controller.kind = ControllerKind::AdjustablePi,
+    },
+    Method { id: "mrac", name: "MRAC", apply: |s| s.controller.kind = ControllerKind::Mrac },
+    Method { id: "unks", name: "UNKS", apply: |s| s.controller.kind = ControllerKind::Unks },
 ];
 
 /// What Table 1 does not have: an entry each. The robustness table takes the first one.
 pub const BEYOND: &[Method] = &[
     Method {
+        id: "proportional_smith",
         name: "P, Smith predictor",
         apply: |s| {
             s.controller.kind = ControllerKind::Proportional;
@@ -56,13 +75,18 @@ pub const BEYOND: &[Method] = &[
         },
     },
     Method {
+        id: "mrac_one_gain",
         name: "MRAC, one gain",
         apply: |s| {
             s.controller.kind = ControllerKind::Mrac;
             s.controller.mrac.adapted = Adapted::Gain;
         },
     },
-    Method { name: "Preview", apply: |s| s.controller.kind = ControllerKind::Preview },
+    Method {
+        id: "preview",
+        name: "Preview",
+        apply: |s| s.controller.kind = ControllerKind::Preview,
+    },
 ];
 
 /// Sets a dead time in s that the controllers know.

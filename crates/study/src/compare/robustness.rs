@@ -164,8 +164,9 @@ pub fn material_claim(rows: &[RobustnessRow]) -> Option<ControlClaim> {
     let told: Vec<String> =
         ["UNKS", "Adjustable PI", "P", "Conventional"].into_iter().filter_map(told).collect();
     Some(ControlClaim {
+        id: "insensitive_to_material",
         paper: "UNKS is insensitive to the workpiece's material",
-        holds: nsn <= INSENSITIVE * nsn_before && force_kn <= INSENSITIVE * before_kn,
+        verdict: (nsn <= INSENSITIVE * nsn_before && force_kn <= INSENSITIVE * before_kn).into(),
         found: format!("largest force in Ck45 and in 16MnCrSi5: {}", told.join(", ")),
     })
 }

@@ -13,6 +13,7 @@ use super::entrants;
 use super::outcome::Measure;
 use super::tournament::Compared;
 use crate::base::units::percent_from_ratio;
+use crate::verdict::Verdict;
 
 /// Table 1 as printed.
 pub const TABLE_1: &str = include_str!("../../../../assets/data/table1_2005.csv");
@@ -122,19 +123,32 @@ pub fn printed_of(name: &str) -> Option<&'static Table1Printed> {
 /// A band, and whether the runs keep it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Table1Verdict {
-    /// What must hold.
+    /// Which band.
+    pub id: String,
+    /// Whether it is kept.
+    pub verdict: Verdict,
+    /// The figures that decide: first what was found, then what it is compared with.
+    pub figures: Vec<f64>,
+    /// What must hold, in words.
     pub band: String,
-    /// What was found.
+    /// What was found, in words.
     pub found: String,
-    /// Whether it holds.
-    pub ok: bool,
 }
 
 impl Table1Verdict {
-    /// Where `figure` is not finite the text says so: no run has given it yet.
-    fn new(band: String, found: String, figure: f64, ok: bool) -> Self {
-        let found = if figure.is_finite() { found } else { "no run has given it".to_owned() };
-        Self { band, found, ok }
+    /// Where a figure is not finite no run has given it yet, and the verdict says so.
+    pub(super) fn new(id: String, figures: &[f64], band: String, found: String, ok: bool) -> Self {
+        if figures.iter().all(|figure| figure.is_finite()) {
+            return Self { id, verdict: ok.into(), figures: figures.to_vec(), band, found };
+        }
+        let found = "no run has given it".to_owned();
+        Self { id, verdict: Verdict::NoRun, figures: Vec::new(), band, found }
+    }
+
+    /// Whether the band is kept.
+    #[must_use]
+    pub fn kept(&self) -> bool {
+        self.verdict == Verdict::Holds
     }
 }
 
@@ -174,7 +188,9 @@ pub fn verdicts(table: &[Compared]) -> Vec<Table1Verdict> {
         if !whole {
             found += &format!(" over the {finished} of {runs} runs that came to the end");
         }
-        Table1Verdict::new(band, found, off, whole && off.abs() <= percent)
+        let figures = [methods[row].mean(measure), wanted];
+        let id = format!("{}.{}", entrants::TABLE_1[row].id, measure.id());
+        Table1Verdict::new(id, &figures, band, found, whole && off.abs() <= percent)
     };
     let mut all: Vec<Table1Verdict> = [Measure::Nsn, Measure::Time, Measure::Force]
         .map(|measure| against(CONVENTIONAL, measure, CONVENTIONAL_PERCENT))
@@ -185,15 +201,17 @@ pub fn verdicts(table: &[Compared]) -> Vec<Table1Verdict> {
     let next = next.fold(f64::INFINITY, f64::min);
     let found = format!("{:.3} and {:.3}; the next has {next:.3}", nsn(UNKS), nsn(PI));
     all.push(Table1Verdict::new(
+        "two_best".to_owned(),
+        &[nsn(UNKS), nsn(PI), next],
         "UNKS and adjustable PI are the two best in Nsn".to_owned(),
         found,
-        nsn(UNKS) + nsn(PI) + next,
         nsn(UNKS) < next && nsn(PI) < next,
     ));
     all.extend(UNKS_AT_MOST.map(|(measure, most)| {
         let found = methods[UNKS].mean(measure);
         let band = format!("UNKS: {} at most {most}", with_unit(measure));
-        Table1Verdict::new(band, format!("{found:.3}"), found, found <= most)
+        let id = format!("{}_at_most.{}", entrants::TABLE_1[UNKS].id, measure.id());
+        Table1Verdict::new(id, &[found, most], band, format!("{found:.3}"), found <= most)
     }));
     all
 }

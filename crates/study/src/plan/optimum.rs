@@ -9,6 +9,16 @@ use crate::base::settings::{SettingError, Value};
 use crate::base::units::s_from_min;
 use crate::run::scenario::Scenario;
 
+steadycut_core::choice! {
+    /// What a plan comes to.
+    pub enum PlanVerdict {
+        /// All constraints are kept.
+        Feasible = "feasible", "feasible";
+        /// Nothing in the range searched keeps all constraints; the point that violates them least is given.
+        NotFeasible = "not_feasible", "nothing is feasible";
+    }
+}
+
 /// A planned cut with everything that follows from it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Optimum {
@@ -89,9 +99,15 @@ impl Optimum {
         self.constraints.iter().filter(acts)
     }
 
+    /// The answer.
+    #[must_use]
+    pub fn verdict(&self) -> PlanVerdict {
+        if self.feasible { PlanVerdict::Feasible } else { PlanVerdict::NotFeasible }
+    }
+
     /// The answer in one sentence.
     #[must_use]
-    pub fn verdict(&self) -> String {
+    pub fn verdict_text(&self) -> String {
         let names: Vec<&str> = self.active().map(|one| one.constraint.label).collect();
         let names = names.join(", ");
         match (self.feasible, names.is_empty()) {

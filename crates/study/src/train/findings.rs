@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::comparison::Trial;
 use crate::base::network::Activation;
+use crate::verdict::Verdict;
 
 /// A statement that the trials hold or not.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -17,6 +18,10 @@ pub struct TrainingClaim {
 /// A finding of the paper beside what is found here.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
+    /// Which finding.
+    pub id: &'static str,
+    /// Whether it is found here.
+    pub verdict: Verdict,
     /// What the paper says.
     pub paper: &'static str,
     /// What it comes to.
@@ -26,23 +31,27 @@ pub struct Finding {
 }
 
 impl Finding {
-    fn new(paper: &'static str, claims: &[(&str, bool)], figures: String) -> Self {
-        let claim = |(statement, found): &(&str, bool)| TrainingClaim {
-            statement: (*statement).to_owned(),
-            found: *found,
+    fn new(
+        id: &'static str,
+        paper: &'static str,
+        claims: Vec<TrainingClaim>,
+        figures: String,
+    ) -> Self {
+        let verdict = match claims.iter().filter(|claim| claim.found).count() {
+            0 => Verdict::Not,
+            all if all == claims.len() => Verdict::Holds,
+            _ => Verdict::InPart,
         };
-        Self { paper, claims: claims.iter().map(claim).collect(), figures }
+        Self { id, verdict, paper, claims, figures }
     }
+}
 
-    /// Whether it is found here: yes, no or in part.
-    #[must_use]
-    pub fn verdict(&self) -> &'static str {
-        match self.claims.iter().filter(|claim| claim.found).count() {
-            0 => "no",
-            all if all == self.claims.len() => "yes",
-            _ => "in part",
-        }
-    }
+fn claims(all: &[(&str, bool)]) -> Vec<TrainingClaim> {
+    let claim = |(statement, found): &(&str, bool)| TrainingClaim {
+        statement: (*statement).to_owned(),
+        found: *found,
+    };
+    all.iter().map(claim).collect()
 }
 
 /// All findings, and the spread of the seeds that they are measured by.
@@ -118,11 +127,12 @@ fn of_rates(rates: &[&Trial]) -> Option<Finding> {
     let below = errors(true).fold(f64::NEG_INFINITY, f64::max);
     let above = errors(false).fold(f64::INFINITY, f64::min);
     Some(Finding::new(
+        "learning_rate",
         "Learning rates below 0.2 give acceptable errors, 0.03 to 0.1 the least error in few cycles.",
-        &[
+        claims(&[
             ("every rate below 0.2 errs less than every rate from 0.2 on", below < above),
             ("the least error lies within 0.03..0.1", (0.03..=0.1).contains(&best.rate)),
-        ],
+        ]),
         listed(rates, |trial| trial.rate),
     ))
 }
@@ -132,11 +142,12 @@ fn of_momenta(momenta: &[&Trial]) -> Option<Finding> {
     let small = momenta.iter().filter(|trial| trial.momentum <= 0.004).map(|t| cycles(t)).min()?;
     let large = momenta.iter().filter(|trial| trial.momentum > 0.004).map(|t| cycles(t)).min()?;
     Some(Finding::new(
+        "momentum",
         "Momentum of 0.008 to 0.01 gives the least error; at most 0.004 the fewest cycles.",
-        &[
+        claims(&[
             ("the least error lies within 0.008..0.01", (0.008..=0.01).contains(&best.momentum)),
             ("0.004 needs fewer cycles than any larger momentum", small < large),
-        ],
+        ]),
         listed(momenta, |trial| trial.momentum),
     ))
 }
@@ -146,9 +157,10 @@ fn of_sizes(sizes: &[&Trial], centre: &Trial, spread: f64) -> Finding {
     let worse = |trial: &Trial| trial.error_percent - centre.error_percent;
     let near = |trial: &Trial| (9..=17).contains(&trial.hidden) && trial.hidden != centre.hidden;
     Finding::new(
+        "hidden_neurons",
         "15 hidden neurons are the optimum, more change nothing; 9 to 17 do fairly well but need \
          more cycles.",
-        &[
+        claims(&[
             (
                 "fewer than 9 err more, by more than the seeds' spread",
                 all(&|trial| trial.hidden >= 9 || worse(trial) > spread),
@@ -161,13 +173,14 @@ fn of_sizes(sizes: &[&Trial], centre: &Trial, spread: f64) -> Finding {
                 "all others of 9..17 need more cycles than 15",
                 all(&|trial| !near(trial) || cycles(trial) > cycles(centre)),
             ),
-        ],
+        ]),
         listed(sizes, |trial| trial.hidden),
     )
 }
 
 /// A finding about the order of the four activations.
 struct Order {
+    id: &'static str,
     paper: &'static str,
     /// What they are ordered by.
     key: fn(&Trial) -> f64,
@@ -176,6 +189,7 @@ struct Order {
 }
 
 const ERRORS: Order = Order {
+    id: "activation_errors",
     paper: "tanh gives the least error, sigmoid the highest, sine the next highest.",
     key: |trial| trial.error_percent,
     claims: [
@@ -186,6 +200,7 @@ const ERRORS: Order = Order {
 };
 
 const CYCLES: Order = Order {
+    id: "activation_cycles",
     paper: "Sine needs the fewest cycles, then the arc tangent; tanh needs the most.",
     key: |trial| f64::from(cycles(trial)),
     claims: [
@@ -219,7 +234,7 @@ fn of_activations(trials: &[Trial], centre: &Trial, order: &Order) -> Option<Fin
         let list = listed(&best, |trial| format!("{} at {}", trial.activation, trial.rate));
         figures.push(format!("{range}: {list}"));
     }
-    Some(Finding { paper: order.paper, claims, figures: figures.join("; ") })
+    Some(Finding::new(order.id, order.paper, claims, figures.join("; ")))
 }
 
 #[cfg(test)]
@@ -269,11 +284,12 @@ mod tests {
 
     #[test]
     fn findings_follow_the_trials() {
-        let found = |trials: &[Trial]| -> Vec<&str> {
-            findings(trials).unwrap().findings.iter().map(Finding::verdict).collect()
+        let found = |trials: &[Trial]| -> Vec<Verdict> {
+            findings(trials).unwrap().findings.iter().map(|finding| finding.verdict).collect()
         };
+        use Verdict::{Holds, InPart, Not};
         let trials = as_in_the_paper();
-        assert_eq!(found(&trials), ["yes"; 5]);
+        assert_eq!(found(&trials), [Holds; 5]);
         assert!((findings(&trials).unwrap().seed_spread_percent - 0.03).abs() < 1e-9);
         let changed = |change: &dyn Fn(&mut Trial)| {
             let mut trials = trials.clone();
@@ -282,21 +298,21 @@ mod tests {
         };
         let low =
             |t: &mut Trial| t.error_percent = if t.rate == 0.3 { 1.0 } else { t.error_percent };
-        assert_eq!(changed(&low), ["no", "yes", "yes", "yes", "yes"]);
+        assert_eq!(changed(&low), [Not, Holds, Holds, Holds, Holds]);
         let quick = |t: &mut Trial| {
             if t.momentum == 0.5 {
                 t.epochs_to_level = Some(1);
             }
         };
-        assert_eq!(changed(&quick), ["yes", "in part", "yes", "yes", "yes"]);
+        assert_eq!(changed(&quick), [Holds, InPart, Holds, Holds, Holds]);
         let large = |t: &mut Trial| t.error_percent -= if t.hidden == 21 { 2.0 } else { 0.0 };
-        assert_eq!(changed(&large), ["yes", "yes", "in part", "yes", "yes"]);
+        assert_eq!(changed(&large), [Holds, Holds, InPart, Holds, Holds]);
         let sine = |t: &mut Trial| {
             if t.activation == "sine" {
                 (t.error_percent, t.epochs_to_level) = (1.0, None);
             }
         };
-        assert_eq!(changed(&sine), ["yes", "yes", "yes", "in part", "no"]);
+        assert_eq!(changed(&sine), [Holds, Holds, Holds, InPart, Not]);
         assert!(findings(&[]).is_none());
     }
 }

@@ -11,6 +11,7 @@ use crate::app::widgets::icon::{self, Icon};
 use crate::run::job::Progress;
 use crate::study::compare::outcome::Measure;
 use crate::study::compare::robustness::{CONDITIONS, RobustnessRow, material_claim, methods};
+use crate::study::verdict::Verdict;
 
 /// Size of type of the prototype's figures.
 const NOTE: f32 = 11.5;
@@ -72,8 +73,8 @@ pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs) {
         });
     });
     if let Some(claim) = material_claim(rows) {
-        let (mark, color) =
-            if claim.holds { ("holds", palette.good) } else { ("does not hold", palette.bad) };
+        let color = if claim.verdict == Verdict::Holds { palette.good } else { palette.bad };
+        let mark = claim.verdict.label();
         ui.horizontal_wrapped(|ui| {
             ui.label(RichText::new(mark).strong().color(color));
             ui.label(claim.paper);

@@ -21,13 +21,13 @@ pub fn show(ui: &mut Ui, compared: &[Compared], belongs: bool) {
     let found = !verdicts.is_empty() && compared.iter().all(|one| one.runs > 0);
     ui.heading("Beside Table 1 of 2005");
     if found {
-        let met = verdicts.iter().filter(|verdict| verdict.ok).count();
+        let met = verdicts.iter().filter(|verdict| verdict.kept()).count();
         let color = if met == verdicts.len() { palette.good } else { palette.warn };
         let text = format!("{met} of {} bands kept", verdicts.len());
         ui.label(RichText::new(text).strong().color(color));
         for verdict in &verdicts {
             let (mark, color) =
-                if verdict.ok { ("kept", palette.good) } else { ("not reached", palette.bad) };
+                if verdict.kept() { ("kept", palette.good) } else { ("not reached", palette.bad) };
             ui.horizontal_wrapped(|ui| {
                 ui.label(RichText::new(mark).strong().color(color));
                 ui.label(&verdict.band);

@@ -43,7 +43,7 @@ pub fn show(ui: &mut Ui, measured: &[String], commands: &mut Vec<Command>) {
                 }
                 let fine = row.agrees == [true; 2];
                 let color = if fine { palette.good } else { palette.warn };
-                ui.label(RichText::new(row.verdict).color(color));
+                ui.label(RichText::new(row.verdict_text).color(color));
                 ui.end_row();
             }
         });

@@ -18,7 +18,7 @@ const VALUE: f32 = 12.5;
 fn obstacle(job: &PlanJob, optimum: &Optimum) -> Option<String> {
     match (job.counts().done, optimum.feasible) {
         (false, _) => Some("The swarm is still searching; “To the end” shortens it.".to_owned()),
-        (true, false) => Some(format!("Not programmed: {}.", optimum.verdict())),
+        (true, false) => Some(format!("Not programmed: {}.", optimum.verdict_text())),
         (true, true) => None,
     }
 }
@@ -47,7 +47,7 @@ pub fn show(ui: &mut Ui, job: &PlanJob, scenario: &Scenario, commands: &mut Vec<
         };
         ui.label(RichText::new(title).strong());
         let color = if optimum.feasible { palette.good } else { palette.bad };
-        let verdict = optimum.verdict();
+        let verdict = optimum.verdict_text();
         let mut letters = verdict.chars();
         let first = letters.next().map(|letter| letter.to_uppercase().to_string());
         let sentence = first.unwrap_or_default() + letters.as_str() + ".";
@@ -73,7 +73,7 @@ pub fn show(ui: &mut Ui, job: &PlanJob, scenario: &Scenario, commands: &mut Vec<
             }
             None => {
                 for remark in remarks(scenario) {
-                    ui.label(RichText::new(remark + ".").small().color(palette.weak));
+                    ui.label(RichText::new(remark.text + ".").small().color(palette.weak));
                 }
             }
         }

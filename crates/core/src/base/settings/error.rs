@@ -1,7 +1,11 @@
 //! Why a setting was refused.
 
-/// Why a setting was refused; the text names field, value and what is allowed.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+use serde::Serialize;
+
+/// Why a setting was refused; the text names field, value and what is allowed. As JSON, `error` is the
+/// id of the case.
+#[derive(Clone, Debug, PartialEq, Serialize, thiserror::Error)]
+#[serde(tag = "error", rename_all = "snake_case")]
 pub enum SettingError {
     /// No setting has this path.
     #[error("unknown setting `{path}`; {}", instead(suggestion.as_deref()))]

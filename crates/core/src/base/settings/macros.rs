@@ -69,7 +69,8 @@ macro_rules! settings {
     (@live setup) => { false };
 }
 
-/// Declares a closed choice: an enum whose variants have an id, a label and a documentation.
+/// Declares a closed choice: an enum whose variants have an id, a label and a documentation. As JSON it
+/// is its id.
 #[macro_export]
 macro_rules! choice {
     (
@@ -116,6 +117,12 @@ macro_rules! choice {
             #[must_use]
             pub fn from_id(id: &str) -> Option<Self> {
                 match id { $( $id => Some(Self::$variant), )+ _ => None }
+            }
+        }
+
+        impl serde::Serialize for $name {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.serialize_str(self.id())
             }
         }
 

@@ -1,8 +1,10 @@
 //! The overload guard: too large a force stops the feed at once, past the dead time, for good, to save the
 //! tool.
 
+use serde::Serialize;
+
 /// A force beyond what is allowed, which has stopped the feed.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Overload {
     /// The force, N.
     pub force_n: f64,

@@ -33,6 +33,8 @@ mod plant;
 mod record;
 mod setup;
 
+use serde::Serialize;
+
 use self::clock::Clock;
 use self::life::{Stretch, ToolLife};
 use self::plant::Plant;
@@ -48,7 +50,7 @@ use crate::blocks::sensing::force_sensor::ForceSensor;
 use crate::blocks::surface::produced::Surface;
 
 /// A value that stopped being finite: the run ends there, before anything spreads.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Fault {
     /// The signal.
     pub signal: &'static str,

@@ -105,11 +105,13 @@ fn figures(ui: &mut Ui, found: &Measurement, long_mm: f64) {
         n if n < 5 => format!("Over {n} sampling lengths of {long}; the standard takes five. "),
         n => format!("Over {n} sampling lengths of {long}. "),
     };
-    let run = if found.run_ra_um > 0.0 {
-        let ra = format::quantity(found.run_ra_um, "um");
-        format!("The run's Ra with dynamics is {ra} along the line on average.")
-    } else {
-        "Simulated tooth by tooth, K5 gives no Ra here: feed marks and run-out alone.".to_owned()
+    let run = match found.run_ra_um {
+        Some(ra_um) => {
+            let ra = format::quantity(ra_um, "um");
+            format!("The run's Ra with dynamics is {ra} along the line on average.")
+        }
+        None => "Simulated tooth by tooth, K5 gives no Ra here: feed marks and run-out alone."
+            .to_owned(),
     };
     ui.label(RichText::new(lengths + &run).small().color(palette.weak));
 }

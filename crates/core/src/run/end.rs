@@ -1,0 +1,108 @@
+//! Why a run is over: an id for programs, what belongs to it in fields of its own, and words for people.
+
+use serde::Serialize;
+
+use super::closed_loop::Fault;
+use crate::base::settings::SettingError;
+use crate::blocks::cnc::overload::Overload;
+
+crate::choice! {
+    /// The ids of [`End`].
+    pub enum EndId {
+        /// The whole path is cut.
+        PathDone = "path_done", "Cut finished";
+        /// The time limit came first.
+        TimeLimit = "time_limit", "Cut finished: time limit";
+        /// Too large a force stopped the feed; its details are force_n, limit_n, position_mm, time_s.
+        Overload = "overload", "Stopped by an overload";
+        /// A signal stopped being finite; its details are signal, tick.
+        Fault = "fault", "Ended by a fault";
+        /// An edit does not fit the scenario; its details are path, value, allowed.
+        Refused = "refused", "An edit was refused";
+    }
+}
+
+/// Why a run is over. As JSON, `end` is the id and `end_details` holds what belongs to it, if anything
+/// does.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "end", content = "end_details", rename_all = "snake_case")]
+pub enum End {
+    /// The whole path is cut.
+    PathDone,
+    /// The time limit came first.
+    TimeLimit,
+    /// An overload stopped the feed.
+    Overload(Overload),
+    /// A signal stopped being finite.
+    Fault(Fault),
+    /// An edit does not fit the scenario: it was pushed to the edits of another one.
+    Refused(SettingError),
+}
+
+impl End {
+    /// Its id.
+    #[must_use]
+    pub fn id(&self) -> EndId {
+        match self {
+            Self::PathDone => EndId::PathDone,
+            Self::TimeLimit => EndId::TimeLimit,
+            Self::Overload(_) => EndId::Overload,
+            Self::Fault(_) => EndId::Fault,
+            Self::Refused(_) => EndId::Refused,
+        }
+    }
+
+    /// Whether the run failed: what was recorded is right, but it is not the run that was asked for.
+    #[must_use]
+    pub fn failed(&self) -> bool {
+        match self {
+            Self::PathDone | Self::TimeLimit | Self::Overload(_) => false,
+            Self::Fault(_) | Self::Refused(_) => true,
+        }
+    }
+}
+
+/// In words.
+impl std::fmt::Display for End {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::PathDone | Self::TimeLimit => f.write_str(self.id().label()),
+            Self::Overload(stop) => write!(f, "The machine {stop}"),
+            Self::Fault(fault) => fault.fmt(f),
+            Self::Refused(refused) => refused.fmt(f),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_end_is_an_id_with_its_details_in_fields_of_their_own() {
+        let overload =
+            Overload { force_n: 2100.0, limit_n: 2000.0, position_mm: 12.0, time_s: 1.5 };
+        let [path, value, allowed] = ["target.ra_um", "9 um", "less"].map(str::to_owned);
+        let all: [(End, &[&str]); 5] = [
+            (End::PathDone, &[]),
+            (End::TimeLimit, &[]),
+            (End::Overload(overload), &["force_n", "limit_n", "position_mm", "time_s"]),
+            (End::Fault(Fault { signal: "force_n", tick: 7 }), &["signal", "tick"]),
+            (
+                End::Refused(SettingError::Refused { path, value, allowed }),
+                &["allowed", "error", "path", "value"],
+            ),
+        ];
+        assert_eq!(EndId::ALL, all.each_ref().map(|(end, _)| end.id()), "every id is tried here");
+        for (end, details) in all {
+            let json = serde_json::to_value(&end).unwrap();
+            assert_eq!(json["end"], end.id().id());
+            let found = json.get("end_details").and_then(|found| found.as_object());
+            let mut found: Vec<&str> =
+                found.map_or(Vec::new(), |found| found.keys().map(String::as_str).collect());
+            found.sort_unstable();
+            assert_eq!(found, details, "{json}");
+            assert!(!end.to_string().is_empty());
+        }
+    }
+}
