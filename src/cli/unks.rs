@@ -17,10 +17,11 @@ use crate::study::unks_passes::{
     BETTER, Pass, Passes, PassesVerdict, REFERENCE, beginning_anew, beginning_with,
 };
 
-/// What the gain over the passes depends on, measured on Experiment 2 with seed 1.
+/// What the gain over the passes depends on, measured on Experiment 2 with seed 1 over draws 1 to 6.
 const FIRST_WEIGHTS: &str = "how much better depends on the random first weights, of which the first \
-                             draw is shipped: draws 1 to 6 give 12 to 18 %, those that learn less \
-                             in the first pass the more (--set controller.unks.first_weights=2)";
+                             draw is shipped: with version 0.4.0 draws 1 to 6 gave 12 to 18 %, those \
+                             that learn less in the first pass the more \
+                             (--set controller.unks.first_weights=2)";
 /// What the figures depend on.
 const NOTE: &str = "the same part, noise and seed in every pass: what changes is learned; feedback \
                     is the mean of |u_fb| where the override is not at a limit";

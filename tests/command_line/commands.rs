@@ -1,33 +1,11 @@
 //! The command line as its user meets it.
 
-use std::path::PathBuf;
-use std::process::{Command, Output};
-
 use steadycut::run::edits::Edits;
 use steadycut::run::job::Job;
 use steadycut::run::one_run::Run;
 use steadycut::run::presets::load;
 
-fn steadycut(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_steadycut")).args(args).output().unwrap()
-}
-
-fn json(args: &[&str]) -> serde_json::Value {
-    let output = steadycut(args);
-    assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
-fn refused(args: &[&str]) -> String {
-    let output = steadycut(args);
-    assert!(!output.status.success(), "{args:?} must fail");
-    assert!(output.stdout.is_empty() || args[0] == "check", "{args:?}");
-    String::from_utf8(output.stderr).unwrap() + &String::from_utf8(output.stdout).unwrap()
-}
-
-fn temporary(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
-}
+use super::program::{json, refused, steadycut, temporary};
 
 #[test]
 fn run_prints_one_json_object_with_the_promised_keys() {

@@ -8,6 +8,7 @@ mod documents;
 mod jobs;
 mod planning;
 mod profilometer;
+mod program;
 mod recommending;
 mod training;
 mod wear;

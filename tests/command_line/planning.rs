@@ -1,7 +1,5 @@
 //! The off-line optimisation against exhaustive search, another optimiser and the papers' figures.
 
-use std::process::Command;
-
 use steadycut::base::settings::{Kind, Value};
 use steadycut::run::edits::Edits;
 use steadycut::run::job::Job;
@@ -15,6 +13,8 @@ use steadycut::study::plan::field::{PlanField, exhaustive};
 use steadycut::study::plan::machine::{HELLER_BEA_01, MachineLimits};
 use steadycut::study::plan::optimum::Optimum;
 use steadycut::study::plan::problem::Problem;
+
+use super::program::steadycut;
 
 #[path = "planning/search.rs"]
 mod search;
@@ -273,10 +273,6 @@ fn extremes_of_all_settings_give_a_finite_plan_or_an_error() {
             }
         }
     }
-}
-
-fn steadycut(args: &[&str]) -> std::process::Output {
-    Command::new(env!("CARGO_BIN_EXE_steadycut")).args(args).output().unwrap()
 }
 
 #[test]

@@ -1,22 +1,13 @@
 //! Recommended cutting conditions as the command line gives them.
 
 use std::path::PathBuf;
-use std::process::{Command, Output};
 
 use proptest::prelude::*;
 use steadycut::models::tool::Tool;
 use steadycut::study::recommend::table::Table;
 use steadycut::study::recommend::{Advisor, EngagementCode};
 
-fn steadycut(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_steadycut")).args(args).output().unwrap()
-}
-
-fn json(args: &[&str]) -> serde_json::Value {
-    let output = steadycut(args);
-    assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
-    serde_json::from_slice(&output.stdout).unwrap()
-}
+use super::program::{json, steadycut};
 
 const ASK: [&str; 7] = ["recommend", "--hb", "200", "--diameter", "16", "--engagement", "2"];
 

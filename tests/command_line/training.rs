@@ -1,8 +1,6 @@
 //! The neural force model: the shipped networks keep what is said of them, training repeats, and
 //! the commands answer.
 
-use std::process::{Command, Output};
-
 use steadycut::base::network::parse;
 use steadycut::models::neural_force::{NeuralForce, NeuralKind};
 use steadycut::study::train::TrainingSession;
@@ -11,15 +9,7 @@ use steadycut::study::train::errors::{TrainingErrors, of_components};
 use steadycut::study::train::formula::fit_all;
 use steadycut::study::train::recipe::{RecipeKind, TrainingRecipe};
 
-fn steadycut(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_steadycut")).args(args).output().unwrap()
-}
-
-fn json(args: &[&str]) -> serde_json::Value {
-    let output = steadycut(args);
-    assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
-    serde_json::from_slice(&output.stdout).unwrap()
-}
+use super::program::{json, steadycut};
 
 fn errors(kind: NeuralKind, rows: &[TrainingRow]) -> TrainingErrors {
     let force = NeuralForce::shipped(kind);

@@ -76,7 +76,7 @@ impl ComparePanel {
         ui.add_space(8.0);
         boxes::show(ui, &contest.runs(), compared, &mut self.measure, printed);
         step::show(ui, contest, printed);
-        told::show(ui, compared, printed);
+        told::show(ui, compared, contest.transients(), printed);
         robust::show(ui, &mut self.contests.robust, view.jobs);
     }
 }

@@ -18,8 +18,10 @@ use crate::study::compare::claims::{self, ControlClaim, Evidence};
 use crate::study::compare::contest::ContestJob;
 use crate::study::compare::cost::Replay;
 use crate::study::compare::entrants::{self, Entrant};
-use crate::study::compare::load_step::Transient;
-use crate::study::compare::table_1::{self, BY_A_HAIR, DISCLOSED, NOT_REACHED, Table1Verdict};
+use crate::study::compare::load_step::{self, Transient};
+use crate::study::compare::table_1::{
+    self, DISCLOSED, NOT_REACHED, TOLD_BY_VERSION, Table1Verdict,
+};
 use crate::study::compare::tournament::{Compared, Tournament};
 use crate::study::errata::COMBINED_2005;
 
@@ -41,6 +43,10 @@ struct Report {
     seeds: u32,
     table: Vec<Compared>,
     verdicts: Vec<Table1Verdict>,
+    /// Who is best, and by how much.
+    margin: Option<String>,
+    /// The load step, N.
+    load_step_n: [f64; 2],
     steps: Vec<Step>,
     claims: Vec<ControlClaim>,
 }
@@ -59,7 +65,8 @@ pub fn execute(args: &PapersArgs) -> Outcome {
             "paper": "2005", "seeds": report.seeds, "printed": table_1::printed(),
             "methods": report.table, "verdicts": report.verdicts, "steps": report.steps,
             "claims": report.claims, "chosen_with_the_table_in_view": DISCLOSED,
-            "not_reached": NOT_REACHED, "by_a_hair": BY_A_HAIR, "errata": COMBINED_2005,
+            "not_reached": NOT_REACHED, "told_by_version": TOLD_BY_VERSION, "margin": report.margin,
+            "errata": COMBINED_2005,
         });
         writeln!(out, "{}", serde_json::to_string_pretty(&object)?)?;
     } else {
@@ -80,14 +87,24 @@ fn report(seeds: u32, quiet: bool) -> Result<Report, progress::NotDone> {
     });
     let steps: Vec<Step> = steps.collect();
     let table = contest.tournament().table();
+    let load_step_n = load_step::forces_n(&base);
     let experiment_1 = Tournament::new(claims::both_on("experiment-1"), seeds);
     let claims = claims::claims(&Evidence {
         experiment_1: &played(experiment_1, "Experiment 1", quiet)?,
         experiment_2: &table,
         transients: contest.transients(),
+        load_step_n,
         iterations_needed: claims::iterations_needed(&base),
     });
-    Ok(Report { seeds, verdicts: table_1::verdicts(&table), table, steps, claims })
+    Ok(Report {
+        seeds,
+        verdicts: table_1::verdicts(&table),
+        margin: table_1::margin(&table, contest.transients()),
+        table,
+        load_step_n,
+        steps,
+        claims,
+    })
 }
 
 /// The table of a tournament played to its end.

@@ -7,7 +7,7 @@ use super::{Report, Step};
 use crate::study::compare::claims::ControlClaim;
 use crate::study::compare::outcome::Measure;
 use crate::study::compare::table_1::{
-    self, BY_A_HAIR, DISCLOSED, NOT_REACHED, Table1Printed, Table1Verdict,
+    self, DISCLOSED, NOT_REACHED, TOLD_BY_VERSION, Table1Printed, Table1Verdict,
 };
 use crate::study::compare::tournament::Compared;
 use crate::study::errata::COMBINED_2005;
@@ -36,8 +36,10 @@ pub fn report(out: &mut impl Write, report: &Report) -> Result<()> {
         let word = if verdict.kept() { "ok" } else { "not reached" };
         writeln!(out, "  {word:<12}{band}: {found}")?;
     }
-    writeln!(out, "\n{BY_A_HAIR}")?;
-    steps(out, &report.steps, printed)?;
+    if let Some(margin) = &report.margin {
+        writeln!(out, "\n{margin}")?;
+    }
+    steps(out, report, printed)?;
     writeln!(out, "\nclaims of the paper")?;
     for ControlClaim { verdict, paper, found, .. } in &report.claims {
         let word = if *verdict == Verdict::Holds { "true" } else { "not true" };
@@ -46,7 +48,7 @@ pub fn report(out: &mut impl Write, report: &Report) -> Result<()> {
     for (title, lines) in
         [("chosen with the table in view", DISCLOSED), ("not reached, and why", NOT_REACHED)]
     {
-        writeln!(out, "\n{title}")?;
+        writeln!(out, "\n{title} (figures of version {TOLD_BY_VERSION})")?;
         lines.iter().try_for_each(|line| writeln!(out, "  {line}"))?;
     }
     errata(out, COMBINED_2005)
@@ -81,10 +83,11 @@ pub fn cell(method: &Compared, measure: Measure, beside: Option<f64>, digits: us
     beside.map_or_else(|| format!("{found} "), bracket)
 }
 
-fn steps(out: &mut impl Write, steps: &[Step], printed: &[Table1Printed]) -> Result<()> {
+fn steps(out: &mut impl Write, report: &Report, printed: &[Table1Printed]) -> Result<()> {
+    let [before_n, after_n] = report.load_step_n;
     writeln!(
         out,
-        "\nafter a load step from 493 to 772 N (forces at 100 %, no noise): control periods of 20 ms \
+        "\nafter a load step from {before_n:.0} to {after_n:.0} N (forces at 100 %, no noise): control periods of 20 ms \
          until the\nmean of four peaks is back within 10 % for good, its overshoot and steady offset; \
          cost of an update\non this machine; in brackets the paper's iterations and time of an \
          optimisation step, undefined there\n"
@@ -94,7 +97,7 @@ fn steps(out: &mut impl Write, steps: &[Step], printed: &[Table1Printed]) -> Res
         "{:<18}{:>14}{:>14}{:>14}{:>20}",
         "", "periods", "overshoot %", "offset %", "update ns"
     )?;
-    for (i, Step { transient, update_ns }) in steps.iter().enumerate() {
+    for (i, Step { transient, update_ns }) in report.steps.iter().enumerate() {
         let periods = transient.periods.map_or("never".to_owned(), |n| n.to_string());
         let row = printed.get(i);
         let periods = row
@@ -141,6 +144,8 @@ mod tests {
         let told = Report {
             seeds: 1,
             verdicts: table_1::verdicts(&table),
+            margin: Some("who is best".to_owned()),
+            load_step_n: [101.0, 202.4],
             steps: table
                 .iter()
                 .map(|row| Step { transient: transient(&row.name), update_ns: 3.0 })
@@ -167,7 +172,8 @@ mod tests {
             "not reached Conventional: Time of cut in s within 5 % of 115: no run has given it";
         assert!(text.contains(time));
         assert!(text.contains("  true      a claim\n            a figure\n  not true  a claim"));
-        assert!(text.contains(BY_A_HAIR));
+        assert!(text.contains("\nwho is best\n") && text.contains("step from 101 to 202 N"));
+        assert!(text.contains("in view (figures of version "));
         for line in DISCLOSED.iter().chain(NOT_REACHED) {
             assert!(text.contains(line), "{line}");
         }

@@ -6,7 +6,7 @@ use steadycut_core::base::settings::{Kind, SettingError, Value};
 use steadycut_core::run::edits::{Edit, Edits};
 use steadycut_core::run::one_run::{End, Run};
 use steadycut_core::run::presets::{PRESETS, load};
-use steadycut_core::run::scenario::{Scenario, param, parse_value, table};
+use steadycut_core::run::scenario::{COMPANIONS, RULES, Scenario, param, parse_value, table};
 use steadycut_core::run::{scenario_file, scenario_link};
 
 const EXTREMES: [f64; 16] = [
@@ -101,6 +101,32 @@ fn candidates(kind: &Kind) -> Vec<Value> {
     values
 }
 
+/// Whether the refusal of a setting may name this path: its own, or the first one of a rule that joins it, or
+/// what comes with it, with that one.
+fn speaks_of(set: &str, named: &str) -> bool {
+    let group = |path: &str| path.rsplit_once('.').map_or("", |(group, _)| group).to_owned();
+    let brings = |path: &str| {
+        let mut companions = COMPANIONS.iter().filter(|companion| companion.of == set);
+        // A cutter comes with all of its group.
+        companions
+            .any(|companion| companion.brings == path || group(companion.brings) == group(path))
+    };
+    let joined = |path: &&str| *path == set || brings(path);
+    named == set
+        || RULES
+            .iter()
+            .any(|rule| rule.paths[0] == named && rule.paths.iter().any(|path| joined(&path)))
+}
+
+#[test]
+fn a_refusal_speaks_of_what_was_set() {
+    assert!(speaks_of("target.ra_um", "target.ra_um"));
+    assert!(speaks_of("noise.band_high_hz", "noise.band_low_hz"));
+    assert!(speaks_of("tool.name", "workpiece.radial_depth_mm"));
+    assert!(!speaks_of("target.ra_um", "noise.band_low_hz"));
+    assert!(!speaks_of("plant.material", "workpiece.radial_depth_mm"));
+}
+
 #[test]
 fn every_setting_takes_or_refuses_every_extreme_by_name() {
     for base in ["first-cut", "depth-step", "experiment-1"] {
@@ -111,8 +137,11 @@ fn every_setting_takes_or_refuses_every_extreme_by_name() {
                 match scenario.set(&param.path, value.clone()) {
                     Ok(()) => contained(&scenario, &Edits::none()),
                     Err(SettingError::Refused { path, allowed, .. }) => {
-                        // A rule between settings may name the other one.
-                        assert!(path.contains('.') || path == param.path, "{path}");
+                        assert!(
+                            speaks_of(&param.path, &path),
+                            "{} is refused by {path}",
+                            param.path
+                        );
                         assert!(!allowed.is_empty());
                         assert_eq!(scenario, base, "a refused value must change nothing");
                     }

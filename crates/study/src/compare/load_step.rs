@@ -1,15 +1,17 @@
 //! The transient after a load step: how many control periods until the force is back within 10 %.
 //!
-//! The step is that of Experiment 2 from a section of 493 N into the one of 772 N of its fifth cut
-//! (forces at 100 % override), each long enough to come to rest, without noise. The paper's column
-//! of iterations is not defined; this is one meaning that it can have.
+//! The step is that between two sections of Experiment 2's fifth cut, each long enough to come to rest,
+//! without noise; [`forces_n`] says how large it is. The paper's column of iterations is not defined; this
+//! is one meaning that it can have.
 
 use serde::Serialize;
 
 use super::entrants::Entrant;
 use super::outcome::means;
 use crate::base::stats;
-use crate::base::units::percent_from_ratio;
+use crate::base::units::{mm_from_um, percent_from_ratio};
+use crate::blocks::control::FeedSpeed;
+use crate::models::ball_end::{CK45, Cutter, Kienzle, StaticCut, static_peak};
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
 use crate::run::scenario::Scenario;
@@ -58,6 +60,25 @@ pub fn scenario(entrant: &Scenario) -> Scenario {
     stepped.expect("tested: the load step lies within the ranges")
 }
 
+/// Peak forces in N of the two sections as static cuts of the scenario's cutter, at its programmed feed and
+/// speed, in Ck45.
+#[must_use]
+pub fn forces_n(scenario: &Scenario) -> [f64; 2] {
+    let tool = &scenario.tool;
+    let FeedSpeed { feed_mm_min, speed_rpm } = scenario.programmed(0);
+    let cutter = Cutter::new(tool, mm_from_um(tool.runout_um), scenario.plant.slice_mm);
+    let speed_m_min = tool.cutting_speed_m_min(speed_rpm);
+    let law = Kienzle::new(&CK45, speed_m_min, tool.rake_deg, CK45.hardness_hb);
+    SECTIONS.map(|[axial_depth_mm, wall_mm]| {
+        let cut = StaticCut {
+            feed_per_tooth_mm: tool.feed_per_tooth_mm(feed_mm_min, speed_rpm),
+            axial_depth_mm,
+            radial_depth_mm: cutter.radius_mm(axial_depth_mm) - wall_mm,
+        };
+        static_peak(&cutter, &law, &cut).fxy_n
+    })
+}
+
 /// Takes an entrant through the load step.
 #[must_use]
 pub fn transient(entrant: &Entrant) -> Transient {
@@ -97,6 +118,21 @@ fn back_for_good(means: &[f64]) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compare::{entrants, sections};
+
+    #[test]
+    fn the_step_is_that_of_the_sections_of_experiment_2() {
+        for ([depth_mm, wall_mm], force_n) in
+            SECTIONS.into_iter().zip(forces_n(&entrants::experiment_2()))
+        {
+            let same = |row: &&(u32, f64, f64, f64)| (row.1, row.2) == (depth_mm, wall_mm);
+            let reference_n = sections::REFERENCE.iter().find(same).unwrap().3;
+            assert!((force_n / reference_n - 1.0).abs() < 0.01, "{force_n} N of {reference_n} N");
+        }
+        let mut slow = entrants::experiment_2();
+        slow.change(|settings| settings.program.feed_mm_min *= 0.5).unwrap();
+        assert!(forces_n(&slow)[0] < 0.7 * forces_n(&entrants::experiment_2())[0]);
+    }
 
     #[test]
     fn periods_are_counted_from_leaving_the_band_to_being_back_for_good() {

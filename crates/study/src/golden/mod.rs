@@ -2,13 +2,17 @@
 //! base preset the digests of its variants too. The same JSON comes from native builds of every
 //! optimisation and from wasm, so a difference anywhere shows.
 
+mod switches;
 mod variants;
+
+use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
 use crate::run::presets::{PRESETS, load};
+pub use switches::{named, values};
 pub use variants::BASES;
 
 /// Golden values of all presets, by name.
@@ -17,7 +21,7 @@ pub use variants::BASES;
 /// Never: a test loads every shipped preset.
 #[must_use]
 pub fn golden() -> Map<String, Value> {
-    let mut all = Map::new();
+    let (mut all, mut held) = (Map::new(), BTreeMap::new());
     for preset in PRESETS {
         let scenario = load(preset.name).expect("presets are tested");
         let run = Run::complete(&scenario, &Edits::none());
@@ -31,7 +35,7 @@ pub fn golden() -> Map<String, Value> {
             "in_tolerance_percent": m.in_tolerance_percent.map(rounded),
         });
         if BASES.contains(&preset.name) {
-            entry["variants"] = Value::Object(variants::variants(&scenario));
+            entry["variants"] = Value::Object(variants::variants(&scenario, &mut held));
         }
         all.insert(preset.name.to_owned(), entry);
     }

@@ -2,9 +2,12 @@
 //! every kind of plant and every machine: short runs of every controller, drive and calibration,
 //! changed in the cut; the coefficients of drives and machine; a tool's life; a plan.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Map, Value as Json};
 
-use crate::base::settings::{Kind, Value};
+use super::switches::{named, others, switches};
+use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::machine::response::ModalResponse;
 use crate::machine_life;
@@ -24,7 +27,7 @@ use crate::run::digest::Digest;
 use crate::run::edits::{Edit, Edits};
 use crate::run::job::Job;
 use crate::run::one_run::Run;
-use crate::run::scenario::{Param, Scenario, table};
+use crate::run::scenario::{Scenario, table};
 
 /// The presets whose variants are held: formula, neural network and tooth by tooth, one cut and
 /// several, the models of 2005, 2007 and 2013, with and without the machine.
@@ -44,8 +47,12 @@ const WORN_S: f64 = 4.0;
 /// Plant steps of a control period tooth by tooth: the fewest that are allowed.
 const TOOTH_STEPS: u32 = 200;
 
-/// Digests of the variants of a base preset, by name.
-pub(super) fn variants(preset: &Scenario) -> Map<String, Json> {
+/// Digests of the variants of a base preset, by name; `held` are the switches that another one holds, and
+/// then this one too.
+pub(super) fn variants(
+    preset: &Scenario,
+    held: &mut BTreeMap<String, String>,
+) -> Map<String, Json> {
     let base = short(preset);
     let mut all = Map::new();
     let mut put = |name: &str, digest: String| {
@@ -57,12 +64,13 @@ pub(super) fn variants(preset: &Scenario) -> Map<String, Json> {
     put("plan", plan(preset));
     put("drives_and_calibrations", drives_and_calibrations(&base));
     for kind in ControllerKind::ALL {
-        put(&format!("controller {}", kind.id()), controller(&base, *kind));
-        for (param, value) in choices(&base, *kind) {
-            let mut scenario = base.clone();
-            let name = format!("controller {}, {} {value}", kind.id(), param.spec.key);
-            scenario.set(&param.path, value).expect("a choice that the controller has");
-            put(&name, controller(&scenario, *kind));
+        put(&named("controller.kind", &text(kind.id())), controller(&base, *kind));
+        for param in table().iter().filter(|param| param.group == kind.group()) {
+            for value in others(&base, param) {
+                let mut scenario = base.clone();
+                scenario.set(&param.path, value.clone()).expect("a choice that the controller has");
+                put(&named(&param.path, &value), controller(&scenario, *kind));
+            }
         }
     }
     let mut coupled = base.clone();
@@ -70,8 +78,19 @@ pub(super) fn variants(preset: &Scenario) -> Map<String, Json> {
     if !preset.machine.coupled {
         put("machine coupled", controller(&coupled, preset.controller.kind));
     }
-    put("worn", worn(&coupled, false));
-    put("worn, speed adjusted", worn(&coupled, true));
+    put("worn", undisturbed(&worn(&coupled, false)));
+    let adjusted =
+        (named("wear.adjust_speed", &Value::Bool(true)), undisturbed(&worn(&coupled, true)));
+    put(&adjusted.0, adjusted.1.clone());
+    held.extend([adjusted]);
+    // What a switch may show itself in, the cheapest first.
+    let tracking = base.with(|settings| settings.controller.kind = ControllerKind::Tracking);
+    let tracking = tracking.expect("a controller goes with any scenario");
+    let stepped = base.with(|settings| settings.workpiece.depth_steps = vec![[20.0, 1.5]]);
+    let stepped = stepped.expect("a shallower section goes with any scenario");
+    for (name, digest) in switches(&[base, tracking, stepped, worn(&coupled, false)], held) {
+        put(&name, digest);
+    }
     all
 }
 
@@ -107,7 +126,7 @@ fn run(scenario: &Scenario, changes: &[(f64, &str, Value)], digest: &mut Digest)
     run.recording().rows().iter().for_each(|row| digest.row(row));
 }
 
-fn text(id: &str) -> Value {
+pub(super) fn text(id: &str) -> Value {
     Value::Text(id.to_owned())
 }
 
@@ -134,28 +153,9 @@ fn controller(base: &Scenario, kind: ControllerKind) -> String {
     digest.hex()
 }
 
-/// Every closed choice among a controller's own settings, at each value other than the preset's.
-fn choices(base: &Scenario, kind: ControllerKind) -> Vec<(&'static Param, Value)> {
-    let group = format!("controller.{}", kind.id());
-    let mut found = Vec::new();
-    for param in table().iter().filter(|param| param.group == group) {
-        let now = base.get(&param.path).expect("a path of the table");
-        let values: Vec<Value> = match param.spec.allowed {
-            Kind::Bool => vec![Value::Bool(now != Value::Bool(true))],
-            Kind::Choice { options } => options.iter().map(|option| text(option.id)).collect(),
-            Kind::Float { .. } | Kind::Int { .. } | Kind::Text { .. } | Kind::Structured(_) => {
-                vec![]
-            }
-        };
-        let others = values.into_iter().filter(|value| *value != now);
-        found.extend(others.map(|value| (param, value)));
-    }
-    found
-}
-
 /// A tool that wears out while its sound is observed, at the programmed speed or at an adjusted one; a
 /// controller that works out the speed itself would hide the adjustment.
-fn worn(base: &Scenario, adjust_speed: bool) -> String {
+fn worn(base: &Scenario, adjust_speed: bool) -> Scenario {
     let scenario = base.with(|settings| {
         settings.run.duration_s = enters_s(base) + WORN_S;
         settings.controller.kind = ControllerKind::ConstantFeed;
@@ -163,9 +163,13 @@ fn worn(base: &Scenario, adjust_speed: bool) -> String {
         settings.wear.time_scale = 600.0;
         settings.wear.adjust_speed = adjust_speed;
     });
-    let scenario = scenario.expect("the coupled base presets may be worn");
+    scenario.expect("the coupled base presets may be worn")
+}
+
+/// A run without changes.
+pub(super) fn undisturbed(scenario: &Scenario) -> String {
     let mut digest = Digest::default();
-    run(&scenario, &[], &mut digest);
+    run(scenario, &[], &mut digest);
     digest.hex()
 }
 
@@ -228,7 +232,7 @@ fn drives() -> String {
 
 /// The plan, iteration by iteration, and the shipped networks; the message where the preset cannot
 /// be planned.
-fn plan(preset: &Scenario) -> String {
+pub(super) fn plan(preset: &Scenario) -> String {
     let mut digest = Digest::default();
     NeuralForce::output_bits().into_iter().for_each(|word| digest.word(word));
     let job = match PlanJob::complete(preset) {
@@ -270,7 +274,7 @@ fn machines(preset: &MachineSettings) -> String {
 }
 
 /// Trends, predictions, adjusted speeds and the measured surface over the tool's life.
-fn tool_life(preset: &Scenario) -> String {
+pub(super) fn tool_life(preset: &Scenario) -> String {
     let mut digest = Digest::default();
     let model = machine_life::model(preset);
     for x in [0.0, 0.3, 1.0] {

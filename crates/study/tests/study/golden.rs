@@ -3,7 +3,10 @@
 use std::collections::BTreeMap;
 
 use serde_json::Value;
-use steadycut_study::golden::{self, BASES};
+use steadycut_core::blocks::control::ControllerKind;
+use steadycut_core::run::presets::{PRESETS, load};
+use steadycut_core::run::scenario::{Scenario, table};
+use steadycut_study::golden::{self, BASES, named, values};
 
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden.json");
 
@@ -36,4 +39,30 @@ fn every_variant_is_a_run_of_its_own() {
             assert_eq!(twin, None, "{base}: {name}");
         }
     }
+}
+
+/// From the tables of settings and controllers, so that the next one is missed here until it is held.
+#[test]
+fn every_controller_and_every_switch_is_in_a_golden() {
+    let variants = variants();
+    for kind in ControllerKind::ALL {
+        let name = format!("controller.kind = {}", kind.id());
+        for (base, held) in &variants {
+            assert!(held.contains_key(&name), "{name} is not among the variants of {base}");
+        }
+    }
+    let (mut switches, mut missing) = (0, Vec::new());
+    let presets: Vec<Scenario> = PRESETS.iter().map(|preset| load(preset.name).unwrap()).collect();
+    for param in table() {
+        for value in values(param) {
+            let name = named(&param.path, &value);
+            let held = variants.values().any(|variants| variants.contains_key(&name))
+                || presets.iter().any(|preset| preset.get(&param.path).unwrap() == value);
+            missing.extend((!held).then_some(name));
+            switches += 1;
+        }
+    }
+    // There must be a base preset in which it changes something.
+    assert!(missing.is_empty(), "in no golden: {missing:#?}");
+    assert!(switches > 90, "{switches}");
 }

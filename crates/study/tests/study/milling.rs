@@ -246,10 +246,13 @@ fn load_steps_of_2005_settle_as_in_the_reference() {
 fn table_1_of_2005_is_met_where_it_can_be() {
     let verdicts = table_1::verdicts(&TABLE);
     assert_eq!(verdicts.len(), 12);
-    for verdict in &verdicts {
-        // A single seed: its largest force alone may lie 5 % and a deviation away.
-        assert!(verdict.kept() || verdict.band.contains("Largest force"), "{verdict:?}");
-    }
+    // A single seed: its largest force may lie a deviation of the seeds, some 5 %, beyond the bands.
+    let (forces, others): (Vec<_>, Vec<_>) =
+        verdicts.iter().partition(|verdict| verdict.band.contains("Largest force"));
+    assert!(forces.len() == 2 && others.iter().all(|verdict| verdict.kept()), "{verdicts:#?}");
+    let force_kn = |row: usize| TABLE[row].mean(Measure::Force);
+    assert!((force_kn(0) / 1.4 - 1.0).abs() <= 0.1, "{} kN", force_kn(0));
+    assert!(force_kn(5) <= 1.05 * 1.05, "{} kN", force_kn(5));
     // The cap of 150 % and 100 % on average leave the time no more room.
     let nsn = |method: &Compared| method.mean(Measure::Nsn);
     for method in TABLE.iter() {
@@ -258,7 +261,7 @@ fn table_1_of_2005_is_met_where_it_can_be() {
         assert!(nsn(&TABLE[0]) >= nsn(method), "{method:?}");
         assert_eq!(method.force_stops, 0, "{method:?}");
     }
-    // By a hair: adjustable PI and UNKS are equal in error and time.
+    // Adjustable PI and UNKS are equal in error and time.
     let [pi, unks] = [&TABLE[3], &TABLE[5]];
     assert!((nsn(pi) / nsn(unks) - 1.0).abs() < 0.05, "{pi:?} {unks:?}");
     assert!((pi.mean(Measure::Time) - unks.mean(Measure::Time)).abs() < 1.0, "{pi:?} {unks:?}");
@@ -274,6 +277,7 @@ fn the_claims_of_2005_are_told_as_found() {
         experiment_1: &played(claims::both_on("experiment-1")),
         experiment_2: &TABLE,
         transients: &TRANSIENTS,
+        load_step_n: load_step::forces_n(&entrants::experiment_2()),
         iterations_needed,
     });
     let holds: Vec<bool> = claims.iter().map(|claim| claim.verdict == Verdict::Holds).collect();

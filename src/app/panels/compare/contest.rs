@@ -11,7 +11,7 @@ use crate::run::scenario::Scenario;
 use crate::study::compare::contest::{ContestJob, ContestSoFar};
 use crate::study::compare::entrants::{BEYOND, Entrant, Method, TABLE_1};
 use crate::study::compare::entrants::{experiment_2, experiment_2_per_cut, on, set_dead_time};
-use crate::study::compare::load_step::Transient;
+use crate::study::compare::load_step::{self, Transient};
 use crate::study::compare::robustness::{self, RobustnessRow};
 use crate::study::compare::tournament::{Compared, Tournament};
 
@@ -126,6 +126,8 @@ impl ContestSetup {
 /// A contest with what it belongs to. It goes on when another one, or another screen, is shown.
 pub struct Contest {
     base: Scenario,
+    /// The load step, N.
+    load_step_n: [f64; 2],
     chosen: Vec<bool>,
     entrants: Vec<Entrant>,
     seeds: u32,
@@ -148,6 +150,16 @@ impl Contest {
     /// Whether the load step belongs to the part: it is made of sections that are milled.
     pub fn has_load_step(&self) -> bool {
         !self.base.workpiece.cuts.is_empty()
+    }
+
+    /// The load step, N.
+    pub fn load_step_n(&self) -> [f64; 2] {
+        self.load_step_n
+    }
+
+    /// Control period of everybody, ms.
+    pub fn control_period_ms(&self) -> f64 {
+        self.base.run.control_period_ms
     }
 
     /// How far the runs over the seeds are.
@@ -291,7 +303,9 @@ impl Contests {
             let job = ContestJob::new(entrants.clone(), self.seeds);
             let work = jobs.take(name, job, FIRST);
             let (chosen, latest) = (self.setup.chosen.clone(), work.partial());
-            self.kept.push(Contest { base, chosen, entrants, seeds: self.seeds, work, latest });
+            let load_step_n = load_step::forces_n(&base);
+            let seeds = self.seeds;
+            self.kept.push(Contest { base, load_step_n, chosen, entrants, seeds, work, latest });
             self.kept.len() - 1
         });
         self.shown = Some(found);

@@ -15,10 +15,14 @@ pub fn show(ui: &mut Ui, contest: &Contest, belongs: bool) {
     let palette = Palette::at(ui);
     ui.add_space(8.0);
     ui.heading("After a load step");
-    let text = "From a section of 493 N into one of 772 N (at 100 % override), without noise: \
-                control periods of 20 ms until the mean of four samples is back within 10 % for \
-                good. The paper prints iterations of an optimisation step without saying what they \
-                are; they are shown beside.";
+    let [before_n, after_n] = contest.load_step_n();
+    let text = format!(
+        "From a section of {before_n:.0} N into one of {after_n:.0} N (static peaks in Ck45 at 100 % \
+         override), without noise: control periods of {} ms until the mean of four samples is back \
+         within 10 % for good. The paper prints iterations of an optimisation step without saying what \
+         they are; they are shown beside.",
+        contest.control_period_ms()
+    );
     ui.label(RichText::new(text).color(palette.weak));
     if contest.transients().is_empty() {
         ui.weak("Not run yet: it comes first when the comparison runs.");

@@ -4,11 +4,14 @@
 use egui::{RichText, Ui};
 
 use crate::app::theme::{self, Palette};
-use crate::study::compare::table_1::{BY_A_HAIR, DISCLOSED, NOT_REACHED, verdicts};
+use crate::study::compare::load_step::Transient;
+use crate::study::compare::table_1::{
+    DISCLOSED, NOT_REACHED, TOLD_BY_VERSION, margin, verdicts,
+};
 use crate::study::compare::tournament::Compared;
 
 /// The sections below the table; the printed table belongs to it or not.
-pub fn show(ui: &mut Ui, compared: &[Compared], belongs: bool) {
+pub fn show(ui: &mut Ui, compared: &[Compared], transients: &[Transient], belongs: bool) {
     let palette = Palette::at(ui);
     ui.add_space(8.0);
     if !belongs {
@@ -37,7 +40,9 @@ pub fn show(ui: &mut Ui, compared: &[Compared], belongs: bool) {
     } else {
         ui.label("The bands are judged when the six methods of the table have run.");
     }
-    ui.label(BY_A_HAIR);
+    if let Some(margin) = margin(compared, transients) {
+        ui.label(margin);
+    }
     list(ui, "Chosen with the table in view", DISCLOSED);
     list(ui, "Not reached, and why", NOT_REACHED);
 }
@@ -46,7 +51,7 @@ fn list(ui: &mut Ui, title: &str, lines: &[&str]) {
     ui.add_space(6.0);
     theme::card(Palette::at(ui)).show(ui, |ui| {
         ui.set_width(ui.available_width());
-        ui.strong(title);
+        ui.strong(format!("{title} (figures of version {TOLD_BY_VERSION})"));
         for line in lines {
             ui.label(format!("• {}", line.replace("um", "µm")));
         }

@@ -1,0 +1,80 @@
+//! Every closed choice among the settings, each of its values in a digest: taken from the table of settings, so
+//! that the next one cannot be forgotten.
+//!
+//! A controller's own choices are variants of every base preset. Any other choice is one of the first
+//! base preset that takes it and in which it changes what is held.
+
+use std::collections::BTreeMap;
+
+use super::variants::{plan, text, tool_life, undisturbed};
+use crate::base::settings::{Kind, Value};
+use crate::models::structure::{FiveMass, frf};
+use crate::run::digest::Digest;
+use crate::run::scenario::{Param, Scenario, table};
+
+/// The name of the variant that holds a value of a setting.
+#[must_use]
+pub fn named(path: &str, value: &Value) -> String {
+    format!("{path} = {value}")
+}
+
+/// Every value of a closed choice; none of a setting that is a number, a text or a list.
+#[must_use]
+pub fn values(param: &Param) -> Vec<Value> {
+    match param.spec.allowed {
+        Kind::Bool => vec![Value::Bool(false), Value::Bool(true)],
+        Kind::Choice { options } => options.iter().map(|option| text(option.id)).collect(),
+        Kind::Float { .. } | Kind::Int { .. } | Kind::Text { .. } | Kind::Structured(_) => vec![],
+    }
+}
+
+/// The values of a closed choice other than that of `base`.
+pub(super) fn others(base: &Scenario, param: &Param) -> Vec<Value> {
+    let now = base.get(&param.path).expect("a path of the table");
+    values(param).into_iter().filter(|value| *value != now).collect()
+}
+
+/// Digests of the choices outside the controllers that no preset before holds, by name, each over the first
+/// of `bases` in which it changes something, and as no other value does.
+pub(super) fn switches(
+    bases: &[Scenario],
+    held: &mut BTreeMap<String, String>,
+) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    for param in table().iter().filter(|param| !param.path.starts_with("controller.")) {
+        for value in values(param) {
+            let name = named(&param.path, &value);
+            if held.contains_key(&name) {
+                continue;
+            }
+            let switched = bases.iter().find_map(|base| {
+                let mut scenario = base.clone();
+                scenario.set(&param.path, value.clone()).ok()?;
+                let digest = seen(&scenario, param);
+                let new = digest != seen(base, param) && held.values().all(|one| *one != digest);
+                new.then_some(digest)
+            });
+            if let Some(digest) = switched {
+                held.insert(name.clone(), digest.clone());
+                found.push((name, digest));
+            }
+        }
+    }
+    found
+}
+
+/// What a setting acts in: the group of the plan in the plan, those of the tool's life and its profile in
+/// both, the others in a run; the machine's parameters also in its frequency response.
+fn seen(scenario: &Scenario, param: &Param) -> String {
+    match param.group {
+        "plan" => plan(scenario),
+        "life" | "profile" => tool_life(scenario),
+        "machine" => {
+            let mut digest = Digest::default();
+            let response = frf::tree(&FiveMass::new(&scenario.machine), 580.0).grel;
+            [response.re, response.im].into_iter().for_each(|part| digest.word(part.to_bits()));
+            undisturbed(scenario) + &digest.hex()
+        }
+        _ => undisturbed(scenario),
+    }
+}
