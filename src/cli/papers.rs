@@ -7,8 +7,10 @@ use super::Outcome;
 use super::args::{ComparedPaper, PapersArgs};
 use super::papers_2005;
 use super::papers_2019;
+use super::progress;
+use crate::run::job::Job;
 use crate::study::errata::Erratum;
-use crate::study::papers::{CellVerdict, PaperTable, table};
+use crate::study::papers::{CellVerdict, PaperTable, TableJob};
 use crate::study::published::PaperId;
 use crate::study::train::data::NOTE;
 
@@ -22,7 +24,9 @@ pub fn execute(args: &PapersArgs) -> Outcome {
         ComparedPaper::Sdnrp2007 => PaperId::Sdnrp2007,
         ComparedPaper::Strategy2013 => PaperId::Strategy2013,
     };
-    let paper = table(id, args.calibration.into(), args.plant);
+    let mut job = TableJob::new(id, args.calibration.into(), args.plant);
+    progress::work(&mut job, "simulations", args.json)?;
+    let paper = job.partial();
     let mut out = std::io::stdout().lock();
     if args.json {
         writeln!(out, "{}", serde_json::to_string_pretty(&paper)?)?;

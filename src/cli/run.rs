@@ -13,9 +13,11 @@ use crate::base::settings::SettingError;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::run::edits::Edits;
+use crate::run::job::Job;
 use crate::run::metrics::Metrics;
 use crate::run::one_run::{End, Run};
-use crate::run::revolution::revolution;
+use crate::run::revolution::RevolutionJob;
+use crate::run::run_to::RunTo;
 use crate::run::scenario::{Scenario, parse_value};
 use crate::run::{presets, scenario_file};
 use crate::study::export::csv;
@@ -136,19 +138,22 @@ pub fn execute(args: &RunArgs) -> Outcome {
 
 /// The forces within the last revolution before `at_s`, as CSV.
 fn print_revolution(scenario: &Scenario, edits: &Edits, at_s: f64) -> Outcome {
-    let mut run = Run::new(scenario, edits);
     let refused = |problem: String| format!("--revolution {at_s}: {problem}");
     if !(0.0..=scenario.run.duration_s).contains(&at_s) {
         let longest = scenario.run.duration_s;
         return Err(refused(format!("allowed is a time from 0 to {longest} s")).into());
     }
     let at = scenario.ticks(at_s);
-    run.advance(at);
+    let mut way = RunTo::new(scenario, edits, at);
+    progress::work(&mut way, "run", false)?;
+    let run = way.run();
     if run.ticks() < at {
         let end_s = run.ticks() as f64 * scenario.dt_s();
-        return Err(refused(format!("the run ends at {end_s:.3} s ({})", end_of(&run)?)).into());
+        return Err(refused(format!("the run ends at {end_s:.3} s ({})", end_of(run)?)).into());
     }
-    let found = revolution(&run, at_s, 1).ok_or_else(|| {
+    let mut job = RevolutionJob::new(run, at_s, 1, None);
+    progress::work(&mut job, "revolution", false)?;
+    let found = job.partial().ok_or_else(|| {
         let needed = "`plant.force_model = \"mechanistic\"` and plant steps of at most 0.1 ms";
         refused(format!("the force is not simulated tooth by tooth there; that takes {needed}"))
     })?;

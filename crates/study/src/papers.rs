@@ -2,22 +2,26 @@
 //! 2013 control strategy, Table 1.
 //!
 //! Every row is a run in time from the printed start values, not a solved equilibrium; the final
-//! values are means over the last second of 15 s.
+//! values are means over the last second of 15 s. [`TableJob`] runs a whole table.
+
+mod table_job;
 
 use serde::Serialize;
 
-use super::errata::{self, Erratum};
+use super::errata::Erratum;
 use super::published::{Bands, PaperId, TableRow};
 use crate::base::units::percent_from_ratio;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::Calibration;
 use crate::run::edits::Edits;
+use crate::run::job::Job;
 use crate::run::metrics::Metrics;
 use crate::run::one_run::{End, Run};
 use crate::run::presets;
 use crate::run::recording::Recording;
 use crate::run::scenario::{Scenario, Settings};
 use crate::run::signals::FLAGS;
+pub use table_job::TableJob;
 
 steadycut_core::choice! {
     /// Whether a reproduced value lies within its band.
@@ -178,7 +182,11 @@ pub fn row(
 ) -> PaperRow {
     let mut scenario = scenario(paper, printed.sim, calibration, force_model);
     scenario.change(change).expect("a change within the ranges");
-    let run = Run::complete(&scenario, &Edits::none());
+    judge(paper, printed, force_model, &Run::complete(&scenario, &Edits::none()))
+}
+
+/// Compares the run of a simulation with its row.
+fn judge(paper: PaperId, printed: &TableRow, force_model: ForceModel, run: &Run) -> PaperRow {
     let metrics: Metrics = run.metrics();
     let start = run.recording().rows()[0];
     let bands = paper.bands();
@@ -220,7 +228,7 @@ pub fn row(
             metrics.ra_final_um,
             |residual, _| residual.abs() <= bands.ra_um,
         ),
-        out_of_range: states_at_the_end(&run),
+        out_of_range: states_at_the_end(run),
         ra_deviation_printed_percent: percent_from_ratio(
             printed.ra_produced_um / printed.ra_desired_um - 1.0,
         ),
@@ -265,16 +273,7 @@ fn states_at_the_end(run: &Run) -> Vec<&'static str> {
 /// ```
 #[must_use]
 pub fn table(paper: PaperId, calibration: Calibration, force_model: ForceModel) -> PaperTable {
-    let rows = paper.rows();
-    PaperTable {
-        paper: paper.id(),
-        calibration: calibration.id(),
-        plant: force_model.id(),
-        bands: paper.bands(),
-        rows: rows
-            .iter()
-            .map(|printed| row(paper, printed, calibration, force_model, |_| {}))
-            .collect(),
-        errata: errata::of(paper),
-    }
+    let mut job = TableJob::new(paper, calibration, force_model);
+    job.to_end();
+    job.partial()
 }

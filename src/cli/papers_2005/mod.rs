@@ -14,10 +14,12 @@ use serde_json::json;
 
 use super::args::PapersArgs;
 use super::{Outcome, progress};
+use crate::run::job::Job;
 use crate::study::compare::claims::{self, ControlClaim, Evidence};
 use crate::study::compare::contest::ContestJob;
 use crate::study::compare::cost::Replay;
 use crate::study::compare::entrants::{self, Entrant};
+use crate::study::compare::iterations::{IterationsJob, MANY_ITERATIONS};
 use crate::study::compare::load_step::{self, Transient};
 use crate::study::compare::table_1::{
     self, DISCLOSED, NOT_REACHED, TOLD_BY_VERSION, Table1Verdict,
@@ -89,12 +91,14 @@ fn report(seeds: u32, quiet: bool) -> Result<Report, progress::NotDone> {
     let table = contest.tournament().table();
     let load_step_n = load_step::forces_n(&base);
     let experiment_1 = Tournament::new(claims::both_on("experiment-1"), seeds);
+    let mut iterations = IterationsJob::new(&base);
+    progress::work(&mut iterations, "Iterations", quiet)?;
     let claims = claims::claims(&Evidence {
         experiment_1: &played(experiment_1, "Experiment 1", quiet)?,
         experiment_2: &table,
         transients: contest.transients(),
         load_step_n,
-        iterations_needed: claims::iterations_needed(&base),
+        iterations_needed: iterations.partial().unwrap_or(MANY_ITERATIONS),
     });
     Ok(Report {
         seeds,

@@ -18,6 +18,7 @@ pub mod parts;
 pub mod presets;
 pub mod recording;
 pub mod revolution;
+pub mod run_to;
 pub mod scenario;
 pub mod scenario_file;
 pub mod scenario_link;

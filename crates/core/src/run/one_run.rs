@@ -295,7 +295,7 @@ impl Run {
 }
 
 /// Steps of the plant between two looks at whether the job is cancelled.
-const LOOK_TICKS: u64 = 4096;
+pub(super) const LOOK_TICKS: u64 = 4096;
 
 /// A step is one of the plant.
 impl Job for Run {

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::entrants::{self, Entrant, TABLE_1};
+use super::iterations::MANY_ITERATIONS;
 #[cfg(doc)]
 use super::load_step;
 use super::load_step::Transient;
@@ -10,16 +11,11 @@ use super::outcome::Measure;
 use super::table_1;
 use super::tournament::Compared;
 use crate::base::units::{percent_from_ratio, ratio_from_percent};
-use crate::run::edits::Edits;
-use crate::run::one_run::Run;
 use crate::run::presets;
-use crate::run::scenario::Scenario;
 use crate::verdict::Verdict;
 
 /// Iterations that the paper needs at most.
 const ITERATIONS: u32 = 4;
-/// Iterations of the internal loop that never cut it short.
-const MANY_ITERATIONS: u32 = 10;
 /// Removal rate gained in Experiment 1, percent.
 const RATE_PERCENT: f64 = 27.0;
 /// Time saved in one cut of Experiment 1, percent.
@@ -27,7 +23,7 @@ const TIME_1_PERCENT: f64 = 40.0;
 /// Time saved in Experiment 2, percent.
 const TIME_2_PERCENT: f64 = 24.0;
 /// Row of UNKS in Table 1.
-const UNKS: usize = 5;
+pub(super) const UNKS: usize = 5;
 
 /// One claim.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -52,25 +48,6 @@ pub fn both_on(preset: &str) -> Vec<Entrant> {
     entrants::on(&base, &[TABLE_1[0], TABLE_1[UNKS]])
 }
 
-/// The fewest iterations of the internal loop with which UNKS cuts the part of `base` as it does with
-/// ten, to the bit: with fewer, the loop is cut short somewhere.
-///
-/// # Panics
-/// Never: the numbers of iterations lie within the range of their setting.
-#[must_use]
-pub fn iterations_needed(base: &Scenario) -> u32 {
-    let with = |iterations: u32| {
-        let scenario = TABLE_1[UNKS].on(base).scenario.with(|settings| {
-            settings.controller.unks.internal_iterations = iterations;
-            settings.run.record_every = settings.run.steps_per_control;
-        });
-        let scenario = scenario.expect("up to ten iterations, and a row a control period, fit");
-        Run::complete(&scenario, &Edits::none()).recording().digest()
-    };
-    let many = with(MANY_ITERATIONS);
-    (1..MANY_ITERATIONS).find(|iterations| with(*iterations) == many).unwrap_or(MANY_ITERATIONS)
-}
-
 /// What the claims are judged by.
 #[derive(Clone, Copy, Debug)]
 pub struct Evidence<'a> {
@@ -82,7 +59,7 @@ pub struct Evidence<'a> {
     pub transients: &'a [Transient],
     /// The load step, N: see [`load_step::forces_n`].
     pub load_step_n: [f64; 2],
-    /// See [`iterations_needed`].
+    /// See [`IterationsJob`](super::iterations::IterationsJob).
     pub iterations_needed: u32,
 }
 

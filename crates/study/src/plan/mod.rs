@@ -8,6 +8,7 @@ pub mod constraints;
 pub mod contour;
 pub mod cut;
 pub mod field;
+pub mod flight;
 pub mod machine;
 pub mod optimum;
 pub mod problem;

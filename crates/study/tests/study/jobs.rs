@@ -7,6 +7,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use steadycut_core::base::settings::Value;
 use steadycut_core::blocks::control::ControllerKind;
+use steadycut_core::blocks::cutting::process::ForceModel;
+use steadycut_core::models::genetic::Calibration;
 use steadycut_core::models::plan::PlannedSection;
 use steadycut_core::models::tool_life::Growth;
 use steadycut_core::run::edits::Edits;
@@ -14,17 +16,22 @@ use steadycut_core::run::job::{Budget, Job, OneThread, Threads};
 use steadycut_core::run::one_run::Run;
 use steadycut_core::run::presets::load;
 use steadycut_core::run::revolution::RevolutionJob;
+use steadycut_core::run::run_to::RunTo;
 use steadycut_core::run::scenario::{Scenario, parse_value};
 use steadycut_study::combined::Combined;
 use steadycut_study::compare::contest::ContestJob;
 use steadycut_study::compare::entrants::{Entrant, TABLE_1, on};
+use steadycut_study::compare::iterations::IterationsJob;
 use steadycut_study::compare::tournament::Tournament;
 use steadycut_study::machine_life::adaptive::AdaptiveLife;
 use steadycut_study::machine_life::monte_carlo::{LifeMonteCarlo, Tools};
 use steadycut_study::machine_life::{LifeJob, model};
+use steadycut_study::papers::TableJob;
 use steadycut_study::plan::PlanJob;
+use steadycut_study::plan::flight::Flight;
 use steadycut_study::plan::machine::MachineLimits;
 use steadycut_study::plan::schedule::ScheduleJob;
+use steadycut_study::published::PaperId;
 use steadycut_study::recommend::Advisor;
 use steadycut_study::recommend::table::Table;
 use steadycut_study::robust::Robustness;
@@ -136,6 +143,7 @@ fn recipe(hidden: usize) -> TrainingRecipe {
 fn runs_and_what_is_made_of_one() {
     check("Run", &Run::new(&scenario("table3-5-noise", &[]), &Edits::none()), 500);
     let run = Run::complete(&milled(), &Edits::none());
+    check("RunTo", &RunTo::new(&milled(), &Edits::none(), 20_000), 777);
     check("RevolutionJob", &RevolutionJob::new(&run, 2.0, 2, None), 777);
     let short = scenario("combined-2005", &[("run.duration_s", "2")]);
     let advisor = Advisor::new(&Table::shipped());
@@ -153,13 +161,18 @@ fn comparisons_of_runs() {
     for entrant in &mut milling {
         entrant.scenario.set("run.duration_s", Value::Float(0.5)).unwrap();
     }
+    let table = TableJob::new(PaperId::Sdnrp2007, Calibration::Identified, ForceModel::Formula);
+    check("TableJob", &table, 7_001);
     check("ContestJob", &ContestJob::new(milling, 2), 5_000);
+    check("IterationsJob", &IterationsJob::new(&milled()), 10_007);
     check("Robustness", &Robustness::new(&milled(), ControllerKind::Preview, 3, 7), 10_007);
 }
 
 #[test]
 fn plans() {
-    check("PlanJob", &PlanJob::new(&Scenario::default()).unwrap(), 3);
+    let plan = PlanJob::new(&Scenario::default()).unwrap();
+    check("PlanJob", &plan, 3);
+    check("Flight", &Flight::new(plan), 3);
     let (machine, sized_by) = (MachineLimits::heller_bea_01(), PlannedSection::Lightest);
     let schedule = ScheduleJob::on(&scenario("experiment-2", &[]), &machine, sized_by).unwrap();
     check("ScheduleJob", &schedule, 7);
