@@ -19,6 +19,8 @@ const FRAME_SLICE_S: f64 = 0.008;
 /// Time of a slice on the pool, s: partial results are as old as that at most.
 #[cfg(not(target_arch = "wasm32"))]
 const POOL_SLICE_S: f64 = 0.03;
+/// Time of work up to which a brief job is not listed, s.
+const BRIEF_S: f64 = 0.4;
 /// Time between two frames while nothing else moves, s.
 #[cfg(not(target_arch = "wasm32"))]
 const REDRAW_S: f64 = 0.1;
@@ -47,6 +49,8 @@ struct Slot<J: Job> {
 /// What a screen, the list and the pool share of a job.
 struct Shared<J: Job> {
     name: String,
+    /// Time of work from which it is listed, s.
+    listed_from_s: f64,
     running: AtomicBool,
     /// Nobody wants it any more.
     gone: AtomicBool,
@@ -100,6 +104,8 @@ impl<J: Job> Shared<J> {
 trait Listed: Send + Sync {
     fn name(&self) -> &str;
     fn is_running(&self) -> bool;
+    /// Whether it is shown in the list.
+    fn is_listed(&self) -> bool;
     fn stop(&self);
     fn is_gone(&self) -> bool;
     fn progress(&self) -> (Progress, Option<f64>);
@@ -122,6 +128,10 @@ where
 
     fn is_running(&self) -> bool {
         self.running.load(Ordering::Relaxed)
+    }
+
+    fn is_listed(&self) -> bool {
+        self.is_running() && self.slot().worked.0 >= self.listed_from_s
     }
 
     fn stop(&self) {
@@ -206,6 +216,12 @@ impl<J: Job> Work<J> {
         }
     }
 
+    /// The job with all it has found, unless it is being worked at.
+    #[must_use]
+    pub fn into_job(self) -> Option<J> {
+        self.shared.slot().job.take()
+    }
+
     /// Changes the job, at once where it rests, otherwise after the present slice; it does not begin to
     /// run by that.
     pub fn change(&self, change: impl FnOnce(&mut J) + Send + 'static) {
@@ -251,6 +267,14 @@ impl Jobs {
         J: Job + 'static,
         J::Partial: Send + Sync,
     {
+        self.take_listed(name.into(), job, first, 0.0)
+    }
+
+    fn take_listed<J>(&self, name: String, job: J, first: u64, listed_from_s: f64) -> Work<J>
+    where
+        J: Job + 'static,
+        J::Partial: Send + Sync,
+    {
         let progress = job.progress();
         let slot = Slot {
             partial: Arc::new(job.partial()),
@@ -265,7 +289,8 @@ impl Jobs {
             worked: (0.0, progress.share()),
         };
         let shared = Arc::new(Shared {
-            name: name.into(),
+            name,
+            listed_from_s,
             running: AtomicBool::new(false),
             gone: AtomicBool::new(false),
             slot: Mutex::new(slot),
@@ -285,6 +310,25 @@ impl Jobs {
         let work = self.take(name, job, first);
         work.go_on();
         work
+    }
+
+    /// The same with a job that is begun again and again and over in a moment mostly: it is listed only
+    /// where it takes longer, so that nothing flickers in the bar.
+    #[must_use]
+    pub fn begin_brief<J>(&self, name: impl Into<String>, job: J, first: u64) -> Work<J>
+    where
+        J: Job + 'static,
+        J::Partial: Send + Sync,
+    {
+        let work = self.take_listed(name.into(), job, first, BRIEF_S);
+        work.go_on();
+        work
+    }
+
+    /// Whether nothing is worked at.
+    #[must_use]
+    pub fn is_at_rest(&self) -> bool {
+        !self.all.borrow().iter().any(|job| job.is_running() && !job.is_gone())
     }
 
     /// A frame's share of the work, or none where the pool does it; asks for another frame while

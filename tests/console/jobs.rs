@@ -12,7 +12,10 @@ use steadycut::app::jobs::Jobs;
 use steadycut::base::settings::Value;
 use steadycut::run::edits::Edits;
 use steadycut::run::job::{Budget, Job, Progress};
+use steadycut::run::revolution::revolution;
+use steadycut::run::scenario::Scenario;
 use steadycut::run::{Start, presets};
+use steadycut::study::plan::PlanJob;
 
 use crate::drawn;
 use crate::screen::{self, Screen, show, texts};
@@ -29,10 +32,8 @@ fn click(screen: &mut Screen<'_>, name: &str) {
     screen.run_steps(2);
 }
 
-/// The screen "Compare" on a scenario that its runs take some time for; on threads or in slices.
-fn compare<'a>(size: Vec2, threads: bool) -> Screen<'a> {
-    let mut scenario = presets::load("table3-5-noise").expect("shipped");
-    scenario.set("run.duration_s", Value::Float(12.0)).expect("a valid setting");
+/// The screen with this title on a scenario; work on threads or in slices.
+fn open<'a>(scenario: Scenario, size: Vec2, threads: bool, title: &str) -> Screen<'a> {
     let mut screen = Harness::builder().with_size(size).with_step_dt(0.05).build_ui_state(
         move |ui, console: &mut Option<Console>| {
             let console = console.get_or_insert_with(|| {
@@ -46,8 +47,15 @@ fn compare<'a>(size: Vec2, threads: bool) -> Screen<'a> {
         None,
     );
     screen.run_steps(2);
-    show(&mut screen, "Compare");
+    show(&mut screen, title);
     screen
+}
+
+/// The screen "Compare" on a scenario that its runs take some time for.
+fn compare<'a>(size: Vec2, threads: bool) -> Screen<'a> {
+    let mut scenario = presets::load("table3-5-noise").expect("shipped");
+    scenario.set("run.duration_s", Value::Float(12.0)).expect("a valid setting");
+    open(scenario, size, threads, "Compare")
 }
 
 /// Frames until `reached`, with time for threads between them.
@@ -63,7 +71,7 @@ fn until(screen: &mut Screen<'_>, reached: impl Fn(&Screen<'_>) -> bool) {
 }
 
 fn at_rest(screen: &Screen<'_>) -> bool {
-    screen.query_by_label("1 job at work").is_none()
+    jobs(screen).is_at_rest()
 }
 
 #[test]
@@ -137,6 +145,94 @@ fn no_frame_waits_for_the_work() {
     eprintln!("a frame: idle {idle_s:.4?} s, while Compare runs {working_s:.4?} s");
     // Threads share the cores with the frames; before there were threads a frame had 40 ms of work in it.
     assert!(working_s[1] < 3.0 * idle_s[1] + 0.02, "{idle_s:?} s idle, {working_s:?} s at work");
+}
+
+/// A plan with a swarm that takes its time.
+fn large_swarm() -> Scenario {
+    let mut scenario = presets::load("first-cut").expect("shipped");
+    let changes = [("plan.particles", 500), ("plan.iterations", 1000), ("plan.stop_after", 1000)];
+    let changes = changes.map(|(path, value)| (path.to_owned(), Value::Int(value)));
+    scenario.set_all(&changes).expect("valid settings");
+    scenario
+}
+
+#[test]
+fn the_search_of_a_plan_goes_on_beside_other_screens_and_is_stopped_in_the_list() {
+    let scenario = large_swarm();
+    let plan = PlanJob::complete(&scenario).unwrap();
+    let found = format!("{:.1} N", plan.optimum().force_n);
+    for size in SIZES {
+        for threads in [true, false] {
+            let mut screen = open(scenario.clone(), size, threads, "Plan");
+            show(&mut screen, "Block diagram");
+            if !threads {
+                // A frame does a part of it that is known: there is time to stop it.
+                click(&mut screen, "1 job at work");
+                let shown = texts(&screen);
+                assert!(shown.contains(" of 1000 iterations, "), "with the time left: {shown}");
+                click(&mut screen, "Stop Plan: search of the swarm");
+                assert!(at_rest(&screen));
+                show(&mut screen, "Plan");
+                let shown = texts(&screen);
+                assert!(shown.contains("stopped: iteration"), "{shown}");
+                assert!(!shown.contains("stopped: iteration 0 "), "nothing is lost: {shown}");
+                click(&mut screen, "Move the swarm");
+                show(&mut screen, "Block diagram");
+                assert!(!at_rest(&screen));
+            }
+            until(&mut screen, at_rest);
+            // What was found meanwhile is shown at once.
+            show(&mut screen, "Plan");
+            let shown = texts(&screen);
+            assert!(shown.contains("done: iteration 1000"), "{shown}");
+            assert!(shown.contains(&found), "{found} in {shown}");
+        }
+    }
+}
+
+#[test]
+fn a_changed_setting_gives_the_search_up_and_begins_that_of_the_new_plan() {
+    let mut screen = open(large_swarm(), SIZES[0], false, "Plan");
+    assert!(!at_rest(&screen));
+    screen.get_by_role_and_label(Role::Slider, "Target Ra").set_value_accesskit(1.5);
+    screen.run_steps(2);
+    assert!(screen.query_by_label("2 jobs at work").is_none(), "{}", texts(&screen));
+    let mut scenario = large_swarm();
+    scenario.set("target.ra_um", Value::Float(1.5)).unwrap();
+    click(&mut screen, "To the end");
+    until(&mut screen, at_rest);
+    screen.run_steps(2);
+    let found = format!("{:.1} N", PlanJob::complete(&scenario).unwrap().optimum().force_n);
+    assert!(texts(&screen).contains(&found), "{found} in {}", texts(&screen));
+}
+
+#[test]
+fn the_picture_of_a_revolution_is_made_beside_another_screen() {
+    for threads in [true, false] {
+        let mut scenario = presets::load("experiment-1").expect("shipped");
+        scenario.change(|settings| settings.run.duration_s = 3.0).expect("a valid setting");
+        let mut screen = open(scenario, SIZES[0], threads, "Console");
+        let session = |screen: &Screen<'_>| screen.state().as_ref().unwrap().session().progress();
+        screen.key_press(Key::Space);
+        until(&mut screen, |screen| session(screen) >= 1.0);
+        screen.key_press(Key::End);
+        screen.run_steps(2);
+        // Begun in one frame, and left in the next.
+        screen.get_by_label("Within a revolution\u{2026}").click_accesskit();
+        screen.run_steps(2);
+        let shown = texts(&screen);
+        assert!(!shown.contains("was not simulated tooth by tooth"), "{shown}");
+        show(&mut screen, "Papers");
+        screen::rest(&mut screen);
+        show(&mut screen, "Console");
+        let console = screen.state().as_ref().unwrap();
+        let run = console.session().chosen().run();
+        let found = revolution(run, console.session().playback().playhead_s, 1).unwrap();
+        let peak_n = found.samples[found.peak.unwrap()].fxy_n();
+        let shown = texts(&screen);
+        assert!(shown.contains(&format!("{peak_n:.1} N at")), "{peak_n} N in {shown}");
+        assert!(jobs(&screen).is_at_rest(), "nothing was begun again");
+    }
 }
 
 /// Work that stands where it is.

@@ -487,6 +487,9 @@ fn every_screen_looks_as_its_picture() {
                 show(&mut window, place, panel.title());
                 // Until what fades in has come.
                 window.run_steps(20);
+                while !console(&window).jobs().is_at_rest() {
+                    window.run_steps(1);
+                }
                 let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(40);
                 let name = format!("{}-{size_name}-{theme_name}", panel.id());
                 results.add(window.try_snapshot_options(name, &options));

@@ -45,7 +45,7 @@ fn click(screen: &mut Screen, name: &str) {
 /// To the end of the search.
 fn finish(screen: &mut Screen) {
     click(screen, "To the end");
-    screen.run_steps(3);
+    screen::rest(screen);
 }
 
 fn iteration(screen: &Screen) -> u32 {

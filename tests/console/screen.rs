@@ -50,6 +50,18 @@ pub fn show(screen: &mut Screen<'_>, title: &str) {
     screen.run_steps(2);
 }
 
+/// Frames until no long work goes on, and two more.
+pub fn rest(screen: &mut Screen<'_>) {
+    for _ in 0..5000 {
+        screen.run_steps(2);
+        if screen.state().as_ref().expect("made in the first frame").jobs().is_at_rest() {
+            return screen.run_steps(2);
+        }
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    panic!("{}", texts(screen));
+}
+
 /// Every text on the screen.
 pub fn texts(screen: &Screen<'_>) -> String {
     let nodes = screen.root().children_recursive().map(|node| {

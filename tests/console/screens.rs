@@ -170,15 +170,16 @@ fn overrides_are_shown_as_the_cnc_takes_them() {
 #[test]
 fn the_papers_screen_follows_the_calibration() {
     let mut harness = open("first-cut", SIZES[0], "Papers", &[]);
+    screen::rest(&mut harness);
     assert!(texts(&harness).contains("40 of 40 final values met"));
     assert!(texts(&harness).contains("195.2 (read 190.2)"));
     assert!(texts(&harness).contains("taken as a misprint"));
     harness.get_by_label("as printed").click();
-    harness.run_steps(2);
+    screen::rest(&mut harness);
     let shown = texts(&harness);
     assert!(!shown.contains("40 of 40") && shown.contains("K2 outside its range"), "{shown}");
     harness.get_by_label("identified").click();
-    harness.run_steps(2);
+    screen::rest(&mut harness);
     assert!(texts(&harness).contains("40 of 40 final values met"));
 }
 
@@ -186,8 +187,9 @@ fn the_papers_screen_follows_the_calibration() {
 fn the_papers_screen_has_both_papers_and_every_force_model() {
     for size in SIZES {
         let mut harness = open("first-cut", size, "Papers", &[]);
+        screen::rest(&mut harness);
         harness.get_by_label(PaperId::Strategy2013.label()).click();
-        harness.run_steps(2);
+        screen::rest(&mut harness);
         let shown = texts(&harness);
         assert!(shown.contains("32 of 32 final values met"), "{shown}");
         assert!(shown.contains("Initial force") && !shown.contains("Desired force"), "{shown}");
@@ -196,12 +198,12 @@ fn the_papers_screen_has_both_papers_and_every_force_model() {
             assert!(shown.contains(erratum.problem), "{}", erratum.problem);
         }
         harness.get_by_label("as printed").click();
-        harness.run_steps(2);
+        screen::rest(&mut harness);
         assert!(texts(&harness).contains("M2 outside its range"), "{}", texts(&harness));
         harness.get_by_label("identified").click();
         for force_model in &ForceModel::MAPS[1..] {
             harness.get_by_label(force_model.label()).click();
-            harness.run_steps(2);
+            screen::rest(&mut harness);
             let shown = texts(&harness);
             assert!(shown.contains("Final values as they are"), "{shown}");
             assert!(!shown.contains("missed"), "{shown}");
@@ -213,8 +215,9 @@ fn the_papers_screen_has_both_papers_and_every_force_model() {
 fn load_brings_a_row_into_the_console() {
     for size in SIZES {
         let mut harness = open("first-cut", size, "Papers", &[]);
+        screen::rest(&mut harness);
         harness.get_by_label("restored").click();
-        harness.run_steps(2);
+        screen::rest(&mut harness);
         harness.get_by_label("Load table3-2").click();
         harness.run_steps(3);
         let scenario = console(&harness).session().scenario();
@@ -228,10 +231,11 @@ fn load_brings_a_row_into_the_console() {
 #[test]
 fn load_keeps_paper_and_force_model() {
     let mut harness = open("first-cut", SIZES[0], "Papers", &[]);
+    screen::rest(&mut harness);
     harness.get_by_label(PaperId::Strategy2013.label()).click();
-    harness.run_steps(2);
+    screen::rest(&mut harness);
     harness.get_by_label(ForceModel::Neural.label()).click();
-    harness.run_steps(2);
+    screen::rest(&mut harness);
     harness.get_by_label("Load strategy-table1-3").click();
     harness.run_steps(3);
     let scenario = console(&harness).session().scenario();
@@ -244,13 +248,14 @@ fn load_keeps_paper_and_force_model() {
 fn the_papers_screen_has_the_combined_system_and_the_machine() {
     for size in SIZES {
         let mut harness = open("first-cut", size, "Papers", &[]);
+        screen::rest(&mut harness);
         harness.get_by_label("Dynamic model 2019, Table 1").click();
-        harness.run_steps(2);
+        screen::rest(&mut harness);
         let shown = texts(&harness);
         assert!(shown.contains("exponent of the spring wrong: 8, not 12"), "{shown}");
         assert!(shown.contains("109.93") && shown.contains("no published curve"), "{shown}");
         harness.get_by_label("Combined system 2005, Table 1").click();
-        harness.run_steps(2);
+        screen::rest(&mut harness);
         let shown = texts(&harness);
         for erratum in errata::COMBINED_2005 {
             assert!(shown.contains(erratum.problem), "{}", erratum.problem);

@@ -2,6 +2,7 @@
 //! names, and their pictures.
 
 use crate::drawn;
+use crate::screen::rest;
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Theme, Vec2, vec2};
@@ -97,6 +98,7 @@ fn texts(screen: &Screen<'_>) -> String {
 fn the_peak_of_the_control_period_is_found_within_the_revolution() {
     let mut screen = at("experiment-1", DESKTOP, None, 4);
     open_window(&mut screen, DESKTOP, &[], "Within a revolution\u{2026}");
+    rest(&mut screen);
     let row = *session(&screen).row();
     let run = session(&screen).chosen().run();
     let found = revolution(run, session(&screen).playback().playhead_s, 1).unwrap();
@@ -106,9 +108,11 @@ fn the_peak_of_the_control_period_is_found_within_the_revolution() {
     assert!(shown.contains(&format!("{peak_n:.1} N at")), "{shown}");
     assert!(shown.contains("1086 samples"), "{shown}");
     click(&mut screen, "2 turns");
+    rest(&mut screen);
     assert!(texts(&screen).contains("2171 samples"));
     // A step of the playhead goes on at once while the cut stands still.
     press(&mut screen, Modifiers::COMMAND, Key::ArrowRight);
+    rest(&mut screen);
     let force_n = session(&screen).row().force_n;
     assert!(texts(&screen).contains(&format!("{force_n:.1} N at")));
     press(&mut screen, Modifiers::NONE, Key::Escape);
@@ -120,6 +124,7 @@ fn the_peak_of_the_control_period_is_found_within_the_revolution() {
 fn a_drag_zooms_into_the_revolution_and_a_double_click_fits_again() {
     let mut screen = at("experiment-1", DESKTOP, None, 4);
     open_window(&mut screen, DESKTOP, &[], "Within a revolution\u{2026}");
+    rest(&mut screen);
     click(&mut screen, "Time");
     let whole = "Forces from 0.00 ms to 37.67 ms";
     let rect = screen.get_by_label(whole).rect();
@@ -151,7 +156,7 @@ fn where_there_are_no_teeth_one_click_brings_them() {
     let scenario = session(&screen).scenario();
     assert_eq!(scenario.plant.force_model, ForceModel::Mechanistic);
     assert_eq!(scenario.info.name, "first-cut");
-    screen.run_steps(10);
+    rest(&mut screen);
     assert!(texts(&screen).contains("Peak of the last control period"));
     click(&mut screen, "Undo");
     assert_eq!(session(&screen).scenario().plant.force_model, ForceModel::Formula);
@@ -254,6 +259,7 @@ fn the_windows_look_as_their_pictures() {
     let mut results = SnapshotResults::new();
     let mut picture = |screen: &mut Screen, name: String| {
         screen.run_steps(20);
+        rest(screen);
         let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(40);
         results.add(screen.try_snapshot_options(name, &options));
     };

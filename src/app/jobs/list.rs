@@ -13,7 +13,7 @@ const WIDTH: f32 = 300.0;
 /// The button, while something goes on.
 pub fn show(ui: &mut Ui, jobs: &Jobs) {
     let all = jobs.all.borrow();
-    let running = || all.iter().filter(|job| job.is_running());
+    let running = || all.iter().filter(|job| job.is_listed());
     let count = running().count();
     let id = egui::Id::unique("jobs");
     if count == 0 {

@@ -14,15 +14,19 @@ use egui::{Frame, Margin, RichText, ScrollArea, Ui};
 use super::{Panel, View};
 use crate::app::command::{Command, SessionCommand, ShellCommand};
 use crate::app::format;
+use crate::app::jobs::Work;
 use crate::app::theme::{self, Palette};
 use crate::base::settings::Choice;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::Calibration;
 use crate::study::errata::{COMBINED_2005, Erratum};
 use crate::study::errata_2019::MACHINE_2019;
-use crate::study::papers::{self, CellVerdict, PaperTable};
+use crate::study::papers::{CellVerdict, PaperTable, TableJob};
 use crate::study::papers_2019;
 use crate::study::published::PaperId;
+
+/// Steps of the plant in the first slice of a table.
+const FIRST: u64 = 20_000;
 
 /// The papers; two have a table of simulations.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -46,8 +50,8 @@ pub struct PapersPanel {
     shown: Shown,
     /// What the 2019 paper's equations give: computed once.
     measured: Option<Vec<String>>,
-    /// What has been reproduced so far: each table is run once.
-    done: BTreeMap<Shown, PaperTable>,
+    /// The tables so far: each is run once, and goes on when another one, or another screen, is shown.
+    tables: BTreeMap<Shown, Work<TableJob>>,
 }
 
 impl Default for PapersPanel {
@@ -58,7 +62,7 @@ impl Default for PapersPanel {
             force_model: ForceModel::Formula,
         };
         let paper = Paper::Simulated(shown.paper);
-        Self { paper, shown, measured: None, done: BTreeMap::new() }
+        Self { paper, shown, measured: None, tables: BTreeMap::new() }
     }
 }
 
@@ -75,13 +79,13 @@ impl Panel for PapersPanel {
         let side = if view.narrow { 8 } else { 12 };
         let margin = Frame::new().inner_margin(Margin::symmetric(side, 6));
         ScrollArea::vertical().id_salt("papers").auto_shrink(false).show(ui, |ui| {
-            margin.show(ui, |ui| self.page(ui, view.narrow, commands));
+            margin.show(ui, |ui| self.page(ui, view, commands));
         });
     }
 }
 
 impl PapersPanel {
-    fn page(&mut self, ui: &mut Ui, narrow: bool, commands: &mut Vec<Command>) {
+    fn page(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         self.choose_paper(ui);
         match self.paper {
             Paper::Simulated(paper) => self.shown.paper = paper,
@@ -97,18 +101,27 @@ impl PapersPanel {
         choose(ui, whose, Calibration::ALL, Calibration::OPTIONS, calibration);
         choose(ui, "Plant's force from:", &ForceModel::MAPS, ForceModel::OPTIONS, force_model);
         let shown = self.shown;
-        let table = self
-            .done
-            .entry(shown)
-            .or_insert_with(|| papers::table(shown.paper, shown.calibration, shown.force_model));
+        let work = self.tables.entry(shown).or_insert_with(|| {
+            let job = TableJob::new(shown.paper, shown.calibration, shown.force_model);
+            let name = format!("Papers: {}", shown.paper.label());
+            view.jobs.begin(name, job, FIRST)
+        });
+        // In this order: what is over has all its rows.
+        let over = work.is_over();
+        let table = &*work.partial();
         ui.add_space(4.0);
-        summary(ui, table);
-        if narrow {
+        summary(ui, table, over);
+        if !over {
+            on_the_way(ui, work);
+        }
+        if view.narrow {
             table::cards(ui, shown, table, commands);
         } else {
             table::table(ui, shown, table, commands);
         }
-        deviations::show(ui, shown.paper, table);
+        if over {
+            deviations::show(ui, shown.paper, table);
+        }
         errata(ui, table.errata);
     }
 
@@ -174,8 +187,19 @@ fn choose<T: Copy + PartialEq>(
     });
 }
 
+/// How far the simulations are, and what goes on with them where they were stopped.
+fn on_the_way(ui: &mut Ui, work: &Work<TableJob>) {
+    ui.horizontal_wrapped(|ui| {
+        let progress = work.progress();
+        ui.label(RichText::new(format!("{progress} done.")).color(Palette::at(ui).accent));
+        if !work.is_running() && ui.button("Go on with the table").clicked() {
+            work.go_on();
+        }
+    });
+}
+
 /// How many cells are met, and what that means.
-fn summary(ui: &mut Ui, table: &PaperTable) {
+fn summary(ui: &mut Ui, table: &PaperTable, over: bool) {
     let palette = Palette::at(ui);
     let judged = || {
         let cells = table.rows.iter().flat_map(|row| row.compared());
@@ -183,13 +207,15 @@ fn summary(ui: &mut Ui, table: &PaperTable) {
     };
     let (met, all) =
         (judged().filter(|cell| cell.verdict == CellVerdict::Met).count(), judged().count());
-    let (text, color) = if all == 0 {
+    let (text, color) = if table.rows.is_empty() {
+        ("No simulation is done yet".to_owned(), palette.weak)
+    } else if all == 0 {
         let text = "Final values as they are: the table's forces come from the formula, another \
                     force model of the plant gives others by nature";
         (text.to_owned(), palette.text)
     } else {
         let color = if met == all { palette.good } else { palette.bad };
-        (format!("{met} of {all} final values met"), color)
+        (format!("{met} of {all} final values met{}", if over { "" } else { " so far" }), color)
     };
     ui.label(RichText::new(text).strong().color(color));
     let run = "Each row is run in time from its printed start values, noise off, SDNRP; the final \

@@ -71,10 +71,10 @@ impl Panel for PlanPanel {
     }
 
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        self.search.follow(view.session.scenario());
+        self.search.follow(view.session.scenario(), view.jobs);
         let dt_s = scaffold::frame_s(ui.ctx());
         self.search.advance(dt_s);
-        if self.search.playing {
+        if self.search.is_playing() {
             ui.ctx().request_repaint();
         }
         if ui.available_width() < WIDE_FROM {
@@ -82,6 +82,10 @@ impl Panel for PlanPanel {
         } else {
             self.wide(ui, view, commands);
         }
+    }
+
+    fn left(&mut self) {
+        self.search.leave();
     }
 }
 
@@ -134,11 +138,7 @@ impl PlanPanel {
     }
 
     fn transport(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        let progress = match self.search.found() {
-            Some(Ok(found)) => Some(found.job.counts()),
-            _ => None,
-        };
-        transport::show(ui, &mut self.search, progress, view.session.scenario(), commands);
+        transport::show(ui, &mut self.search, view.session.scenario(), commands);
     }
 
     /// The map with its legend, `height` points high together; or why there is none.
@@ -150,7 +150,7 @@ impl PlanPanel {
             None => return,
         };
         let top = ui.cursor().top();
-        let programmed = map::programmed(found.job.problem(), view.session.scenario());
+        let programmed = map::programmed(&found.problem, view.session.scenario());
         let name = match map::on_the_map(programmed) {
             true => "programmed now",
             false => "programmed now: outside the map",
@@ -180,30 +180,29 @@ impl PlanPanel {
     /// The values at the place that was clicked.
     fn pinned(&mut self, ui: &mut Ui) {
         if let Some(Ok(found)) = self.search.found() {
-            readout::pinned(ui, &mut self.map.pinned, found.job.problem());
+            readout::pinned(ui, &mut self.map.pinned, &found.problem);
         }
     }
 
     fn answer(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let Some(Ok(found)) = self.search.found() else { return };
-        let job = &found.job;
-        answer::show(ui, job, view.session.scenario(), commands);
+        answer::show(ui, found, view.session.scenario(), commands);
         ui.add_space(4.0);
-        table::show(ui, &job.optimum().constraints, &mut self.open);
+        table::show(ui, &found.optimum().constraints, &mut self.open);
     }
 
     fn convergence(&mut self, ui: &mut Ui) {
         if let Some(Ok(found)) = self.search.found() {
-            convergence::show(ui, found.job.history(), CONVERGENCE_HEIGHT);
+            convergence::show(ui, found.history(), CONVERGENCE_HEIGHT);
         }
     }
 
     fn steps(&mut self, ui: &mut Ui, view: &View<'_>) {
-        let job = match self.search.found() {
-            Some(Ok(found)) => Some(&found.job),
-            _ => None,
+        let found = match self.search.found() {
+            Some(Ok(found)) => Some(&*found),
+            Some(Err(_)) | None => None,
         };
-        steps::show(ui, view, job);
+        steps::show(ui, view, found);
     }
 }
 

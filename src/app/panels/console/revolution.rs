@@ -7,20 +7,20 @@ use egui::{RichText, Ui};
 
 use super::super::View;
 use crate::app::command::{Command, FileCommand, SessionCommand};
+use crate::app::jobs::Work;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::legend;
 use crate::app::widgets::window::{self, WindowPlace};
 use crate::base::settings::Value;
 use crate::blocks::cutting::process::ForceModel;
-use crate::run::job::Job;
 use crate::run::one_run::Repeat;
 use crate::run::revolution::{Revolution, RevolutionJob};
 use crate::study::export::csv;
 
 /// Time between two pictures while the cut is playing, s: each repeats a part of the run.
 const EVERY_S: f64 = 0.25;
-/// Plant steps that are repeated in a frame: some milliseconds of work.
-const TICKS_PER_FRAME: u64 = 8_000;
+/// Plant steps of the first slice: some milliseconds of work.
+const FIRST: u64 = 8_000;
 /// Plant steps in a control period and rows in it where it is switched on from here: 28.8 kHz.
 const STEPS: [i64; 2] = [576, 96];
 
@@ -48,8 +48,8 @@ pub struct RevolutionWindow {
     drag: Option<f32>,
     /// What the last job was begun for, and when.
     made: Option<(Key, f64)>,
-    job: Option<RevolutionJob>,
-    /// The state of the last job, and the number of changes that it belongs to.
+    work: Option<Work<RevolutionJob>>,
+    /// The state of the last job that is over, and the number of changes that it and the picture belong to.
     repeat: Option<(u64, Repeat)>,
     shown: Option<Revolution>,
 }
@@ -64,7 +64,7 @@ impl Default for RevolutionWindow {
             zoomed: None,
             drag: None,
             made: None,
-            job: None,
+            work: None,
             repeat: None,
             shown: None,
         }
@@ -100,12 +100,16 @@ impl RevolutionWindow {
                 self.head(ui, csv, commands);
                 self.picture(ui, view);
             }
-            _ => nothing(ui, by_teeth, commands),
+            None if by_teeth && self.work.as_ref().is_some_and(Work::is_running) => {
+                ui.label("The run is being repeated up to this moment.");
+            }
+            Some(_) | None => nothing(ui, by_teeth, commands),
         }
     }
 
     /// Repeats the run for another picture where the playhead or the run has changed; while playing
-    /// at most every so often.
+    /// at most every so often. A picture of this run that is under way is finished first, so that a
+    /// drag of the playhead is followed.
     fn refresh(&mut self, ui: &Ui, view: &View<'_>) {
         let session = view.session;
         let run = session.chosen().run();
@@ -113,25 +117,32 @@ impl RevolutionWindow {
         let tick = session.scenario().ticks(playhead_s).min(run.ticks());
         let period = (tick + 1) / u64::from(session.scenario().run.steps_per_control);
         let key = (session.changes(), period, self.turns);
+        self.take_finished(key.0);
         let now_s = ui.input(|input| input.time);
         let due = self.made.is_none_or(|(made, at_s)| {
             let moved_on = (made.0, made.2) == (key.0, key.2) && session.playback().playing;
-            made != key && !(moved_on && (self.job.is_some() || (now_s - at_s).abs() < EVERY_S))
+            let under_way = self.work.as_ref().is_some_and(Work::is_running);
+            made != key && !under_way && !(moved_on && (now_s - at_s).abs() < EVERY_S)
         });
         if due {
             self.made = Some((key, now_s));
             // A job that is not done leaves nothing; the last one that was does.
             let repeat = self.repeat.clone().filter(|(changes, _)| *changes == key.0);
             let before = repeat.map(|(_, repeat)| repeat);
-            self.job = Some(RevolutionJob::new(run, playhead_s, self.turns, before));
+            let job = RevolutionJob::new(run, playhead_s, self.turns, before);
+            self.work = Some(view.jobs.begin_brief("Within a revolution", job, FIRST));
         }
-        let Some(mut job) = self.job.take() else { return };
-        if job.advance_by(TICKS_PER_FRAME) {
+    }
+
+    /// Shows what a job has found that is over; what belongs to the run before a change is given up.
+    fn take_finished(&mut self, changes: u64) {
+        if self.made.is_some_and(|((made, ..), _)| made != changes) {
+            self.work = None;
+        }
+        let over = self.work.take_if(|work| work.is_over());
+        if let Some(job) = over.and_then(Work::into_job) {
             let (found, repeat) = job.finish();
-            (self.shown, self.repeat) = (found, Some((key.0, repeat)));
-        } else {
-            self.job = Some(job);
-            ui.ctx().request_repaint();
+            (self.shown, self.repeat) = (found, Some((changes, repeat)));
         }
     }
 

@@ -2,12 +2,12 @@
 
 use egui::{Button, Grid, RichText, Ui};
 
+use super::search::Found;
 use crate::app::command::{Command, PlaybackCommand, SessionCommand, ShellCommand};
 use crate::app::format;
 use crate::app::theme::{self, Palette};
 use crate::base::settings::Value;
 use crate::run::scenario::Scenario;
-use crate::study::plan::PlanJob;
 use crate::study::plan::optimum::Optimum;
 use crate::study::plan::remarks::remarks;
 
@@ -15,8 +15,12 @@ use crate::study::plan::remarks::remarks;
 const VALUE: f32 = 12.5;
 
 /// Why the answer can't be programmed; none if it can.
-fn obstacle(job: &PlanJob, optimum: &Optimum) -> Option<String> {
-    match (job.counts().done, optimum.feasible) {
+fn obstacle(found: &Found) -> Option<String> {
+    let optimum = found.optimum();
+    match (found.stage().counts.done, optimum.feasible) {
+        (false, _) if found.is_stopped() => {
+            Some("The search was stopped; “Move the swarm” goes on with it.".to_owned())
+        }
         (false, _) => Some("The swarm is still searching; “To the end” shortens it.".to_owned()),
         (true, false) => Some(format!("Not programmed: {}.", optimum.verdict_text())),
         (true, true) => None,
@@ -34,10 +38,10 @@ fn use_it(optimum: &Optimum, commands: &mut Vec<Command>) {
 }
 
 /// The card with the best cut, the verdict, the button and what a run does with it.
-pub fn show(ui: &mut Ui, job: &PlanJob, scenario: &Scenario, commands: &mut Vec<Command>) {
+pub fn show(ui: &mut Ui, found: &Found, scenario: &Scenario, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
-    let optimum = job.optimum();
-    let done = job.counts().done;
+    let optimum = found.optimum();
+    let done = found.stage().counts.done;
     theme::card(palette).show(ui, |ui| {
         ui.set_width(ui.available_width());
         let title = match (done, optimum.feasible) {
@@ -57,15 +61,15 @@ pub fn show(ui: &mut Ui, job: &PlanJob, scenario: &Scenario, commands: &mut Vec<
                         outside its training data, and the force is continued.";
             ui.label(RichText::new(text).small().color(palette.warn));
         }
-        values(ui, &optimum);
-        let obstacle = obstacle(job, &optimum);
+        values(ui, optimum);
+        let obstacle = obstacle(found);
         let button = Button::new("Use as programmed values");
         let response = ui.add_enabled(obstacle.is_none(), button).on_hover_text(
             "Programs this feed and speed, keeps all else, and cuts from the start on the \
              console. One step of undo.",
         );
         if response.clicked() {
-            use_it(&optimum, commands);
+            use_it(optimum, commands);
         }
         match obstacle {
             Some(obstacle) => {

@@ -14,7 +14,7 @@ use crate::study::plan::machine::Source;
 /// The legend.
 pub fn show(ui: &mut Ui, layers: &mut Layers, found: &Found, programmed_text: &str) {
     let palette = Palette::at(ui);
-    let checked = &found.job.optimum().constraints;
+    let checked = &found.optimum().constraints;
     let boundaries = |number: usize| found.picture.boundary(number);
     let spacing = ui.spacing().clone();
     ui.spacing_mut().item_spacing = vec2(12.0, 1.0);

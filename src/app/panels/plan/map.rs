@@ -129,7 +129,7 @@ impl Map {
         {
             self.pinned = Some(place(at)).filter(|point| on_the_map(*point));
         }
-        let problem = found.job.problem();
+        let problem = &found.problem;
         if let Some(point) = response.response.hover_pos().map(place).filter(|p| on_the_map(*p)) {
             let hovered = response.response.on_hover_cursor(egui::CursorIcon::Crosshair);
             hovered.on_hover_ui_at_pointer(|ui| readout(ui, problem, point));
@@ -216,8 +216,8 @@ fn label(
 
 /// What a screen reader says of the map.
 fn name(found: &Found) -> String {
-    let optimum = found.job.optimum();
-    let best = if found.job.counts().done { "optimum" } else { "best so far" };
+    let optimum = found.optimum();
+    let best = if found.stage().counts.done { "optimum" } else { "best so far" };
     format!(
         "Force over cutting speed and feed per tooth; {best} at {} and {}",
         format::quantity(optimum.cutting_speed_m_min, "m/min"),

@@ -71,16 +71,16 @@ pub fn all(
     moving: &Moving<'_>,
     at: &dyn Fn([f64; 2]) -> Pos2,
 ) {
-    let particles = found.job.particles();
+    let stage = found.stage();
     if layers.show(MapLayer::OwnBests) {
-        for particle in particles {
-            own_best(painter, at(particle.best_position), palette);
+        for place in &stage.own_bests {
+            own_best(painter, at(*place), palette);
         }
     }
     if layers.show(MapLayer::Particles) {
         // Judged where it is drawn: between two iterations that is neither's place.
         for place in moving.positions {
-            let feasible = found.job.problem().score(*place).feasible();
+            let feasible = found.problem.score(*place).feasible();
             particle(painter, at(*place), feasible, palette);
         }
     }
@@ -90,8 +90,7 @@ pub fn all(
         programmed(painter, at(point), palette);
     }
     if layers.show(MapLayer::Best) {
-        let (point, _) = found.job.swarm().best();
-        best(painter, at(point), found.job.counts().done, palette);
+        best(painter, at(stage.best), stage.counts.done, palette);
     }
     if let Some(point) = moving.pinned {
         painter.circle_stroke(at(point), 6.0, Stroke::new(2.0, palette.bad));

@@ -80,13 +80,13 @@ impl Relief {
             return;
         }
 
-        let checked = found.job.optimum().constraints;
+        let checked = &found.optimum().constraints;
         let force = CONSTRAINTS.iter().position(|constraint| constraint.id == "force");
         let limit_n = force.and_then(|force| checked[force].high);
         let limit_n = limit_n.filter(|_| force.is_some_and(|f| layers.show(MapLayer::Boundary(f))));
         let top_n = top(found.picture.range_n()[1], limit_n);
         let space = Space::new(rect, self.camera, top_n);
-        let force_n = |place: [f64; 2]| found.job.problem().cut(place).force_n;
+        let force_n = |place: [f64; 2]| found.problem.cut(place).force_n;
         let on_surface = |place: [f64; 2]| space.at(place, force_n(place));
         let shown = || (0..CONSTRAINTS.len()).filter(|n| layers.show(MapLayer::Boundary(*n)));
 

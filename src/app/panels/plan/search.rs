@@ -1,6 +1,10 @@
 //! The plan that the screen shows: the swarm on its way, and the map that it flies over. Both are
-//! made again when something changes that they depend on, and only then.
+//! made again when something changes that they depend on, and only then. The search itself is a job of
+//! the console; the screen shows its stages one after the other, slow enough to be watched.
 
+use std::sync::Arc;
+
+use crate::app::jobs::{Jobs, Work};
 use crate::app::playback::Speed;
 use crate::base::settings::SettingError;
 use crate::blocks::control::Belief;
@@ -9,16 +13,19 @@ use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::Target;
 use crate::models::plan::PlanSettings;
 use crate::models::tool::Tool;
-use crate::run::job::Job;
 use crate::run::scenario::Scenario;
 use crate::study::plan::PlanJob;
+use crate::study::plan::flight::{Flight, Flown, Stage};
+use crate::study::plan::optimum::Optimum;
+use crate::study::plan::problem::Problem;
+use crate::study::plan::swarm::Iteration;
 
 use super::picture::Picture;
 
 /// Real time of one iteration of the swarm at natural speed, s: slow enough to be watched.
 const ITERATION_S: f64 = 0.06;
-/// Evaluations of the force surface that one frame may cost: some milliseconds.
-const EVALUATIONS_PER_FRAME: u32 = 6000;
+/// Iterations in the first slice of the search.
+const FIRST: u64 = 8;
 /// The speeds on offer.
 pub const SPEEDS: [Speed; 4] =
     [Speed::Times(0.2), Speed::Times(1.0), Speed::Times(5.0), Speed::Max];
@@ -60,25 +67,78 @@ impl Key {
 
 /// A plan with its map.
 pub struct Found {
-    /// The swarm.
-    pub job: PlanJob,
+    /// What is optimised.
+    pub problem: Problem,
     /// The map.
     pub picture: Picture,
-    /// Where the particles were an iteration ago.
-    before: Vec<[f64; 2]>,
+    /// The search, which goes on when the screen is left.
+    work: Work<Flight>,
+    /// As far as it has come, and whether it went on then.
+    latest: Arc<Flown>,
+    running: bool,
+    /// The stage that is shown.
+    at: usize,
+    /// The best cut at that stage.
+    optimum: Optimum,
 }
 
 impl Found {
+    fn new(plan: PlanJob, old: Option<Picture>, jobs: &Jobs) -> Self {
+        let problem = plan.problem().clone();
+        let optimum = plan.optimum();
+        let work = jobs.begin("Plan: search of the swarm", Flight::new(plan), FIRST);
+        let picture = old.unwrap_or_else(|| Picture::new(&problem));
+        Self { latest: work.partial(), running: true, problem, picture, work, at: 0, optimum }
+    }
+
     /// The cutting speed in m/min where it is not searched.
     #[must_use]
     pub fn fixed_speed_m_min(&self) -> Option<f64> {
-        let [low, high] = self.job.problem().range()[0];
+        let [low, high] = self.problem.range()[0];
         (low == high).then_some(low)
     }
 
-    fn iterate(&mut self, iterations: u32) {
-        self.before = self.job.particles().iter().map(|particle| particle.position).collect();
-        self.job.advance_by(iterations.into());
+    /// The stage that is shown.
+    #[must_use]
+    pub fn stage(&self) -> &Stage {
+        &self.latest.stages[self.at]
+    }
+
+    /// The best cut up to there.
+    #[must_use]
+    pub fn optimum(&self) -> &Optimum {
+        &self.optimum
+    }
+
+    /// Convergence up to there.
+    #[must_use]
+    pub fn history(&self) -> &[Iteration] {
+        &self.latest.history[..=self.at]
+    }
+
+    /// Whether more is known than is shown.
+    #[must_use]
+    pub fn has_more(&self) -> bool {
+        self.at < self.last()
+    }
+
+    /// Whether the search was stopped before its end.
+    #[must_use]
+    pub fn is_stopped(&self) -> bool {
+        !self.work.is_running() && !self.work.is_over()
+    }
+
+    /// The last stage that is known.
+    fn last(&self) -> usize {
+        self.latest.stages.len() - 1
+    }
+
+    fn show(&mut self, at: usize) {
+        let at = at.min(self.last());
+        if at != self.at {
+            self.at = at;
+            self.optimum = Optimum::at(&self.problem, self.stage().best);
+        }
     }
 }
 
@@ -88,49 +148,51 @@ pub struct Search {
     /// The plan, or why there is none.
     found: Option<Result<Found, SettingError>>,
     /// Whether the swarm moves.
-    pub playing: bool,
+    playing: bool,
     /// How fast it moves.
     pub speed: Speed,
-    /// Whether it hurries to its end whatever its speed.
+    /// Whether all that is known is shown, whatever its speed.
     rushing: bool,
+    /// Whether another screen was shown.
+    away: bool,
     since_s: f64,
 }
 
 impl Default for Search {
     fn default() -> Self {
-        let speed = Speed::Times(1.0);
-        Self { key: None, found: None, playing: true, speed, rushing: false, since_s: 0.0 }
+        Self {
+            key: None,
+            found: None,
+            playing: true,
+            speed: Speed::Times(1.0),
+            rushing: false,
+            away: false,
+            since_s: 0.0,
+        }
     }
 }
 
 impl Search {
-    /// Starts again if a setting that matters here has changed.
-    pub fn follow(&mut self, scenario: &Scenario) {
+    /// Starts again if a setting that matters here has changed; otherwise takes over what the search has
+    /// found meanwhile.
+    pub fn follow(&mut self, scenario: &Scenario, jobs: &Jobs) {
         let key = Key::of(scenario);
         if self.key.as_ref() != Some(&key) {
             let map_stays = self.key.as_ref().is_some_and(|old| old.of_map() == key.of_map());
-            self.key = Some(key);
-            self.begin(scenario, map_stays);
-        }
-    }
-
-    /// Begins again: the swarm at its random start.
-    pub fn again(&mut self, scenario: &Scenario) {
-        self.begin(scenario, true);
-    }
-
-    fn begin(&mut self, scenario: &Scenario, map_stays: bool) {
-        (self.rushing, self.since_s) = (false, 0.0);
-        let old = self.found.take();
-        self.found = Some(PlanJob::new(scenario).map(|job| {
-            let picture = match old {
-                Some(Ok(old)) if map_stays => old.picture,
-                _ => Picture::new(job.problem()),
+            let picture = match self.found.take() {
+                Some(Ok(old)) if map_stays => Some(old.picture),
+                _ => None,
             };
-            let before = job.particles().iter().map(|particle| particle.position).collect();
-            Found { job, picture, before }
-        }));
-        self.playing = matches!(self.found, Some(Ok(_)));
+            self.found =
+                Some(PlanJob::new(scenario).map(|plan| Found::new(plan, picture, jobs)));
+            self.key = Some(key);
+            (self.rushing, self.since_s) = (false, 0.0);
+            self.playing = matches!(self.found, Some(Ok(_)));
+        } else if let Some(Ok(found)) = &mut self.found {
+            // In this order: at rest nothing comes after what is read then.
+            found.running = found.work.is_running();
+            found.latest = found.work.partial();
+        }
     }
 
     /// The plan, or why there is none; nothing before the first [`Self::follow`].
@@ -138,44 +200,76 @@ impl Search {
         self.found.as_mut().map(|found| found.as_mut().map_err(|error| &*error))
     }
 
-    /// Advances by `dt_s` seconds of real time, with some milliseconds of work at most.
+    /// Whether the swarm moves.
+    #[must_use]
+    pub fn is_playing(&self) -> bool {
+        self.playing
+    }
+
+    /// Shows what comes in `dt_s` seconds of real time, as far as it is known.
     pub fn advance(&mut self, dt_s: f64) {
+        let away = std::mem::take(&mut self.away);
         let Some(Ok(found)) = &mut self.found else { return };
         if !self.playing {
             return;
         }
-        let most = (EVALUATIONS_PER_FRAME / found.job.particles().len() as u32).max(1);
         match self.speed {
-            Speed::Times(factor) if !self.rushing => {
+            Speed::Times(factor) if !self.rushing && !away => {
                 self.since_s += dt_s * factor;
                 let due = (self.since_s / ITERATION_S).floor();
-                self.since_s -= due * ITERATION_S;
                 if due > 0.0 {
-                    found.iterate((due as u32).min(most));
+                    self.since_s -= due * ITERATION_S;
+                    found.show(found.at + due as usize);
                 }
             }
-            Speed::Times(_) | Speed::Max => found.iterate(most),
+            Speed::Times(_) | Speed::Max => found.show(found.last()),
         }
-        if found.job.counts().done {
-            self.stop();
+        if !found.has_more() && !found.running {
+            self.pause();
         }
     }
 
-    /// On to the end, each frame as many iterations as its time allows.
+    /// Another screen is shown: the swarm flies on meanwhile.
+    pub fn leave(&mut self) {
+        self.away = true;
+    }
+
+    /// Moves on from where it is, and searches on where it was stopped; at the end once more from the start.
+    pub fn play(&mut self) {
+        let Some(Ok(found)) = &mut self.found else { return };
+        if found.stage().counts.done {
+            found.show(0);
+        }
+        found.work.go_on();
+        found.running = true;
+        self.playing = true;
+    }
+
+    /// Shows the way once more from the random start.
+    pub fn again(&mut self) {
+        if let Some(Ok(found)) = &mut self.found {
+            found.show(0);
+        }
+        (self.rushing, self.since_s) = (false, 0.0);
+        self.play();
+    }
+
+    /// On to the end, as fast as it is found.
     pub fn rush(&mut self) {
-        (self.playing, self.rushing) = (true, true);
+        self.play();
+        self.rushing = true;
     }
 
     /// One iteration on, and no further.
     pub fn step(&mut self) {
         if let Some(Ok(found)) = &mut self.found {
-            found.iterate(1);
+            found.show(found.at + 1);
         }
-        self.stop();
+        self.pause();
     }
 
-    /// Stands still where it is.
-    pub fn stop(&mut self) {
+    /// Stands still where it is; the search goes on to be ready.
+    pub fn pause(&mut self) {
         (self.playing, self.rushing, self.since_s) = (false, false, 0.0);
     }
 
@@ -183,12 +277,12 @@ impl Search {
     #[must_use]
     pub fn positions(&self) -> Vec<[f64; 2]> {
         let Some(Ok(found)) = &self.found else { return Vec::new() };
-        let share = if self.playing { self.since_s / ITERATION_S } else { 1.0 };
-        let between = |(from, to): (&[f64; 2], [f64; 2])| {
+        let share = if self.playing { (self.since_s / ITERATION_S).min(1.0) } else { 1.0 };
+        let between = |(from, to): (&[f64; 2], &[f64; 2])| {
             [0, 1].map(|d: usize| from[d] + share * (to[d] - from[d]))
         };
-        let now = found.job.particles().iter().map(|particle| particle.position);
-        found.before.iter().zip(now).map(between).collect()
+        let before = &found.latest.stages[found.at.saturating_sub(1)];
+        before.positions.iter().zip(&found.stage().positions).map(between).collect()
     }
 }
 
@@ -228,18 +322,67 @@ mod tests {
     }
 
     #[test]
-    fn slices_and_speeds_lead_to_the_same_optimum() {
+    fn slices_threads_and_speeds_lead_to_the_same_optimum() {
         let scenario = Scenario::default();
-        let whole = PlanJob::complete(&scenario).unwrap().optimum();
-        for speed in SPEEDS {
+        let whole = PlanJob::complete(&scenario).unwrap();
+        for (speed, in_slices) in SPEEDS.into_iter().zip([true, false, true, false]) {
+            let jobs = Jobs::default();
+            if in_slices {
+                jobs.work_in_slices();
+            }
             let mut search = Search { speed, ..Search::default() };
-            search.follow(&scenario);
-            for _ in 0..10_000 {
+            for _ in 0..100_000 {
+                jobs.pump(&egui::Context::default());
+                search.follow(&scenario, &jobs);
                 search.advance(0.016);
+                if !search.playing {
+                    break;
+                }
             }
             assert!(!search.playing, "{}", speed.label());
             let Some(Ok(found)) = search.found() else { panic!("a plan") };
-            assert_eq!(found.job.optimum(), whole, "{}", speed.label());
+            assert_eq!(*found.optimum(), whole.optimum(), "{}", speed.label());
+            assert_eq!(found.history(), whole.history());
         }
+    }
+
+    #[test]
+    fn the_search_goes_on_while_another_screen_is_shown() {
+        let scenario = Scenario::default();
+        let jobs = Jobs::default();
+        jobs.work_in_slices();
+        let mut search = Search::default();
+        search.follow(&scenario, &jobs);
+        search.leave();
+        (0..200).for_each(|_| jobs.pump(&egui::Context::default()));
+        search.follow(&scenario, &jobs);
+        search.advance(0.016);
+        let Some(Ok(found)) = search.found() else { panic!("a plan") };
+        assert!(found.stage().counts.done, "nothing was begun again");
+        assert_eq!(*found.optimum(), PlanJob::complete(&scenario).unwrap().optimum());
+    }
+
+    #[test]
+    fn a_stopped_search_stands_and_goes_on_when_it_is_played() {
+        let scenario = Scenario::default();
+        let jobs = Jobs::default();
+        jobs.work_in_slices();
+        let mut search = Search { speed: Speed::Max, ..Search::default() };
+        search.follow(&scenario, &jobs);
+        let Some(Ok(found)) = search.found() else { panic!("a plan") };
+        found.work.stop();
+        search.follow(&scenario, &jobs);
+        search.advance(0.016);
+        assert!(!search.playing);
+        let Some(Ok(found)) = search.found() else { panic!("a plan") };
+        assert!(found.is_stopped() && found.stage().counts.iteration == 0);
+        search.play();
+        for _ in 0..200 {
+            jobs.pump(&egui::Context::default());
+            search.follow(&scenario, &jobs);
+            search.advance(0.016);
+        }
+        let Some(Ok(found)) = search.found() else { panic!("a plan") };
+        assert!(found.stage().counts.done && !found.is_stopped());
     }
 }

@@ -2,12 +2,12 @@
 
 use egui::{RichText, Ui};
 
+use super::search::Found;
 use crate::app::format;
 use crate::app::panels::View;
 use crate::app::theme::Palette;
 use crate::base::units::percent_from_ratio;
 use crate::run::signals::flag;
-use crate::study::plan::PlanJob;
 
 /// A step: what it does, and its values.
 struct Step {
@@ -18,7 +18,7 @@ struct Step {
 /// A programmed value counts as the optimum's within this fraction of it.
 const SAME: f64 = 5e-4;
 
-fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {
+fn steps(view: &View<'_>, found: Option<&Found>) -> [Step; 8] {
     let step = |doing: &str, values: String| Step { doing: doing.to_owned(), values };
     let session = view.session;
     let (now, row) = (session.current(), session.row());
@@ -26,8 +26,8 @@ fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {
     let feed_speed = |feed: f64, speed: f64| {
         format!("{}, {}", format::quantity(feed, "mm/min"), format::quantity(speed, "1/min"))
     };
-    let optimum = job.map(|job| (job.optimum(), job.counts()));
-    let found = match &optimum {
+    let optimum = found.map(|found| (found.optimum(), found.stage().counts));
+    let answer = match &optimum {
         None => "no plan".to_owned(),
         Some((optimum, progress)) => {
             let state = match (progress.done, optimum.feasible) {
@@ -55,7 +55,7 @@ fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {
     let measured = format::quantity(row.force_measured_n, "N");
     let samples = |time_s: f64| (time_s / now.control_period_s() + 1e-6).floor();
     [
-        step("The optimal cutting conditions are found by PSO-NN", found),
+        step("The optimal cutting conditions are found by PSO-NN", answer),
         step(
             "They are programmed",
             feed_speed(program.feed_mm_min, program.spindle_rpm) + compared,
@@ -97,12 +97,12 @@ fn steps(view: &View<'_>, job: Option<&PlanJob>) -> [Step; 8] {
 }
 
 /// The list.
-pub fn show(ui: &mut Ui, view: &View<'_>, job: Option<&PlanJob>) {
+pub fn show(ui: &mut Ui, view: &View<'_>, found: Option<&Found>) {
     let palette = Palette::at(ui);
     ui.label(RichText::new("The strategy in eight steps").strong());
     let note = "Control strategy 2013, section 2; values at the playhead of the run.";
     ui.label(RichText::new(note).small().color(palette.weak));
-    for (number, step) in (1..).zip(steps(view, job)) {
+    for (number, step) in (1..).zip(steps(view, found)) {
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             let badge = RichText::new(format!("{number}")).strong().color(palette.accent);

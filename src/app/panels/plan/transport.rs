@@ -9,39 +9,33 @@ use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::base::settings::Value;
 use crate::run::scenario::Scenario;
-use crate::study::plan::PlanCounts;
 
-/// The row of buttons; `progress` is none where there is no plan.
-pub fn show(
-    ui: &mut Ui,
-    search: &mut Search,
-    progress: Option<PlanCounts>,
-    scenario: &Scenario,
-    commands: &mut Vec<Command>,
-) {
+/// The row of buttons.
+pub fn show(ui: &mut Ui, search: &mut Search, scenario: &Scenario, commands: &mut Vec<Command>) {
+    let (progress, has_more, stopped) = match search.found() {
+        Some(Ok(found)) => (Some(found.stage().counts), found.has_more(), found.is_stopped()),
+        Some(Err(_)) | None => (None, false, false),
+    };
     let done = progress.is_none_or(|progress| progress.done);
     ui.horizontal_wrapped(|ui| {
         let help = "Again from the same random start";
         if icon::button(ui, Icon::Restart, "Search again", help, progress.is_some()).clicked() {
-            search.again(scenario);
+            search.again();
         }
-        if search.playing && !done {
+        if search.is_playing() && !done {
             let help = "The swarm stands still";
             if icon::button(ui, Icon::Pause, "Pause the swarm", help, true).clicked() {
-                search.stop();
+                search.pause();
             }
         } else {
             let help = "The swarm moves on; at its end: again from the start";
             let enabled = progress.is_some();
             if icon::button(ui, Icon::Play, "Move the swarm", help, enabled).clicked() {
-                if done {
-                    search.again(scenario);
-                }
-                search.playing = true;
+                search.play();
             }
         }
         let help = "One iteration of the swarm";
-        if icon::button(ui, Icon::Step, "One iteration", help, !done).clicked() {
+        if icon::button(ui, Icon::Step, "One iteration", help, has_more).clicked() {
             search.step();
         }
         let help = "To the end of the search";
@@ -58,7 +52,11 @@ pub fn show(
             )])));
         }
         if let Some(progress) = progress {
-            let state = if progress.done { "done" } else { "searching" };
+            let state = match (progress.done, stopped) {
+                (true, _) => "done",
+                (false, true) => "stopped",
+                (false, false) => "searching",
+            };
             let (iteration, most) = (progress.iteration, progress.iterations);
             let text = format!("{state}: iteration {iteration} of at most {most}");
             let help = format!("{} evaluations of the force surface", progress.evaluations);

@@ -88,7 +88,9 @@ impl RevolutionWindow {
         let margin = 0.08 * (high - low).max(1.0);
         let (low, high) = (low - margin, high + margin);
         let range = self.zoomed.unwrap_or([from, to]);
-        ui.label(RichText::new(summary(shown)).small().color(palette.weak));
+        let old = self.repeat.as_ref().is_none_or(|(of, _)| *of != view.session.changes());
+        let state = if old { " Before the last change; the new picture is being made." } else { "" };
+        ui.label(RichText::new(summary(shown) + state).small().color(palette.weak));
         let window = shown.window_from.and_then(|i| places.get(i)).map(|x| {
             let corners = vec![[*x, low], [to, low], [to, high], [*x, high]];
             let fill = palette.accent.gamma_multiply(0.10);
