@@ -10,6 +10,7 @@ use eframe::egui;
 use steadycut::app::cut::Cut;
 use steadycut::app::{Console, twin};
 use steadycut::base::settings::Value;
+use steadycut::run::constant_feed_twin;
 use steadycut::run::edits::{Edit, Edits};
 use steadycut::run::one_run::Run;
 use steadycut::run::{Start, presets};
@@ -154,7 +155,7 @@ fn parts(criterion: &mut Criterion) {
             cut.advance(u64::MAX);
         });
     });
-    let twin = Run::complete(&twin::scenario(&scenario), &plans[0]);
+    let twin = Run::complete(&constant_feed_twin::scenario(&scenario), &plans[0]);
     let rows = run.recording().rows().len();
     criterion.bench_function("compare with the twin", |bencher| {
         bencher.iter(|| black_box(twin::compare(&run, rows, &twin)));

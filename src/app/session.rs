@@ -11,6 +11,7 @@ mod change;
 use super::cut::{Cut, Ghost};
 use super::playback::Playback;
 use super::twin::{self, Comparison};
+use crate::run::constant_feed_twin;
 use crate::run::edits::{Edits, Unfit};
 use crate::run::one_run::End;
 use crate::run::scenario::Scenario;
@@ -72,7 +73,8 @@ impl Session {
     pub fn new(scenario: Scenario, edits: Edits) -> Self {
         let (edits, unfit) = edits.fitted(&scenario);
         let chosen = Cut::new(&scenario, &edits);
-        let twin = Cut::new(&twin::scenario(&scenario), &twin::edits(&edits));
+        let twin_edits = constant_feed_twin::edits(&edits);
+        let twin = Cut::new(&constant_feed_twin::scenario(&scenario), &twin_edits);
         let comparison = twin::compare(chosen.run(), 1, twin.run());
         let mut session = Self {
             current: scenario.clone(),

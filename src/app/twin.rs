@@ -1,36 +1,9 @@
-//! The constant-feed twin: the same cut, the same noise, without control. And how the two compare.
+//! How the chosen run compares with its constant-feed twin.
 
-use crate::blocks::control::ControllerKind;
-use crate::run::edits::Edits;
 use crate::run::metrics::{self, Metrics};
 use crate::run::one_run::Run;
 use crate::run::recording::Recording;
-use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
-
-/// Whether a setting belongs to the controller alone, so that the twin does not know it.
-#[must_use]
-pub fn is_of_controller(path: &str) -> bool {
-    path.starts_with("controller.") || path.starts_with("belief.")
-}
-
-/// The twin's scenario: constant feed at 100 % overrides, all else equal.
-#[must_use]
-pub fn scenario(chosen: &Scenario) -> Scenario {
-    let twin = chosen.with(|settings| {
-        settings.controller.kind = ControllerKind::ConstantFeed;
-        settings.controller.constant_feed.feed_percent = 100.0;
-        settings.controller.constant_feed.speed_percent = 100.0;
-    });
-    twin.expect("constant feed goes with any scenario")
-}
-
-/// The edits that the twin shares.
-#[must_use]
-pub fn edits(chosen: &Edits) -> Edits {
-    // Checked for the chosen run, and no rule joins controller and cut.
-    chosen.only(|edit| !is_of_controller(&edit.path))
-}
 
 /// The chosen run up to the playhead against the twin over the same length of path.
 #[derive(Clone, Debug, PartialEq)]

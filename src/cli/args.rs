@@ -83,6 +83,10 @@ pub struct RunArgs {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
+    /// Tell what happens in the run, when and why, with what each step makes of it; the same cut at
+    /// constant feed is run beside it. With `--json` as `story`.
+    #[arg(long, conflicts_with_all = ["revolution", "profile"])]
+    pub story: bool,
     /// Print the forces within the last revolution before a time in s as CSV, a line for every plant
     /// step; tooth by tooth only.
     #[arg(long, value_name = "AT_S", conflicts_with_all = ["json", "out"])]

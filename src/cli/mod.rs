@@ -21,6 +21,7 @@ mod recommend;
 mod robust;
 mod run;
 mod schedule;
+mod story;
 mod train;
 mod train_unks;
 mod unks;

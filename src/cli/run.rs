@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::args::RunArgs;
 use super::out_file::OutFile;
-use super::{Outcome, profile, progress, unks};
+use super::{Outcome, profile, progress, story, unks};
 use crate::base::settings::SettingError;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::tool_path::ToolPath;
@@ -19,10 +19,11 @@ use crate::run::one_run::{End, Run};
 use crate::run::revolution::RevolutionJob;
 use crate::run::run_to::RunTo;
 use crate::run::scenario::{Scenario, parse_value};
-use crate::run::{presets, scenario_file};
+use crate::run::story::{Story, StoryEvent};
+use crate::run::{constant_feed_twin, presets, scenario_file};
 use crate::study::export::csv;
 
-/// The JSON object of a run.
+/// The JSON object of a run; with `--story` also its events, as `story`.
 #[derive(Serialize)]
 struct Report<'a> {
     scenario: &'a str,
@@ -32,6 +33,8 @@ struct Report<'a> {
     metrics: &'a Metrics,
     ticks: u64,
     digest: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    story: Option<Vec<StoryEvent>>,
 }
 
 /// Why a run is over: `end`, an id of [`End`], `end_details` and, for people, `end_text`.
@@ -110,6 +113,7 @@ pub fn execute(args: &RunArgs) -> Outcome {
     let mut run = Run::new(&scenario, &checked);
     progress::work(&mut run, "run", args.json)?;
 
+    let story = args.story.then(|| story_of(&run, args.json)).transpose()?;
     let (metrics, end) = (run.metrics(), end_of(&run)?);
     let mut stdout = std::io::stdout().lock();
     if args.json {
@@ -119,10 +123,14 @@ pub fn execute(args: &RunArgs) -> Outcome {
             metrics: &metrics,
             ticks: run.ticks(),
             digest: run.recording().digest(),
+            story: story.map(|story| story.events),
         };
         writeln!(stdout, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
         print_metrics(&mut stdout, &scenario, &run, &metrics, end)?;
+        if let Some(story) = &story {
+            story::print(&mut stdout, story)?;
+        }
     }
     if let Some((path, mut file)) = out {
         csv::write(&mut file, run.recording())
@@ -134,6 +142,13 @@ pub fn execute(args: &RunArgs) -> Outcome {
     }
     // A fault is a failure of the run, not of the program: its own exit code.
     Ok(if end.failed() { ExitCode::from(1) } else { ExitCode::SUCCESS })
+}
+
+/// The story of a run, with that of the same cut at constant feed beside it.
+fn story_of(run: &Run, quiet: bool) -> Result<Story, Box<dyn std::error::Error>> {
+    let mut twin = constant_feed_twin::of(run.scenario(), run.edits());
+    progress::work(&mut twin, "constant feed", quiet)?;
+    Ok(Story::of(run, Some(&twin)))
 }
 
 /// The forces within the last revolution before `at_s`, as CSV.

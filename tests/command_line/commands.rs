@@ -387,3 +387,20 @@ fn papers_2019_lists_table_errata_and_what_cannot_be_reproduced() {
     let text = String::from_utf8(steadycut(&["papers", "--paper", "2019"]).stdout).unwrap();
     assert!(text.contains("no published curve") && text.contains("unstable"), "{text}");
 }
+
+#[test]
+fn story_tells_what_happens_in_sentences_and_as_fields() {
+    let report = json(&["run", "depth-step", "--story", "--json"]);
+    let story = report["story"].as_array().unwrap();
+    let step = story.iter().find(|event| event["id"] == "depth_step").unwrap();
+    let effect = &step["figures"];
+    assert_eq!(effect["causes"][0]["to_mm"], 2.3);
+    let sentence = step["sentence"].as_str().unwrap();
+    assert!(sentence.starts_with("The part gets 0.30 mm deeper here"), "{sentence}");
+    assert!(effect["response"]["settling_time_s"].as_f64().is_some_and(|s| s > 0.1 && s < 2.0));
+    assert!((step["position_mm"].as_f64().unwrap() - 45.0).abs() < 0.1);
+    let printed = steadycut(&["run", "depth-step", "--story"]);
+    let printed = String::from_utf8(printed.stdout).unwrap();
+    assert!(printed.contains(sentence) && printed.contains("remaining error"), "{printed}");
+    assert!(json(&["run", "depth-step", "--json"]).get("story").is_none());
+}

@@ -3,10 +3,10 @@
 use super::{HAIR_S, MAX_UNDO, Plan, Session, TICKS_PER_FRAME};
 use crate::app::command::{PlaybackCommand, SessionCommand};
 use crate::app::cut::{Ghost, first_difference};
-use crate::app::twin;
 use crate::base::settings::{SettingError, Value};
 use crate::blocks::control::ControllerKind;
 use crate::models::unks::Stored;
+use crate::run::constant_feed_twin;
 use crate::run::edits::{Edit, Edits, Unfit};
 use crate::run::scenario::param;
 use crate::run::{presets, scenario_file};
@@ -209,7 +209,8 @@ impl Session {
             self.ghost = Some(Ghost { from_s, traces: self.chosen.traces().clone() });
         }
         self.chosen.change(&plan.0, &plan.1);
-        self.twin.change(&twin::scenario(&plan.0), &twin::edits(&plan.1));
+        let edits = constant_feed_twin::edits(&plan.1);
+        self.twin.change(&constant_feed_twin::scenario(&plan.0), &edits);
         let before = std::mem::replace(&mut self.plan, plan);
         self.changes += 1;
         // The picture of this frame shall already show what the change does at the playhead.

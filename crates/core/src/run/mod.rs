@@ -5,6 +5,7 @@
 //! [`digest`] come.
 
 pub mod closed_loop;
+pub mod constant_feed_twin;
 pub mod diagram;
 pub mod digest;
 pub mod edits;
@@ -23,6 +24,7 @@ pub mod scenario;
 pub mod scenario_file;
 pub mod scenario_link;
 pub mod signals;
+pub mod story;
 pub mod tooth_marks;
 
 /// What a console opens with.

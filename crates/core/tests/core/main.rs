@@ -7,5 +7,6 @@ mod matrix;
 mod metrics;
 mod revolution;
 mod signals;
+mod story;
 mod switching;
 mod tools;

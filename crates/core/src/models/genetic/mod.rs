@@ -13,6 +13,7 @@ pub mod exponential;
 pub mod force_formula;
 pub mod model_file;
 pub mod quartic;
+mod ranges;
 pub mod sdnrp_2007;
 pub mod strategy_2013;
 

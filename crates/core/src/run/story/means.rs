@@ -1,0 +1,75 @@
+//! What a stretch of rows comes to: its means, and how far it is from what it should be.
+
+use serde::Serialize;
+
+use super::super::signals::{Row, flag};
+use crate::base::stats;
+use crate::base::units::percent_from_ratio;
+use crate::blocks::reference::Reference;
+
+/// Most rows that a mean is taken over: a second at 1 kHz.
+const MOST_ROWS: usize = 1000;
+
+/// The produced Ra of a row, um; none in the air, and none where the model ends at zero.
+#[must_use]
+pub fn produced_ra_um(row: &Row) -> Option<f64> {
+    let no_surface = row.has(flag::AIR) || (row.has(flag::K5_OUTSIDE) && row.ra_um == 0.0);
+    (!no_surface && row.ra_um.is_finite()).then_some(row.ra_um)
+}
+
+/// Deviation of what is to be held from its reference, as a fraction of that; none in the air.
+#[must_use]
+pub fn deviation(row: &Row, held: Reference) -> Option<f64> {
+    let relative = |value: f64, reference: f64| (value - reference) / reference;
+    match held {
+        Reference::Ra => produced_ra_um(row).map(|ra| relative(ra, row.ra_target_um)),
+        Reference::Force => (!row.has(flag::AIR)).then(|| force_error(row)),
+    }
+}
+
+/// Deviation of the force from its reference, as a fraction of that, which is never zero.
+#[must_use]
+pub fn force_error(row: &Row) -> f64 {
+    (row.force_n - row.force_ref_n) / row.force_ref_n
+}
+
+/// Means over a stretch of rows in contact.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct StretchMeans {
+    /// Produced Ra, um; none where it has no value on more than half of the stretch.
+    pub ra_um: Option<f64>,
+    /// Force, N.
+    pub force_n: f64,
+    /// Feed, mm/min.
+    pub feed_mm_min: f64,
+    /// Spindle speed, 1/min.
+    pub spindle_rpm: f64,
+    /// Deviation of what is to be held from its reference, percent.
+    pub deviation_percent: Option<f64>,
+    /// Whether that lies within the tolerance.
+    pub in_tolerance: Option<bool>,
+}
+
+impl StretchMeans {
+    /// Those of rows with what is held and the tolerance in percent; none without contact.
+    #[must_use]
+    pub fn of(rows: &[Row], held: Reference, tolerance_percent: f64) -> Option<Self> {
+        let step = rows.len() / MOST_ROWS + 1;
+        let taken: Vec<&Row> =
+            rows.iter().step_by(step).filter(|row| !row.has(flag::AIR)).collect();
+        let mean = |of: fn(&Row) -> f64| stats::mean(taken.iter().map(|row| of(row)));
+        let known = |of: &dyn Fn(&Row) -> Option<f64>| {
+            let values: Vec<f64> = taken.iter().filter_map(|row| of(row)).collect();
+            if 2 * values.len() > taken.len() { stats::mean(values) } else { None }
+        };
+        let deviation_percent = known(&|row| deviation(row, held)).map(percent_from_ratio);
+        Some(Self {
+            ra_um: known(&produced_ra_um),
+            force_n: mean(|row| row.force_n)?,
+            feed_mm_min: mean(|row| row.feed_mm_min)?,
+            spindle_rpm: mean(|row| row.spindle_rpm)?,
+            deviation_percent,
+            in_tolerance: deviation_percent.map(|percent| percent.abs() <= tolerance_percent),
+        })
+    }
+}

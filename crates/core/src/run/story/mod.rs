@@ -1,0 +1,159 @@
+//! A run in sentences: what happens, when, why, and what it does, measured in the run itself and in
+//! its constant-feed twin.
+//!
+//! [`Scan`] goes over the recorded rows once and grows with them; [`Story`] is told from it when it
+//! is wanted. A change (a depth step, a target, a setting, contact) is compared before and after,
+//! each at the end of its stretch; no cause is named that is not seen in the rows, the scenario or
+//! the edits. Where rows are recorded more seldom than the plant steps, the story is as coarse.
+//!
+//! ```
+//! use steadycut_core::run::story::{EventKind, Story};
+//! use steadycut_core::run::{constant_feed_twin, edits::Edits, one_run::Run, presets};
+//!
+//! let scenario = presets::load("depth-step").unwrap();
+//! let run = Run::complete(&scenario, &Edits::none());
+//! let mut twin = constant_feed_twin::of(&scenario, &Edits::none());
+//! twin.advance(u64::MAX);
+//! let story = Story::of(&run, Some(&twin));
+//! let step = story.events.iter().find(|event| event.id == EventKind::DepthStep).unwrap();
+//! println!("{:.2} s: {}", step.from_s, step.sentence);
+//! ```
+
+mod changes;
+mod effects;
+mod figures;
+mod means;
+mod oscillation;
+mod response;
+mod scan;
+mod spans;
+mod words;
+
+use serde::Serialize;
+
+pub use changes::Cause;
+pub use figures::{
+    AirCut, ChangeEffect, Chatter, ChatterEnd, Figures, FirstAnswer, LimitCycle, LimitReached,
+    LimitedCommand, RangeLeft, RangedInput, WayDone, WearEffect,
+};
+pub use means::{StretchMeans, deviation, force_error, produced_ra_um};
+pub use oscillation::{Oscillation, undamped};
+pub use response::{ResponseEnd, Sampling, StepResponse};
+pub use scan::{RowSpan, Scan};
+
+use super::one_run::Run;
+
+/// What an event is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum EventKind {
+    /// The run begins, in contact.
+    Start,
+    /// The tool comes into contact.
+    Contact,
+    /// The tool is in the air.
+    Air,
+    /// The depth of cut changes.
+    DepthStep,
+    /// The target changes.
+    TargetChange,
+    /// Another setting changes.
+    SettingChange,
+    /// Nothing answers yet.
+    DeadTime,
+    /// A command stands at a limit.
+    Saturation,
+    /// A model is used outside its range.
+    OutsideModel,
+    /// A tooth jumps out of the cut.
+    Chatter,
+    /// The tool wears.
+    Wear,
+    /// The loop swings without damping.
+    LimitCycle,
+    /// The run is over.
+    End,
+}
+
+/// Something that happens in a run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StoryEvent {
+    /// What it is.
+    pub id: EventKind,
+    /// When it begins, s.
+    pub from_s: f64,
+    /// When it ends, s: what a change does lasts until the next change.
+    pub to_s: f64,
+    /// Where along the way it begins, mm.
+    pub position_mm: f64,
+    /// Its figures.
+    pub figures: Figures,
+    /// It in words, for people.
+    pub sentence: String,
+}
+
+/// See the head of this file.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Story {
+    /// What happens, by its beginning.
+    pub events: Vec<StoryEvent>,
+}
+
+impl Story {
+    /// The story of a run as far as it is recorded, with its constant-feed twin where there is one.
+    #[must_use]
+    pub fn of(run: &Run, twin: Option<&Run>) -> Self {
+        let mut scan = Scan::default();
+        scan.extend(run.recording().rows());
+        Self::told(run, &scan, twin)
+    }
+
+    /// The same from a scan of the run's recording.
+    #[must_use]
+    pub fn told(run: &Run, scan: &Scan, twin: Option<&Run>) -> Self {
+        let rows = run.recording().rows();
+        let rows = &rows[..scan.rows().min(rows.len())];
+        if rows.is_empty() {
+            return Self::default();
+        }
+        let changes = changes::changes(run, scan, rows);
+        let mut events = effects::tell(run, rows, twin, &changes);
+        events.extend(spans::tell(run, scan, rows));
+        events.extend(effects::end(run, rows));
+        // In the order of time; what comes at the same time stays in the order of causes.
+        events.sort_by(|a, b| a.from_s.total_cmp(&b.from_s));
+        Self { events }
+    }
+
+    /// The change that the loop answers to at a time in s, with its response.
+    #[must_use]
+    pub fn response_at(&self, time_s: f64) -> Option<(&StoryEvent, &StepResponse)> {
+        let begun = self.events.iter().take_while(|event| event.from_s <= time_s);
+        begun.filter_map(|event| event.response().map(|response| (event, response))).last()
+    }
+
+    /// The event to speak of at a time in s: the one that began last, changes before what follows
+    /// from them.
+    #[must_use]
+    pub fn at(&self, time_s: f64) -> Option<&StoryEvent> {
+        self.events.iter().take_while(|event| event.from_s <= time_s).last()
+    }
+}
+
+impl StoryEvent {
+    /// The response to it, if it is a change that the loop answers to.
+    #[must_use]
+    pub fn response(&self) -> Option<&StepResponse> {
+        match &self.figures {
+            Figures::Change(effect) => effect.response.as_ref(),
+            Figures::Air(_)
+            | Figures::Answer(_)
+            | Figures::Limit(_)
+            | Figures::Outside(_)
+            | Figures::Chatter(_)
+            | Figures::Wear(_)
+            | Figures::LimitCycle(_)
+            | Figures::End(_) => None,
+        }
+    }
+}
