@@ -31,12 +31,12 @@ mod baseline {
     use super::{Row, Scenario};
     use steadycut_core::base::rng::Stream;
     use steadycut_core::blocks::sensing::peak::PeakWindow;
-    use steadycut_core::models::ball_end::{CK45, Cutter, Kienzle, Sliced};
+    use steadycut_core::models::ball_end::{CK45, Cutter, Kienzle, MAX_TEETH, Sliced};
     use steadycut_core::models::feed_drive::{DriveState, ExactDrive, FeedDriveKind};
     use steadycut_core::models::genetic::{Calibration, GeneticModels, ModelSet};
     use steadycut_core::models::part::CutPath;
 
-    const RING: usize = 1024;
+    const RING: usize = 2048;
 
     /// The whole run, fused; Experiment 2 with the adjustable PI controller.
     pub fn run(scenario: &Scenario, rows: &mut Vec<Row>) {
@@ -51,7 +51,7 @@ mod baseline {
         let cutter = Cutter::two_teeth(16.0, 0.003, 0.25);
         let (sliced, compliance) = (Sliced::new(&cutter, deepest), cutter.compliance_mm_n);
         let law = Kienzle::new(&CK45, 80.0, 12.0, 200.0);
-        let tooth = (30.0 / speed / dt).round() as usize;
+        let tooth_steps = 30.0 / speed / dt;
         let per_tooth = 1.0 / (2.0 * speed);
         let turn_step = speed / 60.0 * dt;
         let drive = ExactDrive::new(FeedDriveKind::SecondOrder2013, dt);
@@ -69,8 +69,13 @@ mod baseline {
             PeakWindow::new(scenario.noise.sensor_deviation_n(), scenario.run.seed, steps);
         let mut queue = vec![programmed; scenario.ticks(scenario.cnc.dead_time_s) as usize];
         let mut head = 0;
-        let mut history = [[0.0_f64; 2]; RING];
-        let mut newest = 0_usize;
+        // Place and last forces of every sample; before the first one a steady feed without force.
+        let before = |x_mm: f64, feed: f64| -> Vec<[f64; 3]> {
+            let back = |i: usize| [x_mm - (RING - i) as f64 * feed / 60.0 * dt, 0.0, 0.0];
+            (0..RING).map(back).collect()
+        };
+        let mut history = before(-7.6, programmed);
+        let (mut newest, mut last) = (RING - 1, [0.0_f64; 2]);
         let (mut turn, mut position, mut began, mut cut) = (0.0_f64, 0.0, 0.0, 0);
         let mut state = DriveState::settled(programmed);
         // The PI law and what it knows of the override.
@@ -91,8 +96,8 @@ mod baseline {
             ra_target_um: surface.ra_from_force(reference).value,
             ..Row::default()
         };
-        let last = scenario.ticks(scenario.run.duration_s);
-        for tick in 0..=last {
+        let end = scenario.ticks(scenario.run.duration_s);
+        for tick in 0..=end {
             let mut feed = programmed;
             if tick > 0 {
                 if (tick - 1) % steps == 0 {
@@ -136,7 +141,7 @@ mod baseline {
                     state = DriveState::settled(programmed);
                     (delayed, sent) = (DriveState::settled(1.0), [1.0; 3]);
                     (in_contact, started) = (false, false);
-                    history.fill([0.0; 2]);
+                    (history, newest, last) = (before(-7.6, feed), RING - 1, [0.0; 2]);
                     peak.restart();
                     row.feed_command_mm_min = programmed;
                     row.feed_override_percent = 100.0;
@@ -150,16 +155,26 @@ mod baseline {
                 next = field_pole * here + field_drive * field.normal(cell + 1);
             }
             let factor = 1.0 + field_gain * (here + (place - cell as f64) * (next - here));
-            let (now, earlier) = (history[newest], history[(newest + RING - tooth) % RING]);
-            let deflection = [0, 1].map(|i| compliance * (now[i] - earlier[i]));
+            newest = (newest + 1) % RING;
+            history[newest] = [x_mm, last[0], last[1]];
+            let mut advances = [[0.0; 2]; MAX_TEETH];
+            for (k, advance) in advances[..2].iter_mut().enumerate() {
+                let steps = (k + 1) as f64 * tooth_steps;
+                let (whole, part) = (steps.ceil() as usize, steps.ceil() - steps);
+                let low = history[(newest + RING - whole) % RING];
+                let high = history[(newest + RING + 1 - whole) % RING];
+                let near = if part < 0.5 { low } else { high };
+                let bent = |axis: usize| compliance * (last[axis] - near[axis + 1]);
+                let gone = x_mm - (low[0] + part * (high[0] - low[0]));
+                let fed = if k == 0 { feed * per_tooth } else { gone };
+                *advance = [fed + bent(0), bent(1)];
+            }
             let part = &cuts[cut];
             let angle = turn * std::f64::consts::TAU;
             let depth_at = |x: f64, y: f64| part.depth_at(x_mm + x, y);
-            let [x, y, _] = sliced
-                .forces(&law, angle, feed * per_tooth, deflection, depth_at)
-                .map(|force| force * factor);
-            newest = (newest + 1) % RING;
-            history[newest] = [x, y];
+            let cutting = sliced.forces(&law, angle, &advances, depth_at);
+            let [x, y, _] = cutting.forces_n.map(|force| force * factor);
+            last = [x, y];
             turn += turn_step;
             turn -= turn.floor();
             let held = peak.push(tick, [x, y]);

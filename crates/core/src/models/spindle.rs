@@ -5,8 +5,9 @@
 
 use crate::base::math;
 
-/// Slowest spindle whose tooth period or turn is kept in memory, 1/min; a slower one counts as it.
-pub const SLOWEST_RPM: f64 = 400.0;
+/// Slowest spindle at which the force tooth by tooth and a machine coupled to the cut hold, 1/min: the slowest
+/// that can be programmed. Below it both still answer, marked as outside their range.
+pub const SLOWEST_RPM: f64 = 100.0;
 
 /// A spindle drive set up for one step length.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,5 +1,6 @@
 //! Tests of the whole `steadycut-core`, in one program: it links once.
 
+mod chip;
 mod earlier_versions;
 mod inputs;
 mod links;

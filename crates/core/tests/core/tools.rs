@@ -3,7 +3,7 @@
 
 use steadycut_core::base::math;
 use steadycut_core::base::settings::Value;
-use steadycut_core::models::ball_end::{CK45, Cutter, Kienzle, Sliced};
+use steadycut_core::models::ball_end::{CK45, Cutter, Kienzle, Sliced, steady};
 use steadycut_core::models::tool::{EndShape, ShippedTool, Tool};
 use steadycut_core::run::edits::Edits;
 use steadycut_core::run::one_run::Run;
@@ -25,8 +25,8 @@ fn mean_in_slot(tool: &Tool, law: &Kienzle, feed_per_tooth_mm: f64) -> [f64; 3] 
     let mut mean = [0.0; 3];
     for step in 0..STEPS {
         let angle = math::TAU * step as f64 / STEPS as f64;
-        let forces = sliced.forces(law, angle, feed_per_tooth_mm, [0.0; 2], |_, _| AXIAL_MM);
-        for (mean, force) in mean.iter_mut().zip(forces) {
+        let forces = sliced.forces(law, angle, &steady(feed_per_tooth_mm), |_, _| AXIAL_MM);
+        for (mean, force) in mean.iter_mut().zip(forces.forces_n) {
             *mean += force / STEPS as f64;
         }
     }
@@ -97,14 +97,12 @@ fn run_out_of_four_teeth_follows_the_shifted_axis() {
     // The chip is that of rho_j - rho_(j-1): the tooth behind the one furthest in cuts most.
     let law = Kienzle { k_n_mm2: [2000.0, 0.0, 0.0], exponents: [1.0; 3] };
     let sliced = Sliced::new(&cutter, 1.0);
-    let peak =
-        |tooth: u32| {
-            let angle = math::PI / 2.0 + math::TAU * f64::from(tooth) / 4.0;
-            // Only the sector about the direction across the feed is in the material.
-            sliced.forces(&law, angle, 0.05, [0.0; 2], |x, y| {
-                if x > 7.9 && y.abs() < 1.0 { 1.0 } else { 0.0 }
-            })[1]
-        };
+    let peak = |tooth: u32| {
+        let angle = math::PI / 2.0 + math::TAU * f64::from(tooth) / 4.0;
+        // Only the sector about the direction across the feed is in the material.
+        let ahead = |x: f64, y: f64| if x > 7.9 && y.abs() < 1.0 { 1.0 } else { 0.0 };
+        sliced.forces(&law, angle, &steady(0.05), ahead).forces_n[1]
+    };
     for (tooth, chip_mm) in [(0, 0.06), (1, 0.04), (2, 0.04), (3, 0.06)] {
         assert!((peak(tooth) - 2000.0 * chip_mm).abs() < 1e-9, "{tooth}: {}", peak(tooth));
     }

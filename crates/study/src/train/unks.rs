@@ -111,7 +111,7 @@ fn excited(number: u64, setup: &MillingSetup, force_ref_n: f64, draws: &mut Draw
             let feed = math::positive(state.feed_mm_min()) * programmed;
             x_mm += mm_s_from_mm_min(feed) * setup.dt_s;
             let dynamic = field.update(tick, x_mm + APPROACH_MM, speed_rpm);
-            let [x, y, _] = milling.update(feed, speed_rpm, x_mm, &cut, dynamic);
+            let [x, y, _] = milling.update(feed, speed_rpm, x_mm, &cut, dynamic).forces_n;
             peak_n = window.push(tick, [x, y]).measured_n;
             tick += 1;
         }

@@ -2,24 +2,27 @@
 //! (2005, Fig. 3; [`crate::models::ball_end`]).
 //!
 //! ```text
-//! f_t = v_f / (z n)                                        chip per tooth from the actual feed
-//! X   = G [F_x(t) - F_x(t - T)],  Y likewise               T one tooth period     (2005 eq. 1)
-//! h   = [(f_t + X) sin phi + Y cos phi + run-out] sin k    chip thickness
+//! X_k = G [F_x(t) - F_x(t_k)],  Y_k likewise       the k-th tooth before stood here at t_k     (2005 eq. 1)
+//! h   = min over k of [(s_k + X_k) sin phi + Y_k cos phi + run-out] sin kappa     s_k fed since t_k
 //! F   = sum over teeth and slices, times the speed's and the material's factors
 //! ```
 //!
-//! The forces of the sample before make the deflection: no algebraic loop. One call is one sample,
-//! 28.8 kHz in the papers' set-up.
+//! The chip is cut from the surface that the last teeth have left ([`super::surface_left`]). The forces of the
+//! sample before make the deflection: no algebraic loop. One call is one sample, 28.8 kHz in the papers'
+//! set-up. A spindle that stands cuts nothing, nor does a tool that is not fed.
 
+use super::surface_left::{Stand, SurfaceLeft};
 use crate::base::math;
 use crate::base::units::rev_s_from_rpm;
-use crate::models::ball_end::{Cutter, Kienzle, Sliced, Steel};
+use crate::models::ball_end::{Cutter, Cutting, Kienzle, Sliced, Steel};
 use crate::models::part::CutPath;
-use crate::models::spindle::SLOWEST_RPM;
 
 /// Cutting speed in m/min at which the law's constants are worked out; the force follows
 /// v_c^-0.153 from there.
 const LAW_SPEED_M_MIN: f64 = 80.0;
+/// Feed of a turn in mm from which on there is something to cut (chosen): no chip is a nanometre thick. A power
+/// law has an infinite slope at 0, so without an end a tool that stands would cut by its own deflection for ever.
+const LEAST_TURN_MM: f64 = 1e-6;
 
 /// What the tool and the material are.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,19 +41,20 @@ pub struct MillingSetup {
     pub dt_s: f64,
 }
 
-/// The turning cutter with its history of forces.
+/// The turning cutter with what its teeth have left.
 #[derive(Clone, Debug)]
 pub struct Milling {
     setup: MillingSetup,
     sliced: Sliced,
     law: Kienzle,
-    /// Speed for which `speed_factor` and `tooth_samples` hold.
+    /// Speed for which `speed_factor` holds.
     speed_rpm: f64,
     speed_factor: f64,
-    tooth_samples: usize,
-    /// F_x, F_y of the last samples, a ring; `newest` is the last one written.
-    history: Vec<[f64; 2]>,
-    newest: usize,
+    surface: SurfaceLeft,
+    /// F_x, F_y of the last sample, N.
+    last_n: [f64; 2],
+    /// Turns of the spindle since the surface's history began.
+    turns: f64,
     turn: f64,
     /// The spindle's turn at the last sample.
     sampled_turn: f64,
@@ -61,17 +65,17 @@ impl Milling {
     /// The cutter at rest in the air, for cuts of at most `depth_max_mm`.
     #[must_use]
     pub fn new(setup: &MillingSetup, depth_max_mm: f64) -> Self {
-        let slowest = (60.0 / (SLOWEST_RPM * setup.cutter.teeth as f64) / setup.dt_s).ceil();
         let law = Kienzle::new(&setup.steel, LAW_SPEED_M_MIN, setup.rake_deg, setup.hardness_hb);
+        let sliced = Sliced::new(&setup.cutter, depth_max_mm);
         Self {
             setup: *setup,
-            sliced: Sliced::new(&setup.cutter, depth_max_mm),
+            surface: SurfaceLeft::new(sliced.teeth()),
+            sliced,
             law,
             speed_rpm: 0.0,
-            speed_factor: 1.0,
-            tooth_samples: 1,
-            history: vec![[0.0; 2]; (slowest as usize + 2).next_power_of_two()],
-            newest: 0,
+            speed_factor: 0.0,
+            last_n: [0.0; 2],
+            turns: 0.0,
             turn: 0.0,
             sampled_turn: 0.0,
             compliance_mm_n: setup.cutter.compliance_mm_n,
@@ -80,25 +84,22 @@ impl Milling {
 
     fn set_speed(&mut self, speed_rpm: f64) {
         self.speed_rpm = speed_rpm;
-        let rpm = speed_rpm.max(SLOWEST_RPM);
-        let period_s = 60.0 / (rpm * self.setup.cutter.teeth as f64);
-        self.tooth_samples = ((period_s / self.setup.dt_s).round() as usize).max(1);
-        let speed_m_min = math::PI * self.setup.cutter.outline.diameter_mm * rpm / 1000.0;
+        let speed_m_min = math::PI * self.setup.cutter.outline.diameter_mm * speed_rpm / 1000.0;
         self.speed_factor = self.setup.factor * math::pow(LAW_SPEED_M_MIN / speed_m_min, 0.153);
     }
 
-    /// Takes over the angle and the last forces of another cutter.
+    /// Takes over the angle, the last forces and the surface of another cutter.
     pub fn take_over(&mut self, before: &Self) {
         (self.turn, self.sampled_turn) = (before.turn, before.sampled_turn);
-        if self.history.len() == before.history.len() {
-            self.history.clone_from(&before.history);
-            self.newest = before.newest;
-        }
+        (self.turns, self.last_n) = (before.turns, before.last_n);
+        self.surface.take_over(&before.surface);
     }
 
-    /// The tool has left the part: no force is left that could bend it.
+    /// The tool has left the part: no force is left that could bend it, and the next cut has a surface of its
+    /// own.
     pub fn restart(&mut self) {
-        self.history.fill([0.0; 2]);
+        (self.turns, self.last_n) = (0.0, [0.0; 2]);
+        self.surface.restart();
     }
 
     /// The spindle's turn at the last sample, from 0 to below 1.
@@ -112,12 +113,7 @@ impl Milling {
         self.compliance_mm_n = 0.0;
     }
 
-    fn before(&self, samples: usize) -> [f64; 2] {
-        let mask = self.history.len() - 1;
-        self.history[(self.newest + self.history.len() - samples) & mask]
-    }
-
-    /// One sample: forces on the tool in N with the tool's axis at `x_mm` along `cut`, feed in
+    /// One sample: forces on the tool with the tool's axis at `x_mm` along `cut`, feed in
     /// mm/min, speed in 1/min; `factor` is what wear and the material's inhomogeneity multiply.
     pub fn update(
         &mut self,
@@ -126,23 +122,29 @@ impl Milling {
         x_mm: f64,
         cut: &CutPath,
         factor: f64,
-    ) -> [f64; 3] {
-        if speed_rpm != self.speed_rpm {
-            self.set_speed(speed_rpm);
+    ) -> Cutting {
+        let turned = rev_s_from_rpm(speed_rpm) * self.setup.dt_s;
+        let teeth = self.setup.cutter.teeth as f64;
+        let fed_mm = if speed_rpm > 0.0 { feed_mm_min / (teeth * speed_rpm) } else { 0.0 };
+        let now = Stand { turns: self.turns, x_mm, force_n: self.last_n };
+        let advances = self.surface.stand(&now, fed_mm, self.compliance_mm_n);
+        let mut cutting = Cutting::default();
+        if speed_rpm > 0.0 && self.surface.last_turn_mm() >= LEAST_TURN_MM {
+            if speed_rpm != self.speed_rpm {
+                self.set_speed(speed_rpm);
+            }
+            let angle = self.turn * math::TAU;
+            let depth_at = |x: f64, y: f64| cut.depth_at(x_mm + x, y);
+            cutting = self.sliced.forces(&self.law, angle, &advances, depth_at);
+            let factor = self.speed_factor * factor;
+            cutting.forces_n = cutting.forces_n.map(|force| force * factor);
         }
-        let feed_per_tooth_mm =
-            feed_mm_min / (self.setup.cutter.teeth as f64 * speed_rpm.max(SLOWEST_RPM));
-        let (last, earlier) = (self.before(0), self.before(self.tooth_samples));
-        let deflection = [0, 1].map(|axis| self.compliance_mm_n * (last[axis] - earlier[axis]));
-        let angle = self.turn * math::TAU;
-        let depth_at = |x: f64, y: f64| cut.depth_at(x_mm + x, y);
-        let forces = self.sliced.forces(&self.law, angle, feed_per_tooth_mm, deflection, depth_at);
-        let forces = forces.map(|force| force * (self.speed_factor * factor));
-        self.newest = (self.newest + 1) & (self.history.len() - 1);
-        self.history[self.newest] = [forces[0], forces[1]];
+        let [x, y, _] = cutting.forces_n;
+        self.last_n = [x, y];
         self.sampled_turn = self.turn;
-        self.turn += rev_s_from_rpm(speed_rpm) * self.setup.dt_s;
+        self.turns += turned;
+        self.turn += turned;
         self.turn -= self.turn.floor();
-        forces
+        cutting
     }
 }

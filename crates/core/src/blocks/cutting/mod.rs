@@ -13,6 +13,7 @@ pub mod material;
 pub mod milling;
 pub mod neural;
 pub mod process;
+pub mod surface_left;
 pub mod tool_path;
 pub mod wear;
 pub mod workpiece;

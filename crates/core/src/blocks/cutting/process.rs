@@ -20,9 +20,10 @@ use crate::base::math;
 use crate::base::units::mm_from_um;
 use crate::base::window::WindowMax;
 use crate::models::Valued;
-use crate::models::ball_end::{CK45, Cutter, MNCRSI5};
+use crate::models::ball_end::{CK45, Cutter, Cutting, MAX_TEETH, MNCRSI5};
 use crate::models::genetic::{Calibration, ModelSet};
 use crate::models::part::CutPath;
+use crate::models::spindle::SLOWEST_RPM;
 use crate::models::tool::Tool;
 
 crate::settings! {
@@ -87,6 +88,9 @@ pub struct Force {
     pub dynamic_n: f64,
     /// F_x, F_y, F_z of this instant in N, tooth by tooth.
     pub teeth_n: Option<[f64; 3]>,
+    /// Height of the edges in the cut in mm by the tooth before that left the surface, tooth by tooth
+    /// ([`crate::models::ball_end::Cutting`]).
+    pub height_mm: [f64; MAX_TEETH],
     /// The tool is in the air.
     pub air: bool,
 }
@@ -97,6 +101,7 @@ impl Force {
         model: Valued { value: 0.0, valid: true },
         dynamic_n: 0.0,
         teeth_n: None,
+        height_mm: [0.0; MAX_TEETH],
         air: true,
     };
 
@@ -236,6 +241,7 @@ impl Process {
                     model,
                     dynamic_n: math::positive(model.value * dynamic),
                     teeth_n: None,
+                    height_mm: [0.0; MAX_TEETH],
                     air,
                 }
             }
@@ -249,19 +255,22 @@ impl Process {
                     model,
                     dynamic_n: math::positive(model.value * dynamic),
                     teeth_n: None,
+                    height_mm: [0.0; MAX_TEETH],
                     air,
                 }
             }
             Self::Teeth(teeth) => {
                 let (cut, x_mm) = step.under;
                 let factor = teeth.wear_factor * life_factor * math::positive(dynamic);
-                let forces_n = teeth.milling.update(feed_mm_min, speed_rpm, x_mm, cut, factor);
+                let Cutting { forces_n, height_mm } =
+                    teeth.milling.update(feed_mm_min, speed_rpm, x_mm, cut, factor);
                 let [x, y, _] = forces_n;
                 let [largest_n] = teeth.largest.push(step.tick, [(x * x + y * y).sqrt()]);
                 Force {
-                    model: Valued::new(largest_n, true),
+                    model: Valued::new(largest_n, speed_rpm >= SLOWEST_RPM),
                     dynamic_n: largest_n,
                     teeth_n: Some(forces_n),
+                    height_mm,
                     air: largest_n < step.air_n,
                 }
             }

@@ -3,6 +3,7 @@
 //! ```text
 //! P(t)     = F g(phi) / max g                           g = sum of sin phi over the teeth in the cut
 //! kappa(t) = K_s gamma b teeth(t),  c(t) = c_pd teeth(t)                         regeneration, damping
+//! b teeth  = height of all edges in the cut                                      tooth by tooth
 //! F_n, ubar_n                                              from the step of `response`, averages of P
 //! dF       = max over a tooth's pass of F_n - the same of P
 //! E_S      = rms of the velocity over the last second
@@ -10,13 +11,14 @@
 //!
 //! F is the peak force of the plant's model, so the machine adds vibration and no second mean force.
 //! The steps are of at most 0.1 ms, a whole number to a plant step. Where the force is simulated tooth by
-//! tooth its resultant drives the machine at every instant; that model's own compliance is then taken
-//! away. Wear enters by F, by the tooth's stiffness and by c_pd; kappa is that of a sharp tool, since a
+//! tooth its resultant drives the machine at every instant, with the edges that are in the cut and the
+//! surfaces that they meet; that model's own compliance is then taken away. Wear enters by F, by the tooth's stiffness and by c_pd; kappa is that of a sharp tool, since a
 //! wear land adds force but no force per chip (chosen).
 
-use super::response::{CutForce, ModalResponse, Motion};
+use super::response::{CutForce, LeftBy, ModalResponse, Motion};
 use crate::base::math::{self, TAU};
 use crate::base::units::rev_s_from_rpm;
+use crate::models::ball_end::MAX_TEETH;
 use crate::models::spindle::SLOWEST_RPM;
 use crate::models::structure::engagement::EngagementAngles;
 use crate::models::structure::reduction::Reduction;
@@ -85,7 +87,8 @@ impl Coupled {
     pub fn new(setup: &CoupledSetup) -> Self {
         let steps = (setup.dt_s / STEP_MAX_S - 1e-9).ceil().max(1.0);
         let dt_s = setup.dt_s / steps;
-        let longest_s = 60.0 / (SLOWEST_RPM * f64::from(setup.teeth));
+        // A turn: run-out may leave all teeth out but one.
+        let longest_s = 60.0 / SLOWEST_RPM;
         Self {
             response: ModalResponse::new(&setup.machine, dt_s, longest_s),
             tooth_n_m: 1.0 / setup.machine.feedthrough_m_n,
@@ -138,26 +141,58 @@ impl Coupled {
         let turned_rad = (TAU * rev_s_from_rpm(cut.speed_rpm) * self.dt_s).max(1e-12);
         let engaged = self.engagement.means(self.angle_rad, self.angle_rad + turned_rad);
         let share = if self.peak_chip > 0.0 { engaged.chip / self.peak_chip } else { 0.0 };
-        self.step(force_n * share, force_n, engaged.teeth, cut)
+        let kappa = self.stiffness_per_mm * cut.axial_depth_mm * engaged.teeth;
+        let damping_n_s_m = self.damping_n_s_m * engaged.teeth;
+        let cut_force = CutForce {
+            static_n: force_n * share,
+            stiffness_n_m: kappa,
+            damping_n_s_m,
+            delay_s: self.tooth_period_s(cut.speed_rpm),
+            left_by: LeftBy::default(),
+        };
+        self.step(&cut_force, force_n, cut)
     }
 
-    /// One machine step with the force of an instant, tooth by tooth, in N; one tooth carries it.
+    /// One machine step with the force of an instant, tooth by tooth, in N; `height_mm` is that of the edges in
+    /// the cut, by the tooth before that has left the surface.
     #[inline]
-    pub fn instant(&mut self, force_n: f64, cut: &CutState) -> Motion {
-        let teeth = if force_n > 0.0 { 1.0 } else { 0.0 };
-        let peak_n = force_n.max(self.peaks_n[1][1]);
-        self.step(force_n, peak_n, teeth, cut)
-    }
-
-    #[inline]
-    fn step(&mut self, static_n: f64, peak_n: f64, teeth: f64, cut: &CutState) -> Motion {
-        let count = f64::from(self.engagement.teeth);
-        let motion = self.response.update(&CutForce {
-            static_n,
-            stiffness_n_m: self.stiffness_per_mm * cut.axial_depth_mm * teeth,
+    pub fn instant(
+        &mut self,
+        force_n: f64,
+        height_mm: &[f64; MAX_TEETH],
+        cut: &CutState,
+    ) -> Motion {
+        let edges_mm: f64 = height_mm.iter().sum();
+        let depth_mm = cut.axial_depth_mm;
+        let teeth = if depth_mm > 0.0 { edges_mm / depth_mm } else { 0.0 };
+        let cut_force = CutForce {
+            static_n: force_n,
+            stiffness_n_m: self.stiffness_per_mm * edges_mm,
             damping_n_s_m: self.damping_n_s_m * teeth,
-            delay_s: 60.0 / (count * cut.speed_rpm.max(SLOWEST_RPM)),
-        });
+            delay_s: self.tooth_period_s(cut.speed_rpm),
+            left_by: LeftBy::shares(height_mm),
+        };
+        let peak_n = force_n.max(self.peaks_n[1][1]);
+        self.step(&cut_force, peak_n, cut)
+    }
+
+    fn tooth_period_s(&self, speed_rpm: f64) -> f64 {
+        60.0 / (f64::from(self.engagement.teeth) * speed_rpm)
+    }
+
+    /// Whether the surface is remembered as it is at a speed in 1/min: long enough for a slow tooth, often
+    /// enough for a fast one.
+    #[must_use]
+    pub fn holds_at(&self, speed_rpm: f64) -> bool {
+        let steps = self.tooth_period_s(speed_rpm) / self.dt_s;
+        speed_rpm >= SLOWEST_RPM && steps >= ModalResponse::FEWEST_STEPS
+    }
+
+    #[inline]
+    fn step(&mut self, cut_force: &CutForce, peak_n: f64, cut: &CutState) -> Motion {
+        let count = f64::from(self.engagement.teeth);
+        let static_n = cut_force.static_n;
+        let motion = self.response.update(cut_force);
         self.lost_contact |= motion.lost_contact && static_n > LOST_FRACTION * peak_n;
         let [with, without] = &mut self.peaks_n[0];
         *with = with.max(motion.force_n);

@@ -5,16 +5,18 @@
 //! ubar = c1.q + d1 F        mean displacement of the interval:
 //!        c1_r = R_r (a - 1) / (l dt) ,  d1 = 1/k3 + sum 2 Re[ R_r ((a - 1)/(l dt) - 1) / l ]
 //! vbar = cv.q + dv F        mean velocity: cv_r = R_r (a - 1) / dt , dv = sum 2 Re[ R_r g_r ] / dt
-//! F = F_s - kappa (ubar - udel) - c vbar >= 0 ,  udel = ubar one tooth period ago
+//! F = F_s - kappa (ubar - udel) - c vbar >= 0 ,  udel = ubar one tooth period ago, or as many as it takes
 //! ```
 //!
 //! F_s is the mean over the interval of the force without vibration, kappa that of the cut's
 //! stiffness (chip gain times chip direction), c that of process damping. The force of the interval
 //! stands on both sides, once: the equation is solved for F, so the step is implicit without
-//! iteration. udel is interpolated by a cubic where the tooth period is no whole number of steps.
+//! iteration. udel is interpolated by a cubic where the tooth period is no whole number of steps; where run-out
+//! leaves teeth out of the cut it is the mean of the surfaces that are really cut ([`LeftBy`]).
 //! When contact is lost (F = 0) the surface stays where the tooth before left it.
 
 use crate::base::math;
+use crate::models::ball_end::MAX_TEETH;
 use crate::models::structure::Complex;
 use crate::models::structure::reduction::Reduction;
 
@@ -29,6 +31,28 @@ pub struct CutForce {
     pub damping_n_s_m: f64,
     /// Tooth period, s.
     pub delay_s: f64,
+    /// Which teeth have left the surface.
+    pub left_by: LeftBy,
+}
+
+/// Shares of the stiffness that cut the surface of the tooth before, of the second one before, ...; together 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeftBy(pub [f64; MAX_TEETH]);
+
+impl LeftBy {
+    /// The shares of what of the edges cuts each surface; of the tooth before alone where nothing cuts.
+    #[must_use]
+    pub fn shares(cutting: &[f64; MAX_TEETH]) -> Self {
+        let sum: f64 = cutting.iter().sum();
+        if sum > 0.0 { Self(cutting.map(|part| part / sum)) } else { Self::default() }
+    }
+}
+
+impl Default for LeftBy {
+    /// Every tooth cuts the surface of the one before.
+    fn default() -> Self {
+        Self(std::array::from_fn(|k| if k == 0 { 1.0 } else { 0.0 }))
+    }
 }
 
 /// What the machine did in one step.
@@ -85,14 +109,42 @@ pub struct ModalResponse {
     surface_m: Vec<f64>,
     newest: usize,
     delay_s: f64,
+    tooth_before: Delay,
+}
+
+/// A time back in the memory.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Delay {
     /// Steps back to the first of four interpolated values, and their weights.
     back: usize,
     weights: [f64; 4],
 }
 
+impl Delay {
+    /// So many steps back, at least 2, in a memory of `kept` steps.
+    fn new(steps: f64, kept: usize) -> Self {
+        // The value wanted lies between the second and third of four, all of the past.
+        let steps = math::limit(steps, ModalResponse::FEWEST_STEPS, (kept - 3) as f64);
+        let whole = steps.floor();
+        let x = steps - whole;
+        Self {
+            back: whole as usize - 2,
+            weights: [
+                x * (x - 1.0) * (x - 2.0) / -6.0,
+                (x + 1.0) * (x - 1.0) * (x - 2.0) / 2.0,
+                (x + 1.0) * x * (x - 2.0) / -2.0,
+                (x + 1.0) * x * (x - 1.0) / 6.0,
+            ],
+        }
+    }
+}
+
 impl ModalResponse {
-    /// The machine at rest, for steps of `dt_s` and tooth periods up to `longest_delay_s`; longer
-    /// ones count as it.
+    /// Fewest steps in a tooth period: a shorter one counts as so long. Whoever asks for it marks that.
+    pub const FEWEST_STEPS: f64 = 2.0;
+
+    /// The machine at rest, for steps of `dt_s`, with a memory of `longest_delay_s`: what lies further back
+    /// counts as its oldest value. Whoever asks for it marks that.
     #[must_use]
     pub fn new(machine: &Reduction, dt_s: f64, longest_delay_s: f64) -> Self {
         let one = Complex::from(1.0);
@@ -124,8 +176,7 @@ impl ModalResponse {
             surface_m: vec![0.0; (steps + 4).next_power_of_two()],
             newest: 0,
             delay_s: 0.0,
-            back: 1,
-            weights: [0.0; 4],
+            tooth_before: Delay { back: 1, weights: [0.0; 4] },
         };
         response.set_delay(longest_delay_s);
         response
@@ -146,26 +197,30 @@ impl ModalResponse {
 
     fn set_delay(&mut self, delay_s: f64) {
         self.delay_s = delay_s;
-        // The value wanted lies between the second and third of four, all of the past.
-        let steps = math::limit(delay_s / self.dt_s, 2.0, (self.surface_m.len() - 3) as f64);
-        let whole = steps.floor();
-        let x = steps - whole;
-        self.back = whole as usize - 2;
-        self.weights = [
-            x * (x - 1.0) * (x - 2.0) / -6.0,
-            (x + 1.0) * (x - 1.0) * (x - 2.0) / 2.0,
-            (x + 1.0) * x * (x - 2.0) / -2.0,
-            (x + 1.0) * x * (x - 1.0) / 6.0,
-        ];
+        self.tooth_before = Delay::new(delay_s / self.dt_s, self.surface_m.len());
     }
 
     #[inline]
-    fn surface_before(&self) -> f64 {
+    fn back(&self, delay: &Delay) -> f64 {
         let mask = self.surface_m.len() - 1;
-        let first = self.newest + self.surface_m.len() - self.back;
+        let first = self.newest + self.surface_m.len() - delay.back;
         let mut sum = 0.0;
-        for (i, weight) in self.weights.iter().enumerate() {
+        for (i, weight) in delay.weights.iter().enumerate() {
             sum += weight * self.surface_m[(first - i) & mask];
+        }
+        sum
+    }
+
+    /// The surface that is cut, m.
+    #[inline]
+    fn surface_before(&self, left_by: &LeftBy) -> f64 {
+        let [first, others @ ..] = &left_by.0;
+        let mut sum = first * self.back(&self.tooth_before);
+        if *first != 1.0 {
+            for (i, share) in others.iter().enumerate().filter(|(_, share)| **share > 0.0) {
+                let steps = (i + 2) as f64 * self.delay_s / self.dt_s;
+                sum += share * self.back(&Delay::new(steps, self.surface_m.len()));
+            }
         }
         sum
     }
@@ -178,7 +233,7 @@ impl ModalResponse {
         }
         let CutForce { static_n, stiffness_n_m: kappa, damping_n_s_m: damping, .. } = *cut;
         let d1 = self.feedthrough_m_n + self.d1_modes;
-        let before = self.surface_before();
+        let before = self.surface_before(&cut.left_by);
         let (free, free_velocity) = (self.c1.times(&self.q), self.cv.times(&self.q));
         let wanted = (static_n - kappa * (free - before) - damping * free_velocity)
             / (1.0 + kappa * d1 + damping * self.dv);

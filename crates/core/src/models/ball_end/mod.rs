@@ -10,7 +10,8 @@
 //! z >= r  R(z) = R0, sin k = 1, cos k = 0
 //! psi(z) = (z/R0) tan(helix)                      phi = spindle - 2 pi j/teeth - psi, 0 < phi < pi
 //! x = R sin phi, y = R cos phi                    contact point; +x is the direction of feed
-//! h = [(f_t + X) sin phi + Y cos phi + rho_j - rho_(j-1)] sin k,  no cut for h <= 0
+//! h = min over k = 1..teeth of [(s_k + X_k) sin phi + Y_k cos phi + rho_j - rho_(j-k)] sin k,
+//!                                                 no cut for h <= 0
 //! db = w dz / sin k,  dF_i = k_i h^(1 - m_i) db   i = c (tangential), r (radial), a (axial)
 //! rho_j = e cos(2 pi j/teeth)                     axis shifted by e towards tooth 0 (Kline and DeVor 1983)
 //! dFx = -sk sp dFr - cp dFc - ck sp dFa
@@ -18,10 +19,17 @@
 //! dFz =  ck dFr - sk dFa
 //! ```
 //!
+//! s_k is the way that the tool was fed since the k-th tooth before stood at phi, k f_t in a steady cut: the
+//! tooth cuts down from the surface that stands furthest out, which is the one that the last teeth have really
+//! left. Where every tooth cuts that is the one of the tooth before, k = 1; from a run-out of 2 e = f_t on one
+//! of two teeth is left out, and the other cuts with the feed of the whole turn, k = 2 (Kline and DeVor 1983).
+//! After a turn the same tooth comes again, so no tooth further back stands out. The sum of h over the teeth
+//! of a rigid tool is the feed of a turn at every angle, whatever the run-out.
+//!
 //! Forces act on the tool. Slices are taken at their midpoints; w is the part of a slice below the
 //! surface, so that the top slice may be partial. Three Kienzle laws stand in place of linear edge
 //! forces: published tables give them, and a power law needs no edge constants. X and Y are the
-//! regenerative deflection of the 2005 paper's eq. (1), X = G [F(t) - F(t - T)] with T one tooth
+//! regenerative deflection of the 2005 paper's eq. (1), X_k = G [F(t) - F(t - k T)] with T one tooth
 //! period; the forces of the sample before are used, which avoids an algebraic loop (loop gain 0.1).
 //! The slice height is part of the calibration: a slice enters and leaves the cut whole, so the peak
 //! carries part of a slice too much; thin slices give about 3 % less than slices of 0.1 mm
@@ -106,8 +114,35 @@ struct Slice {
 pub struct Sliced {
     cutter: Cutter,
     slices: Vec<Slice>,
-    /// sin and cos of each tooth's pitch angle, and rho_j - rho_(j-1) in mm.
-    teeth: Vec<[f64; 3]>,
+    teeth: Vec<Tooth>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Tooth {
+    sin_pitch: f64,
+    cos_pitch: f64,
+    /// rho_j - rho_(j-k) in mm for k = 1, 2, ...
+    stands_out_mm: [f64; MAX_TEETH],
+}
+
+/// How far the tool has come in mm, x and y, since the k-th tooth before stood where a tooth stands now; for
+/// k = 1 to the number of teeth.
+pub type Advances = [[f64; 2]; MAX_TEETH];
+
+/// The advances of a rigid tool at a constant feed per tooth in mm.
+#[must_use]
+pub fn steady(feed_per_tooth_mm: f64) -> Advances {
+    std::array::from_fn(|i| [(i + 1) as f64 * feed_per_tooth_mm, 0.0])
+}
+
+/// What the teeth do at an instant.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cutting {
+    /// Forces on the tool, Fx, Fy, Fz, N.
+    pub forces_n: [f64; 3],
+    /// Height of the edges in mm that cuts down from the surface of the tooth before, of the second one
+    /// before, ...; summed over the teeth.
+    pub height_mm: [f64; MAX_TEETH],
 }
 
 impl Sliced {
@@ -144,8 +179,15 @@ impl Sliced {
         let n = cutter.teeth.clamp(1, MAX_TEETH);
         let tooth = |j: usize| {
             let pitch = math::TAU * j as f64 / n as f64;
-            let runout = cutter.runout_mm[j] - cutter.runout_mm[(j + n - 1) % n];
-            [math::sin(pitch), math::cos(pitch), runout]
+            let stands_out = |i: usize| match i < n {
+                true => cutter.runout_mm[j] - cutter.runout_mm[(j + n - (i + 1)) % n],
+                false => 0.0,
+            };
+            Tooth {
+                sin_pitch: math::sin(pitch),
+                cos_pitch: math::cos(pitch),
+                stands_out_mm: std::array::from_fn(stands_out),
+            }
         };
         Self {
             cutter: *cutter,
@@ -154,26 +196,31 @@ impl Sliced {
         }
     }
 
-    /// Forces on the tool in N, [Fx, Fy, Fz], at the spindle angle `spindle_rad`: the equations at the
-    /// head of this module (Lee and Altintas 1996; 2005 eq. 1).
+    /// Number of teeth.
+    #[must_use]
+    pub fn teeth(&self) -> usize {
+        self.teeth.len()
+    }
+
+    /// Forces on the tool at the spindle angle `spindle_rad`: the equations at the head of this module
+    /// (Lee and Altintas 1996; 2005 eq. 1).
     ///
-    /// `deflection_mm` is the regenerative deflection X, Y; `depth_at(x_mm, y_mm)` is the axial
-    /// depth of the material in mm at a contact point relative to the tool's axis, 0 where there
-    /// is none.
+    /// `advances` are [s_k + X_k, Y_k]; `depth_at(x_mm, y_mm)` is the axial depth of the material in mm at a
+    /// contact point relative to the tool's axis, 0 where there is none.
     #[must_use]
     #[inline]
     pub fn forces(
         &self,
         law: &Kienzle,
         spindle_rad: f64,
-        feed_per_tooth_mm: f64,
-        deflection_mm: [f64; 2],
+        advances: &Advances,
         depth_at: impl Fn(f64, f64) -> f64,
-    ) -> [f64; 3] {
+    ) -> Cutting {
         let (sin_spindle, cos_spindle) = (math::sin(spindle_rad), math::cos(spindle_rad));
-        let advance = feed_per_tooth_mm + deflection_mm[0];
+        let advances = &advances[..self.teeth.len()];
         let mut sum = [0.0; 3];
-        for [sin_pitch, cos_pitch, runout] in &self.teeth {
+        let mut height_mm = [0.0; MAX_TEETH];
+        for Tooth { sin_pitch, cos_pitch, stands_out_mm } in &self.teeth {
             let sin_tooth = sin_spindle * cos_pitch - cos_spindle * sin_pitch;
             let cos_tooth = cos_spindle * cos_pitch + sin_spindle * sin_pitch;
             for slice in &self.slices {
@@ -184,10 +231,21 @@ impl Sliced {
                 let cp = cos_tooth * slice.cos_lag + sin_tooth * slice.sin_lag;
                 let depth = depth_at(slice.radius_mm * sp, slice.radius_mm * cp);
                 let width = math::limit(depth - slice.bottom_mm, 0.0, self.cutter.slice_mm);
-                let h = (advance * sp + deflection_mm[1] * cp + runout) * slice.sin_k;
-                if width <= 0.0 || h <= 0.0 {
+                if width <= 0.0 {
                     continue;
                 }
+                let (mut chip, mut left_by) = (f64::INFINITY, 0);
+                for (k, ([x, y], stands_out)) in advances.iter().zip(stands_out_mm).enumerate() {
+                    let above = x * sp + y * cp + stands_out;
+                    if above < chip {
+                        (chip, left_by) = (above, k);
+                    }
+                }
+                let h = chip * slice.sin_k;
+                if h <= 0.0 {
+                    continue;
+                }
+                height_mm[left_by] += width;
                 let db = width / slice.sin_k;
                 let [c, r, a] = law.per_width(h).map(|force| force * db);
                 let (sk, ck) = (slice.sin_k, slice.cos_k);
@@ -196,7 +254,7 @@ impl Sliced {
                 sum[2] += ck * r - sk * a;
             }
         }
-        sum
+        Cutting { forces_n: sum, height_mm }
     }
 }
 
@@ -210,7 +268,7 @@ mod tests {
         let law = Kienzle::new(&CK45, 80.0, 12.0, 200.0);
         let sliced = Sliced::new(&cutter, 2.0);
         let at = |depth_at: &dyn Fn(f64, f64) -> f64| {
-            sliced.forces(&law, 1.0, 0.08, [0.0, 0.0], depth_at)
+            sliced.forces(&law, 1.0, &steady(0.08), depth_at).forces_n
         };
         assert_eq!(at(&|_, _| 0.0), [0.0; 3]);
         let whole = at(&|_, _| 2.0);
@@ -232,10 +290,10 @@ mod tests {
     fn deflection_towards_the_cut_thickens_the_chip() {
         let sliced = Sliced::new(&Cutter::two_teeth(16.0, 0.0, 0.1), 2.0);
         let law = Kienzle::new(&MNCRSI5, 80.0, 12.0, 180.0);
-        let at = |deflection| sliced.forces(&law, 1.2, 0.08, deflection, |_, _| 2.0)[0];
-        let ahead = at([0.01, 0.0]) / at([0.0, 0.0]);
-        let faster = sliced.forces(&law, 1.2, 0.09, [0.0, 0.0], |_, _| 2.0)[0] / at([0.0, 0.0]);
+        let at = |advances| sliced.forces(&law, 1.2, &advances, |_, _| 2.0).forces_n[0];
+        let bent = |by_mm: f64| at(steady(0.08).map(|[x, y]| [x + by_mm, y]));
+        let (ahead, faster) = (bent(0.01) / bent(0.0), at(steady(0.09)) / bent(0.0));
         assert!(ahead > 1.05 && ahead == faster, "{ahead} {faster}");
-        assert_eq!(at([-0.08, 0.0]), 0.0, "no chip");
+        assert_eq!(bent(-0.08), 0.0, "no chip");
     }
 }

@@ -4,7 +4,7 @@
 //! Where a slice leaves the cut at a wall the peak has a narrow tip: angles 5 degrees apart miss up to
 //! 6 % of it, half a degree apart nothing. No run-out and no deflection: the steady cut of a rigid tool, whose teeth all cut alike.
 
-use super::{Kienzle, Sliced};
+use super::{Kienzle, Sliced, Tooth};
 use crate::base::math;
 
 /// A slice of a tooth at an angle.
@@ -35,7 +35,7 @@ impl PeakTable {
             let spindle = pitch * step as f64 / angles as f64;
             let (sin_spindle, cos_spindle) = (math::sin(spindle), math::cos(spindle));
             let mut entries = Vec::new();
-            for [sin_pitch, cos_pitch, _] in &sliced.teeth {
+            for Tooth { sin_pitch, cos_pitch, .. } in &sliced.teeth {
                 let sin_tooth = sin_spindle * cos_pitch - cos_spindle * sin_pitch;
                 let cos_tooth = cos_spindle * cos_pitch + sin_spindle * sin_pitch;
                 for slice in &sliced.slices {

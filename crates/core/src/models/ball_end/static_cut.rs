@@ -1,7 +1,7 @@
 //! Cuts that do not change: forces over a revolution, regeneration settled.
 
 use super::kienzle::Kienzle;
-use super::{Cutter, Sliced};
+use super::{Cutter, Sliced, steady};
 use crate::base::math;
 
 /// Steps of a static cut in a revolution (rounded down to whole steps a tooth).
@@ -37,8 +37,10 @@ pub fn static_peak(cutter: &Cutter, law: &Kienzle, cut: &StaticCut) -> StaticPea
     let sliced = Sliced::new(cutter, cut.axial_depth_mm);
     let wall_mm = cutter.radius_mm(cut.axial_depth_mm) - cut.radial_depth_mm;
     let depth_at = |_: f64, y_mm: f64| if y_mm >= wall_mm { cut.axial_depth_mm } else { 0.0 };
-    let per_tooth = STEPS_PER_REV / sliced.teeth.len();
-    let steps = per_tooth * sliced.teeth.len();
+    let teeth = sliced.teeth.len();
+    let per_tooth = STEPS_PER_REV / teeth;
+    let steps = per_tooth * teeth;
+    let fed = steady(cut.feed_per_tooth_mm);
     // Forces of the last revolution; the first turns with a rigid tool.
     let mut forces = vec![[0.0; 3]; steps];
     let mut peak = StaticPeak { components_n: [0.0; 3], fxy_n: 0.0, mean_fxy_n: 0.0 };
@@ -47,11 +49,15 @@ pub fn static_peak(cutter: &Cutter, law: &Kienzle, cut: &StaticCut) -> StaticPea
         peak = StaticPeak { components_n: [0.0; 3], fxy_n: 0.0, mean_fxy_n: 0.0 };
         for step in 0..steps {
             let last = forces[(step + steps - 1) % steps];
-            let tooth_before = forces[(step + 2 * steps - 1 - per_tooth) % steps];
             let gain = if rev == 0 { 0.0 } else { cutter.compliance_mm_n };
-            let deflection = [0, 1].map(|axis| gain * (last[axis] - tooth_before[axis]));
+            let mut advances = fed;
+            for (i, [x, y]) in advances[..teeth].iter_mut().enumerate() {
+                let before = forces[(step + 2 * steps - 1 - (i + 1) * per_tooth) % steps];
+                *x += gain * (last[0] - before[0]);
+                *y += gain * (last[1] - before[1]);
+            }
             let angle = math::TAU * step as f64 / steps as f64;
-            let force = sliced.forces(law, angle, cut.feed_per_tooth_mm, deflection, depth_at);
+            let force = sliced.forces(law, angle, &advances, depth_at).forces_n;
             forces[step] = force;
             let fxy = (force[0] * force[0] + force[1] * force[1]).sqrt();
             peak.mean_fxy_n += fxy / steps as f64;
@@ -91,6 +97,8 @@ mod tests {
     fn run_out_makes_the_teeth_cut_unequally_around_the_same_mean() {
         let (even, odd) = (peak(0.08, 2.0, 4.0, 0.0), peak(0.08, 2.0, 4.0, 0.003));
         assert!(odd.fxy_n > 1.05 * even.fxy_n && odd.fxy_n < 1.09 * even.fxy_n);
-        assert!((odd.mean_fxy_n / even.mean_fxy_n - 1.0).abs() < 2e-3);
+        // The feed of a turn is the same; thin chips of the tooth further in cost a little more per volume.
+        let mean = odd.mean_fxy_n / even.mean_fxy_n;
+        assert!((mean - 1.0).abs() < 5e-3, "{mean}");
     }
 }

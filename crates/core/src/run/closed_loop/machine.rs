@@ -95,7 +95,7 @@ impl Machine {
             Some(forces_n) => {
                 let [x, y, _] = *forces_n;
                 let across_n = (x * x + y * y).sqrt();
-                let motion = self.coupled.instant(across_n, cut);
+                let motion = self.coupled.instant(across_n, &force.height_mm, cut);
                 let displacement_m = motion.displacement_m;
                 mark(&ToothPlace { turns, position_mm, displacement_m, in_cut });
                 let share = if across_n > 0.0 { motion.force_n / across_n } else { 0.0 };
@@ -103,6 +103,7 @@ impl Machine {
                 [force.dynamic_n] = self.largest.push(tick, [across_n * share]);
             }
         }
+        force.model.valid &= self.coupled.holds_at(cut.speed_rpm);
         self.position_mm = position_mm;
     }
 

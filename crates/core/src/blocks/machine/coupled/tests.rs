@@ -78,9 +78,49 @@ fn a_worn_tooth_is_softer() {
     worn.wear(0.5, 0.0);
     let still = CutState { speed_rpm: 0.0, axial_depth_mm: 0.0, radial_depth_mm: 3.0 };
     let rest = |machine: &mut Coupled| {
-        (0..20_000).map(|_| machine.instant(100.0, &still).displacement_m).last().unwrap()
+        (0..20_000)
+            .map(|_| machine.instant(100.0, &[0.0; MAX_TEETH], &still).displacement_m)
+            .last()
+            .unwrap()
     };
     let softer = rest(&mut worn) - rest(&mut machine(1e-4));
     let tooth = 100.0 / 202_993_285.911_493;
     assert!((softer / tooth - 1.0).abs() < 1e-6, "{softer:e} {tooth:e}");
+}
+
+#[test]
+fn the_speeds_that_it_holds_for_are_those_of_its_memory() {
+    let machine = machine(1e-4);
+    for (speed_rpm, holds) in
+        [(0.0, false), (99.0, false), (100.0, true), (20_000.0, true), (2e5, false)]
+    {
+        assert_eq!(machine.holds_at(speed_rpm), holds, "{speed_rpm}");
+    }
+}
+
+/// Teeth and regeneration at a slow speed: a surface once left comes back a tooth period later, not earlier.
+#[test]
+fn a_slow_tooth_meets_the_surface_of_its_own_tooth_period() {
+    for speed_rpm in [100.0, 150.0, 399.0, 1571.0] {
+        let mut machine = machine(1e-4);
+        let cut = CutState { speed_rpm, axial_depth_mm: 1.0, radial_depth_mm: 3.0 };
+        let mut edges_mm = [0.0; MAX_TEETH];
+        edges_mm[0] = 1.0;
+        // A short push in a cut that goes on with a constant force, and when the force answers it.
+        let period = (60.0 / (2.0 * speed_rpm) / 1e-4) as usize;
+        let answer = |machine: &mut Coupled, pushed_n: f64| {
+            let force_n = |i: usize| if i < 3 { 500.0 + pushed_n } else { 500.0 };
+            let forces =
+                (0..2 * period).map(|i| machine.instant(force_n(i), &edges_mm, &cut).force_n);
+            forces.collect::<Vec<f64>>()
+        };
+        let quiet = answer(&mut machine.clone(), 0.0);
+        let pushed = answer(&mut machine, 200.0);
+        let late = (period / 2..2 * period).max_by(|a, b| {
+            let off = |i: usize| (pushed[i] - quiet[i]).abs();
+            off(*a).total_cmp(&off(*b))
+        });
+        let late = late.unwrap() as f64 / period as f64;
+        assert!((0.98..1.3).contains(&late), "{speed_rpm}: {late} tooth periods");
+    }
 }

@@ -106,7 +106,30 @@ fn the_surface_before_is_interpolated_by_a_cubic() {
     for steps in [2.0, 2.25, 7.0, 18.85, 29.99] {
         response.set_delay(steps * 1e-3);
         let exact = cubic(length as f64 - steps);
-        assert!((response.surface_before() / exact - 1.0).abs() < 1e-12, "{steps}");
+        assert!(
+            (response.surface_before(&LeftBy::default()) / exact - 1.0).abs() < 1e-12,
+            "{steps}"
+        );
+    }
+}
+
+#[test]
+fn teeth_that_are_left_out_leave_no_surface() {
+    let mut response = ModalResponse::new(&standard(), 1e-3, 0.1);
+    let length = response.surface_m.len();
+    (0..length).for_each(|k| response.surface_m[k] = k as f64);
+    response.newest = length - 1;
+    response.set_delay(20.5e-3);
+    let before =
+        |parts: [f64; MAX_TEETH]| length as f64 - response.surface_before(&LeftBy::shares(&parts));
+    for (parts, steps) in [
+        ([0.0; MAX_TEETH], 20.5),
+        ([0.7, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], 20.5),
+        ([0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], 41.0),
+        ([0.0, 0.0, 0.0, 1.5, 0.0, 0.0, 0.0, 0.0], 82.0),
+        ([1.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], 0.25 * 20.5 + 0.75 * 41.0),
+    ] {
+        assert!((before(parts) - steps).abs() < 1e-9, "{parts:?}: {}", before(parts));
     }
 }
 
@@ -117,8 +140,9 @@ fn a_lost_tooth_leaves_the_surface_of_the_one_before() {
     for _ in 0..40 {
         response.update(&CutForce { static_n: 500.0, delay_s: 0.005, ..CutForce::default() });
     }
-    let thin = CutForce { static_n: 0.01, stiffness_n_m: 1e6, damping_n_s_m: 0.0, delay_s: 0.005 };
-    let before = response.surface_before();
+    let thin =
+        CutForce { static_n: 0.01, stiffness_n_m: 1e6, delay_s: 0.005, ..CutForce::default() };
+    let before = response.surface_before(&LeftBy::default());
     let motion = response.update(&thin);
     assert!(motion.lost_contact && motion.force_n == 0.0);
     let surface = response.surface_m[response.newest];
