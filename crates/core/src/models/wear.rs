@@ -115,14 +115,16 @@ impl WearSettings {
         1.0 + self.force_growth * w
     }
 
-    /// Factor of wear `w` on the stiffness of the tooth: 1 - alpha w, at least 0.01 (chosen).
+    /// Factor of wear `w` on the stiffness of the tooth: 1 - alpha w, at least 0.01 (chosen): a tooth softer than
+    /// that is none, and only alpha beyond 0.5 with wear beyond the end of life comes to it.
     #[must_use]
     pub fn stiffness_factor(&self, w: f64) -> f64 {
         (1.0 - self.tooth_softening * w).max(0.01)
     }
 
     /// Process damping between tooth and workpiece in N s/m at wear `w`: `engaged` is the mean
-    /// number of engaged teeth, `width_mm` the width of cut. The form of Wu, Chiou and Liang.
+    /// number of engaged teeth, `width_mm` the width of cut. The form of Wu, Chiou and Liang; it grows as the
+    /// speed falls, and a tool that stands cuts nothing that could damp.
     #[must_use]
     pub fn process_damping_n_s_m(
         &self,
@@ -132,7 +134,10 @@ impl WearSettings {
         speed_m_min: f64,
     ) -> f64 {
         let volume_mm2 = width_mm * self.flank_mm(w) * self.flank_mm(w);
-        let speed_m_s = speed_m_min.max(1.0) / 60.0;
+        if speed_m_min <= 0.0 {
+            return 0.0;
+        }
+        let speed_m_s = speed_m_min / 60.0;
         // N/mm3 times mm3 is N; over m/s.
         engaged * self.indentation_n_mm3 * volume_mm2 / (2.0 * speed_m_s)
     }
@@ -184,6 +189,17 @@ mod tests {
             assert!((wear.flank_mm(now) - flank_mm).abs() < 5.1e-5);
             assert!((107.0 * wear.force_factor(now) - force_n).abs() < 5.1e-4);
         }
+    }
+
+    #[test]
+    fn process_damping_grows_as_the_speed_falls_and_a_standing_tool_has_none() {
+        let wear = WearSettings { indentation_n_mm3: 5e4, ..WearSettings::default() };
+        let damping = |speed_m_min| wear.process_damping_n_s_m(0.5, 1.0, 2.0, speed_m_min);
+        for speed_m_min in [0.1, 0.5, 1.0, 80.0] {
+            let ratio = damping(speed_m_min) / damping(2.0 * speed_m_min);
+            assert!((ratio - 2.0).abs() < 1e-12, "{speed_m_min}: {ratio}");
+        }
+        assert_eq!(damping(0.0), 0.0);
     }
 
     #[test]

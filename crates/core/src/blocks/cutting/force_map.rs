@@ -112,9 +112,31 @@ impl ForceMap {
                 return peak;
             }
             let force_n = (peak.value + self.offset_n) * self.wear_factor * life_factor;
-            return Valued::new(math::positive(force_n), peak.valid);
+            // An offset may ask for less than no force: as of the formula, that is outside its range.
+            return Valued::new(math::positive(force_n), peak.valid && force_n >= 0.0);
         }
         let base = self.models.force(feed_mm_min, speed_rpm);
         Valued::new(base.value * self.factor_per_mm * axial_depth_mm * life_factor, base.valid)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blocks::cutting::force_model::ForceModel;
+
+    #[test]
+    fn an_offset_that_asks_for_less_than_no_force_is_marked_on_every_map() {
+        for force_model in ForceModel::MAPS {
+            let place = Engagement { axial_depth_mm: 2.0, radial_depth_mm: 3.0 };
+            let force = |force_offset_n: f64| {
+                let plant =
+                    PlantSettings { force_model, force_offset_n, ..PlantSettings::default() };
+                ForceMap::new(&plant, &Tool::default(), 3.0).force(330.0, 1600.0, &place, 1.0)
+            };
+            assert!(force(0.0).valid && force(0.0).value > 100.0, "{force_model:?}");
+            let least = force(-1e4);
+            assert_eq!((least.value, least.valid), (0.0, false), "{force_model:?}");
+        }
     }
 }

@@ -9,7 +9,8 @@ use crate::base::stats;
 const ALPHA: f64 = 0.469_718_639_349_825_7;
 /// Points of the finest profile per cut-off against short waves.
 const POINTS_PER_SHORT: f64 = 5.0;
-/// Most points per cut-off against long waves.
+/// Most points per cut-off against long waves: a short cut-off below a 1600th of the long one (5 um of 8 mm) has
+/// fewer than five points, and below an 8000th none, so there the points take its place.
 const POINTS_PER_LONG: f64 = 8000.0;
 
 /// Distance of the points in mm: a fifth of the short cut-off, which divides the long one.
