@@ -181,7 +181,7 @@ fn identify_follows_the_table_that_it_is_given() {
     assert_eq!(report["equals_shipped"], false);
     std::fs::write(&file, table.replace("0.51", "NaN")).unwrap();
     let error = refused(&["identify", "tables", "--table", file.to_str().unwrap()]);
-    assert!(error.contains("sim 2"), "{error}");
+    assert!(error.contains("line 4: `ra_desired_um` cannot be `NaN`"), "{error}");
 }
 
 #[test]

@@ -12,7 +12,7 @@
 //! | What does UNKS learn from pass to pass? | [`unks_passes`] |
 //! | How rough is the machined surface? | [`profilometer`] |
 //! | Are the bits the same here as elsewhere? | [`golden`] |
-//! | How does a run get into a spreadsheet? | [`export`] |
+//! | How does a run get into a spreadsheet, and a table out of one? | [`export`], [`csv_table`] |
 //!
 //! One run is `steadycut_core`: dead time, controllers and plant are there, in `blocks`.
 
@@ -26,6 +26,7 @@ pub use steadycut_core::{base, blocks, models, run};
 
 pub mod combined;
 pub mod compare;
+pub mod csv_table;
 pub mod errata;
 pub mod errata_2019;
 pub mod export;

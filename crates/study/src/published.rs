@@ -1,7 +1,8 @@
 //! The published tables, as shipped in `assets/data`, and the bands in which they are met.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
+use crate::csv_table::{ColumnNames, CsvRow, CsvTable};
 use crate::models::genetic::ModelSet;
 
 steadycut_core::choice! {
@@ -96,14 +97,13 @@ pub const SIM_10_FORCE_N: f64 = 190.2;
 const SIM_10_PRINTED_N: f64 = 195.2;
 
 /// A row of Table 3 of 2007 or of Table 1 of 2013.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TableRow {
     /// Number of the simulation, from 1.
     pub sim: u32,
     /// Desired roughness, um.
     pub ra_desired_um: f64,
     /// 2007: desired force F_d; 2013: initial force, N.
-    #[serde(alias = "f_desired_n", alias = "force_initial_n")]
     pub force_start_n: f64,
     /// Feed before the simulation, mm/min.
     pub feed_initial_mm_min: f64,
@@ -128,31 +128,67 @@ impl TableRow {
     }
 }
 
+/// The columns of a table, with the names that they have in either paper.
+const COLUMNS: [ColumnNames; 9] = [
+    &["sim"],
+    &["ra_desired_um"],
+    &["f_desired_n", "force_initial_n", "force_start_n"],
+    &["feed_initial_mm_min"],
+    &["spindle_initial_rpm"],
+    &["force_final_n"],
+    &["feed_final_mm_min"],
+    &["spindle_final_rpm"],
+    &["ra_produced_um"],
+];
+/// Fewest rows that models can be fitted to.
+const FEWEST_ROWS: usize = 4;
+
 /// Reads a table in the format of Table 3 of 2007 or of Table 1 of 2013.
 ///
 /// # Errors
-/// The line and column name that is missing or not a finite number.
+/// The columns that are missing, or the line with a value that is not a positive number.
 pub fn parse_table(text: &str) -> Result<Vec<TableRow>, String> {
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
-    let rows: Result<Vec<TableRow>, csv::Error> = reader.deserialize().collect();
-    let rows = rows.map_err(|error| error.to_string())?;
-    for row in &rows {
-        let values = [
-            row.ra_desired_um,
-            row.force_start_n,
-            row.feed_initial_mm_min,
-            row.spindle_initial_rpm,
-            row.force_final_n,
-            row.feed_final_mm_min,
-            row.spindle_final_rpm,
-            row.ra_produced_um,
-        ];
-        if values.iter().any(|value| !(value.is_finite() && *value > 0.0)) {
-            return Err(format!("sim {}: every value must be a positive number", row.sim));
-        }
-    }
-    if rows.len() < 4 {
-        return Err(format!("{} rows; at least 4 are needed", rows.len()));
+    let table = CsvTable::parse(text, &COLUMNS)?;
+    let rows: Result<Vec<TableRow>, String> =
+        table.rows.iter().map(|row| read(&table, row)).collect();
+    let rows = rows?;
+    if rows.len() < FEWEST_ROWS {
+        let columns = COLUMNS.map(|names| names[0]).join(", ");
+        return Err(format!(
+            "{} rows; at least {FEWEST_ROWS} are needed, each with {columns}",
+            rows.len()
+        ));
     }
     Ok(rows)
+}
+
+fn read(table: &CsvTable, row: &CsvRow) -> Result<TableRow, String> {
+    let mut values = [0.0; COLUMNS.len()];
+    for (value, (cell, names)) in values.iter_mut().zip(row.cells.iter().zip(COLUMNS)) {
+        let number = table.number(cell).filter(|x| x.is_finite() && *x > 0.0);
+        *value = number.ok_or_else(|| {
+            let cell: String = cell.chars().take(40).collect();
+            format!(
+                "line {}: `{}` cannot be `{cell}`: allowed is a positive number",
+                row.line, names[0]
+            )
+        })?;
+    }
+    let [sim, ra_desired_um, force_start_n, rest @ ..] = values;
+    let [feed_initial_mm_min, spindle_initial_rpm, force_final_n, rest @ ..] = rest;
+    let [feed_final_mm_min, spindle_final_rpm, ra_produced_um] = rest;
+    if sim.fract() != 0.0 || sim > f64::from(u32::MAX) {
+        return Err(format!("line {}: `sim` cannot be {sim}: allowed is a whole number", row.line));
+    }
+    Ok(TableRow {
+        sim: sim as u32,
+        ra_desired_um,
+        force_start_n,
+        feed_initial_mm_min,
+        spindle_initial_rpm,
+        force_final_n,
+        feed_final_mm_min,
+        spindle_final_rpm,
+        ra_produced_um,
+    })
 }

@@ -14,6 +14,7 @@ use super::EngagementCode;
 use crate::base::math;
 use crate::base::rng::Stream;
 use crate::base::settings::SettingError;
+use crate::csv_table::{ColumnNames, CsvRow, CsvTable};
 
 /// The shipped table.
 pub const SHIPPED: &str = include_str!("../../../../assets/data/cutting_data_2005.csv");
@@ -22,12 +23,12 @@ pub const NOTE: &str = "synthetic: formulas that imitate a maker's table, with 3
                         maker's data";
 
 /// Columns in their order, with the range that each allows.
-const COLUMNS: [(&str, f64, f64); 5] = [
-    ("hardness_hb", 50.0, 700.0),
-    ("diameter_mm", 0.5, 100.0),
-    ("engagement", 1.0, 4.0),
-    ("cutting_speed_m_min", 1.0, 2000.0),
-    ("feed_per_tooth_mm", 0.0001, 5.0),
+const COLUMNS: [(ColumnNames, f64, f64); 5] = [
+    (&["hardness_hb"], 50.0, 700.0),
+    (&["diameter_mm"], 0.5, 100.0),
+    (&["engagement"], 1.0, 4.0),
+    (&["cutting_speed_m_min"], 1.0, 2000.0),
+    (&["feed_per_tooth_mm"], 0.0001, 5.0),
 ];
 /// Column of the hardness.
 pub(super) const HARDNESS: usize = 0;
@@ -61,7 +62,8 @@ fn fault(problem: String) -> SettingError {
 /// # Errors
 /// Names the column, the value and its range.
 pub(super) fn check(column: usize, value: f64) -> Result<(), SettingError> {
-    let (name, low, high) = COLUMNS[column];
+    let (names, low, high) = COLUMNS[column];
+    let name = names[0];
     if (low..=high).contains(&value) {
         return Ok(());
     }
@@ -79,36 +81,19 @@ impl Table {
         Self::parse(SHIPPED).expect("the shipped table is checked by a test")
     }
 
-    /// Reads a table: the columns by name and in order, `#` begins a comment line. A row gives a
+    /// Reads a table ([`CsvTable`]): a row gives a
     /// cutting speed for a hardness, a feed per tooth for a diameter, or both; what it does not give
     /// stays empty.
     ///
     /// # Errors
     /// Names the line, the column, the value and what is allowed.
     pub fn parse(text: &str) -> Result<Self, SettingError> {
-        let mut reader = csv::ReaderBuilder::new()
-            .comment(Some(b'#'))
-            .trim(csv::Trim::All)
-            .from_reader(text.as_bytes());
-        let names = COLUMNS.map(|(name, ..)| name);
-        let header = reader.headers().map_err(|error| fault(error.to_string()))?;
-        if header != names.as_slice() {
-            let found = header.iter().collect::<Vec<_>>().join(",");
-            let found: String = found.chars().take(120).collect();
-            return Err(fault(format!(
-                "the columns are `{found}`; needed are {}",
-                names.join(",")
-            )));
-        }
+        let read = CsvTable::parse(text, &COLUMNS.map(|(names, ..)| names)).map_err(fault)?;
         let mut table = Self { speeds: Vec::new(), feeds: Vec::new() };
-        for (count, record) in reader.records().enumerate() {
-            let record = record.map_err(|error| fault(error.to_string()))?;
-            let line = record.position().map_or(0, csv::Position::line);
-            if count >= MAX_ROWS {
-                return Err(fault(format!("line {line}: at most {MAX_ROWS} rows are read")));
-            }
-            table.take(line, &record)?;
+        if let Some(row) = read.rows.get(MAX_ROWS) {
+            return Err(fault(format!("line {}: at most {MAX_ROWS} rows are read", row.line)));
         }
+        read.rows.iter().try_for_each(|row| table.take(&read, row))?;
         for (what, entries) in
             [("cutting_speed_m_min", &table.speeds), ("feed_per_tooth_mm", &table.feeds)]
         {
@@ -117,15 +102,18 @@ impl Table {
         Ok(table)
     }
 
-    fn take(&mut self, line: u64, record: &csv::StringRecord) -> Result<(), SettingError> {
-        let mut cells = [None; 5];
-        for (cell, (text, (name, low, high))) in cells.iter_mut().zip(record.iter().zip(COLUMNS)) {
+    fn take(&mut self, table: &CsvTable, row: &CsvRow) -> Result<(), SettingError> {
+        let (line, mut cells) = (row.line, [None; 5]);
+        for (cell, (text, (names, low, high))) in
+            cells.iter_mut().zip(row.cells.iter().zip(COLUMNS))
+        {
+            let name = names[0];
             if text.is_empty() {
                 continue;
             }
-            let whole = name == COLUMNS[ENGAGEMENT].0;
+            let whole = name == COLUMNS[ENGAGEMENT].0[0];
             let fits = |x: &f64| (low..=high).contains(x) && (!whole || x.fract() == 0.0);
-            *cell = text.parse::<f64>().ok().filter(fits);
+            *cell = table.number(text).filter(fits);
             if cell.is_none() {
                 let text: String = text.chars().take(40).collect();
                 let kind = if whole { "a whole number" } else { "a number" };
@@ -135,7 +123,7 @@ impl Table {
             }
         }
         let missing = |needed: usize, by: usize| {
-            let (needed, by) = (COLUMNS[needed].0, COLUMNS[by].0);
+            let (needed, by) = (COLUMNS[needed].0[0], COLUMNS[by].0[0]);
             fault(format!("line {line}: `{needed}` is missing; `{by}` needs it"))
         };
         let mut given = 0;
@@ -169,11 +157,11 @@ fn enough(what: &str, entries: &[Entry]) -> Result<(), SettingError> {
         return Ok(());
     }
     let (count, input) =
-        (entries.len(), if what == COLUMNS[SPEED].0 { HARDNESS } else { DIAMETER });
+        (entries.len(), if what == COLUMNS[SPEED].0[0] { HARDNESS } else { DIAMETER });
     Err(fault(format!(
         "`{what}` is given in {count} rows; needed are at least two values of `{}`, 1 % \
          apart, and two engagements",
-        COLUMNS[input].0
+        COLUMNS[input].0[0]
     )))
 }
 
@@ -182,7 +170,7 @@ fn enough(what: &str, entries: &[Entry]) -> Result<(), SettingError> {
 pub fn synthetic() -> String {
     const SEED: u64 = 1;
     let mut text = HEAD.to_owned();
-    let _ = writeln!(text, "{}", COLUMNS.map(|(name, ..)| name).join(","));
+    let _ = writeln!(text, "{}", COLUMNS.map(|(names, ..)| names[0]).join(","));
     let stream = Stream::new(SEED, "recommend.table");
     let mut draw = 0;
     let mut noisy = |value: f64| {
@@ -251,8 +239,9 @@ mod tests {
         assert!(message("\n125,,1,", "\n,,1,").contains("`hardness_hb` is missing"));
         assert!(message("\n125,,1,", "\n125,,,").contains("`engagement` is missing"));
         assert!(message("\n125,,1,", "\n125,,1,,\n125,,1,").contains("neither"));
-        assert!(message("\n125,,1,", "\n125,1,").contains("record"));
-        assert!(message("hardness_hb,", "hardness,").contains("needed are hardness_hb,"));
+        assert!(message("\n125,,1,", "\n125,1,").contains("line 15 has 4 values for 5 columns"));
+        let text = message("hardness_hb,", "hardness,");
+        assert!(text.contains("missing are hardness_hb; needed are hardness_hb, dia"), "{text}");
         assert!(Table::parse("").is_err());
         let one = "hardness_hb,diameter_mm,engagement,cutting_speed_m_min,feed_per_tooth_mm\n";
         let text = Table::parse(&format!("{one}200,16,1,100,0.1\n200,10,2,80,0.08\n"));

@@ -1,0 +1,232 @@
+//! Tables that people bring, as CSV the way spreadsheets of any country write them: separated by commas,
+//! semicolons or tabs, with decimal points or decimal commas, columns in any order. What could be read in
+//! two ways is refused.
+
+/// Longest piece of a table that a message shows, characters.
+const MAX_SHOWN: usize = 40;
+/// Longest list of columns that a message shows, characters.
+const MAX_LIST: usize = 200;
+
+/// A column that a table must have: its name, and other names that it may have.
+pub type ColumnNames = &'static [&'static str];
+
+/// A table: the cells of the columns asked for, in their order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CsvTable {
+    /// Its rows.
+    pub rows: Vec<CsvRow>,
+    separator: u8,
+    commas: bool,
+}
+
+/// A row of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CsvRow {
+    /// Its line in the file, from 1.
+    pub line: u64,
+    /// The cells, without spaces around them.
+    pub cells: Vec<String>,
+}
+
+fn shown(text: &str, most: usize) -> String {
+    let short: String = text.chars().take(most).collect();
+    if short.len() < text.len() { format!("{short}...") } else { short }
+}
+
+/// The separator, and the text without the line by which some spreadsheets tell it.
+fn separated(text: &str) -> (u8, &str) {
+    for (mark, separator) in [("sep=,", b','), ("sep=;", b';'), ("sep=\t", b'\t')] {
+        if let Some(rest) = text.strip_prefix(mark) {
+            return (separator, rest);
+        }
+    }
+    let header = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#'));
+    let count = |separator: char| header.map_or(0, |header| header.matches(separator).count());
+    let (commas, semicolons, tabs) = (count(','), count(';'), count('\t'));
+    let separator = if semicolons > commas.max(tabs) {
+        b';'
+    } else if tabs > commas.max(semicolons) {
+        b'\t'
+    } else {
+        b','
+    };
+    (separator, text)
+}
+
+/// Whether a cell is a number with a decimal comma, or with commas between thousands.
+fn has_comma(cell: &str) -> bool {
+    cell.contains(',') && cell.chars().all(|c| c.is_ascii_digit() || ",.+-eE".contains(c))
+}
+
+impl CsvTable {
+    /// Reads the table; `#` begins a comment line, rows without any value are left out.
+    ///
+    /// # Errors
+    /// Names the columns found and those that are missing, or the line that does not fit them.
+    pub fn parse(text: &str, columns: &[ColumnNames]) -> Result<Self, String> {
+        let (separator, text) = separated(text);
+        let mut reader = csv::ReaderBuilder::new()
+            .delimiter(separator)
+            .comment(Some(b'#'))
+            .trim(csv::Trim::All)
+            .flexible(true)
+            .from_reader(text.as_bytes());
+        let header = reader.headers().map_err(|error| error.to_string())?.clone();
+        let places = places(&header, columns)?;
+        let mut table = Self { rows: Vec::new(), separator, commas: false };
+        for record in reader.records() {
+            let record = record.map_err(|error| error.to_string())?;
+            let line = record.position().map_or(0, csv::Position::line);
+            if record.iter().all(str::is_empty) {
+                continue;
+            }
+            table.fits(line, &record, &header)?;
+            let cells = places.iter().map(|place| record[*place].to_owned()).collect();
+            table.rows.push(CsvRow { line, cells });
+        }
+        table.one_decimal_sign()?;
+        Ok(table)
+    }
+
+    /// Spreadsheets fill rows up with empty cells; any other cell needs its column.
+    fn fits(
+        &self,
+        line: u64,
+        record: &csv::StringRecord,
+        header: &csv::StringRecord,
+    ) -> Result<(), String> {
+        let (values, columns) = (record.len(), header.len());
+        if values == columns || values > columns && record.iter().skip(columns).all(str::is_empty) {
+            return Ok(());
+        }
+        let advice = match self.separator {
+            b',' if values > columns => {
+                "; numbers with decimal commas need semicolons between them, as in `0,5;1,2`"
+            }
+            _ => "",
+        };
+        Err(format!("line {line} has {values} values for {columns} columns{advice}"))
+    }
+
+    /// A table has decimal points or decimal commas; with both, one of them may mean thousands.
+    fn one_decimal_sign(&mut self) -> Result<(), String> {
+        let cells =
+            || self.rows.iter().flat_map(|row| row.cells.iter().map(|cell| (row.line, cell)));
+        let Some((line, comma)) = cells().find(|(_, cell)| has_comma(cell)) else {
+            return Ok(());
+        };
+        let comma = shown(comma, MAX_SHOWN);
+        if self.separator == b',' {
+            return Err(format!(
+                "line {line}: `{comma}` has a comma, which separates the values of this table: write a decimal \
+                 point, or separate the values by semicolons"
+            ));
+        }
+        let number = |cell: &str| cell.parse::<f64>().is_ok();
+        let both = |cell: &str| cell.contains('.') && (number(cell) || has_comma(cell));
+        let point = cells().find(|(_, cell)| both(cell));
+        let twice = cells().find(|(_, cell)| has_comma(cell) && cell.matches(',').count() > 1);
+        if let Some((other, cell)) = point.or(twice) {
+            let cell = shown(cell, MAX_SHOWN);
+            return Err(format!(
+                "line {line} has `{comma}`, line {other} `{cell}`: write all numbers with the same decimal \
+                 sign, and nothing between thousands"
+            ));
+        }
+        self.commas = true;
+        Ok(())
+    }
+
+    /// The number in a cell.
+    #[must_use]
+    pub fn number(&self, cell: &str) -> Option<f64> {
+        match self.commas {
+            true => cell.replace(',', ".").parse().ok(),
+            false => cell.parse().ok(),
+        }
+    }
+}
+
+/// Where the columns stand in the header.
+fn places(header: &csv::StringRecord, columns: &[ColumnNames]) -> Result<Vec<usize>, String> {
+    let place = |names: &ColumnNames| header.iter().position(|name| names.contains(&name));
+    let list = |columns: &mut dyn Iterator<Item = &ColumnNames>| {
+        columns.map(|names| names.join(" or ")).collect::<Vec<_>>().join(", ")
+    };
+    let missing = list(&mut columns.iter().filter(|names| place(names).is_none()));
+    if !missing.is_empty() {
+        let found: Vec<&str> = header.iter().filter(|name| !name.is_empty()).collect();
+        let found = match found.is_empty() {
+            true => "there is no line with the names of the columns".to_owned(),
+            false => format!("the columns are {}", shown(&found.join(", "), MAX_LIST)),
+        };
+        let needed = list(&mut columns.iter());
+        return Err(format!("{found}; missing are {missing}; needed are {needed}"));
+    }
+    for names in columns {
+        if header.iter().filter(|name| names.contains(name)).count() > 1 {
+            return Err(format!("the column {} stands there more than once", names.join(" or ")));
+        }
+    }
+    Ok(columns.iter().filter_map(place).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const COLUMNS: [ColumnNames; 2] = [&["speed"], &["force", "load"]];
+
+    fn numbers(text: &str) -> Result<Vec<Vec<Option<f64>>>, String> {
+        let table = CsvTable::parse(text, &COLUMNS)?;
+        let row = |row: &CsvRow| row.cells.iter().map(|cell| table.number(cell)).collect();
+        Ok(table.rows.iter().map(row).collect())
+    }
+
+    #[test]
+    fn tables_of_any_country_are_read_as_they_are_meant() {
+        let meant = Ok(vec![vec![Some(0.5), Some(1200.0)], vec![Some(2.25), None]]);
+        for text in [
+            "speed,force\n0.5,1200\n2.25,\n",
+            "# a note; with, signs\nspeed;load\r\n0,5;1200\r\n2,25;\r\n",
+            "sep=;\r\nspeed;force\r\n0.5;1200\r\n2.25;\r\n",
+            "speed\tforce\n0,5\t1200\n2,25\t\n",
+            "\nforce;name;speed;;\n1200;a, b.;0,5;;\n;\"c;d\";2,25;;\n;;;;\n",
+            "speed;force\n\"0,5\";\"1200\"\n\"2,25\";\"\"\n",
+        ] {
+            assert_eq!(numbers(text), meant, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_could_be_read_in_two_ways_is_refused() {
+        for (text, parts) in [
+            ("speed,force\n0,5,1200\n", ["line 2 has 3 values for 2 columns", "semicolons"]),
+            ("speed,force\n\"0,5\",1200\n", ["line 2: `0,5`", "decimal point"]),
+            ("speed;force\n0,5;1.200\n", ["`0,5`, line 2 `1.200`", "same decimal sign"]),
+            ("speed;force\n0,5;1\n1.200,5;2\n", ["line 3 `1.200,5`", "thousands"]),
+            ("speed;force\n0,5;1\n1,200,000;2\n", ["line 3 `1,200,000`", "thousands"]),
+            ("speed;force\n0,5\n", ["line 2 has 1 values for 2 columns", ""]),
+            ("speed;force\n0,5;1;2\n", ["line 2 has 3 values for 2 columns", ""]),
+            ("speed;force;load\n", ["force or load", "more than once"]),
+        ] {
+            let error = numbers(text).unwrap_err();
+            for part in parts {
+                assert!(error.contains(part), "{part}: {error}");
+            }
+        }
+    }
+
+    #[test]
+    fn missing_columns_are_named_beside_those_found() {
+        let error = numbers("Speed;force\n1;2\n").unwrap_err();
+        let needed = "missing are speed; needed are speed, force or load";
+        assert_eq!(error, format!("the columns are Speed, force; {needed}"));
+        for text in ["", "\n\n", "# nothing\n"] {
+            let error = numbers(text).unwrap_err();
+            assert!(error.contains("no line with the names") && error.contains("speed, force"));
+        }
+        let long = format!("{}\n1\n", "x".repeat(1000));
+        assert!(numbers(&long).unwrap_err().len() < 400);
+    }
+}
