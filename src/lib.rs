@@ -12,5 +12,8 @@ pub use steadycut_study as study;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
 
+#[cfg(not(target_arch = "wasm32"))]
+pub mod disk;
+
 #[cfg(feature = "app")]
 pub mod app;

@@ -3,6 +3,7 @@
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use super::command::{Command, SessionCommand};
+use crate::base::text::decode;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod fallback;
@@ -62,7 +63,18 @@ impl Files {
         let picked = dialog.pick_file();
         spawn(async move {
             match picked.await {
-                Some(file) => answer.send(loaded(file.file_name(), &file.read().await)),
+                Some(file) => {
+                    let name = file.file_name();
+                    #[cfg(target_arch = "wasm32")]
+                    let read = Ok::<_, std::io::Error>(file.read().await);
+                    // The dialog's own reader panics where a file cannot be read.
+                    #[cfg(not(target_arch = "wasm32"))]
+                    let read = crate::disk::read(file.path());
+                    answer.send(match read {
+                        Ok(bytes) => loaded(name, &bytes),
+                        Err(error) => Command::notify(format!("{name} could not be read: {error}")),
+                    });
+                }
                 #[cfg(not(target_arch = "wasm32"))]
                 None if opened.was_never_shown() => {
                     answer.send(Command::notify(fallback::NO_DIALOG_TO_OPEN.to_owned()));
@@ -102,9 +114,10 @@ impl Files {
             match picked.await {
                 Some(file) => {
                     let name = file.file_name();
-                    answer.send(Command::notify(match file.write(&bytes).await {
+                    // Not with the dialog's own writer: a full disk would spoil the file before.
+                    answer.send(Command::notify(match crate::disk::write(file.path(), &bytes) {
                         Ok(()) => format!("saved as {name}"),
-                        Err(error) => format!("{name} could not be written: {error}"),
+                        Err(error) => format!("not saved: {error}"),
                     }));
                 }
                 None if opened.was_never_shown() => {
@@ -150,12 +163,12 @@ fn is_networks(name: &str) -> bool {
 /// The command for a file that was read.
 #[must_use]
 pub fn loaded(name: String, bytes: &[u8]) -> Command {
-    match std::str::from_utf8(bytes) {
+    match decode(bytes) {
         Ok(text) if is_networks(&name) => {
-            Command::Session(SessionCommand::LoadNetworks { name, text: text.to_owned() })
+            Command::Session(SessionCommand::LoadNetworks { name, text })
         }
-        Ok(text) => Command::Session(SessionCommand::LoadText { name, text: text.to_owned() }),
-        Err(_) => Command::notify(format!("{name}: not a scenario file: it is not UTF-8 text")),
+        Ok(text) => Command::Session(SessionCommand::LoadText { name, text }),
+        Err(error) => Command::notify(format!("{name}: {error}")),
     }
 }
 
@@ -207,14 +220,13 @@ mod tests {
 
     #[test]
     fn bytes_that_are_no_text_become_a_message() {
-        assert!(matches!(
-            loaded("x.toml".to_owned(), &[0xff, 0xfe]),
-            Command::Session(SessionCommand::Notify(_))
-        ));
-        assert!(matches!(
-            loaded("x.toml".to_owned(), b"x"),
-            Command::Session(SessionCommand::LoadText { .. })
-        ));
+        let said = loaded("x.toml".to_owned(), b"Fr\xe4sen");
+        let Command::Session(SessionCommand::Notify(said)) = said else { panic!("{said:?}") };
+        assert!(said.starts_with("x.toml: ") && said.contains("Latin-1"), "{said}");
+        let text = SessionCommand::LoadText { name: "x.toml".to_owned(), text: "x".to_owned() };
+        for bytes in [&b"x"[..], b"\xef\xbb\xbfx", b"\xff\xfex\0", b"\xfe\xff\0x"] {
+            assert_eq!(loaded("x.toml".to_owned(), bytes), Command::Session(text.clone()));
+        }
         assert!(matches!(
             loaded("x.JSON".to_owned(), b"x"),
             Command::Session(SessionCommand::LoadNetworks { .. })

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use super::files::{InPath, OutFolder, OutPath, ScenarioPath};
 use super::machine_args::MachineArgs;
 use crate::base::network::Activation;
 use crate::blocks::control::ControllerKind;
@@ -28,7 +29,7 @@ use crate::study::train::recipe::RecipeKind;
 pub struct Cli {
     /// Scenario that the console opens: a preset's name or a scenario file.
     #[arg(long, value_name = "PRESET|FILE")]
-    pub scenario: Option<String>,
+    pub scenario: Option<PathBuf>,
     /// What to do; without it the console opens.
     #[command(subcommand)]
     pub command: Option<CliCommand>,
@@ -70,16 +71,16 @@ pub enum CliCommand {
 pub struct RunArgs {
     /// A preset's name or a scenario file.
     #[arg(value_name = "PRESET|FILE")]
-    pub scenario: String,
+    pub scenario: ScenarioPath,
     /// Change a setting, for example `--set target.ra_um=0.6`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
     /// Networks that UNKS begins with: a file that `steadycut unks --save` or the console wrote.
     #[arg(long, value_name = "FILE.json")]
-    pub networks: Option<PathBuf>,
+    pub networks: Option<InPath>,
     /// Write all signals as CSV, one column each with its unit in the header.
     #[arg(long, value_name = "FILE.csv")]
-    pub out: Option<PathBuf>,
+    pub out: Option<OutPath>,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
@@ -220,13 +221,13 @@ pub struct IdentifyArgs {
     pub paper: Paper,
     /// Another table in the same format (CSV) in place of the shipped one; for `tables`.
     #[arg(long, value_name = "FILE.csv")]
-    pub table: Option<PathBuf>,
+    pub table: Option<InPath>,
     /// The cutter of the simulator; for `milling`. The shipped models are those of the papers' cutter.
     #[arg(long, value_name = "TOOL", default_value = ShippedTool::ALL[0].id(), value_parser = tool)]
     pub tool: ShippedTool,
     /// Where to write the model file; without it, it is compared with the shipped one.
     #[arg(long, value_name = "FILE.toml")]
-    pub out: Option<PathBuf>,
+    pub out: Option<OutPath>,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
@@ -262,7 +263,7 @@ pub enum TrainWhat {
 pub struct TrainUnksArgs {
     /// Folder to write the three network files into.
     #[arg(long, value_name = "FOLDER")]
-    pub out: Option<PathBuf>,
+    pub out: Option<OutFolder>,
     /// Exit with 1 unless every shipped file is reproduced bit for bit.
     #[arg(long, conflicts_with = "out")]
     pub check: bool,
@@ -309,7 +310,7 @@ pub struct TrainForceArgs {
     pub epochs: Option<u32>,
     /// Where to write the network file.
     #[arg(long, value_name = "FILE.json")]
-    pub out: Option<PathBuf>,
+    pub out: Option<OutPath>,
     /// Train both shipped networks; exit with 1 unless each file is reproduced bit for bit.
     #[arg(long, conflicts_with_all = ["recipe", "rows", "seed", "hidden", "activation", "ln", "no_ln",
         "rate", "momentum", "decay", "epochs", "out"])]
@@ -374,14 +375,14 @@ pub struct ListArgs {
 pub struct PlanArgs {
     /// A preset's name or a scenario file.
     #[arg(value_name = "PRESET|FILE")]
-    pub scenario: String,
+    pub scenario: ScenarioPath,
     /// Change a setting, for example `--set plan.free_speed=false`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
     /// Limits of another machine, in the format of the shipped file of the papers' machine, whose
     /// values are placeholders.
     #[arg(long, value_name = "FILE.toml")]
-    pub machine: Option<PathBuf>,
+    pub machine: Option<InPath>,
     /// Plan the feed of every cut for its lightest or its heaviest section, the spindle as
     /// programmed.
     #[arg(long, value_name = "SECTION", value_parser = planned_section)]
@@ -389,7 +390,7 @@ pub struct PlanArgs {
     /// Write the scenario with the optimum as its programmed feed and speed, or with the feeds per
     /// cut.
     #[arg(long, value_name = "FILE.toml")]
-    pub out: Option<PathBuf>,
+    pub out: Option<OutPath>,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
@@ -400,7 +401,7 @@ pub struct PlanArgs {
 pub struct RobustArgs {
     /// A preset's name or a scenario file.
     #[arg(long, value_name = "PRESET|FILE", default_value = "experiment-2")]
-    pub scenario: String,
+    pub scenario: ScenarioPath,
     /// The controller; without it the scenario's.
     #[arg(long, value_parser = controller_kind)]
     pub controller: Option<ControllerKind>,
@@ -423,7 +424,7 @@ pub struct RobustArgs {
 pub struct CheckArgs {
     /// Scenario files.
     #[arg(required = true, value_name = "FILE")]
-    pub files: Vec<PathBuf>,
+    pub files: Vec<InPath>,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
@@ -447,7 +448,7 @@ pub struct RecommendArgs {
     pub engagement: Option<EngagementCode>,
     /// Another table in the form of the shipped one, which is synthetic.
     #[arg(long, value_name = "FILE.csv")]
-    pub table: Option<PathBuf>,
+    pub table: Option<InPath>,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
@@ -476,7 +477,7 @@ pub enum RecommendWhat {
 pub struct RecommendTableArgs {
     /// Where to write the table; without it, it is printed.
     #[arg(long, value_name = "FILE.csv")]
-    pub out: Option<PathBuf>,
+    pub out: Option<OutPath>,
     /// Exit with 1 unless the shipped table is reproduced exactly.
     #[arg(long, conflicts_with = "out")]
     pub check: bool,
@@ -487,7 +488,7 @@ pub struct RecommendTableArgs {
 pub struct CombineArgs {
     /// A preset's name or a scenario file.
     #[arg(long, value_name = "PRESET|FILE", default_value = "experiment-2")]
-    pub scenario: String,
+    pub scenario: ScenarioPath,
     /// Change a setting, for example `--set run.seed=2`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
@@ -497,13 +498,13 @@ pub struct CombineArgs {
     pub section: PlannedSection,
     /// Another cutting-data table in the form of the shipped one, which is synthetic.
     #[arg(long, value_name = "FILE.csv")]
-    pub table: Option<PathBuf>,
+    pub table: Option<InPath>,
     /// Limits of another machine, in the format of the shipped file.
     #[arg(long, value_name = "FILE.toml")]
-    pub machine: Option<PathBuf>,
+    pub machine: Option<InPath>,
     /// Write the scenario with the planned values programmed.
     #[arg(long, value_name = "FILE.toml")]
-    pub out: Option<PathBuf>,
+    pub out: Option<OutPath>,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
@@ -518,7 +519,7 @@ fn section(text: &str) -> Result<PlannedSection, String> {
 pub struct UnksArgs {
     /// A preset's name or a scenario file.
     #[arg(value_name = "PRESET|FILE", default_value = "experiment-2")]
-    pub scenario: String,
+    pub scenario: ScenarioPath,
     /// Change a setting, for example `--set run.seed=2`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
@@ -533,10 +534,10 @@ pub struct UnksArgs {
     pub rate: Option<f64>,
     /// Begin with the networks of this file.
     #[arg(long, value_name = "FILE.json")]
-    pub load: Option<PathBuf>,
+    pub load: Option<InPath>,
     /// Write the networks as they are after the last pass.
     #[arg(long, value_name = "FILE.json")]
-    pub save: Option<PathBuf>,
+    pub save: Option<OutPath>,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,

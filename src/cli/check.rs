@@ -13,11 +13,10 @@ pub fn execute(args: &CheckArgs) -> Outcome {
     let mut out = std::io::stdout().lock();
     let mut results = Vec::new();
     for path in &args.files {
-        let read = std::fs::read_to_string(path).map_err(|error| error.to_string());
-        let result = read.and_then(|text| {
+        let result = path.read().and_then(|text| {
             scenario_file::parse(&text).map(drop).map_err(|error| error.to_string())
         });
-        results.push((path.display().to_string(), result.err()));
+        results.push((path.to_string(), result.err()));
     }
     if args.json {
         let list: Vec<_> = results

@@ -7,10 +7,11 @@ use serde::Serialize;
 use serde_json::json;
 
 use super::args::CombineArgs;
+use super::files::report;
 use super::plan::read_machine;
 use super::recommend::{print as print_recommended, read_table, table_id};
 use super::run::{Ended, apply, load};
-use super::{Outcome, out_file, progress};
+use super::{Outcome, progress};
 use crate::run::edits::Edits;
 use crate::run::metrics::Metrics;
 use crate::run::scenario_file;
@@ -30,20 +31,20 @@ struct RunReport<'a> {
 }
 
 pub fn execute(args: &CombineArgs) -> Outcome {
+    let mut out = report(args.json, args.out.as_ref())?;
     let (mut scenario, _) = load(&args.scenario)?;
     apply(&mut scenario, &args.set)?;
-    let (table, source) = read_table(args.table.as_deref())?;
-    let machine = read_machine(args.machine.as_deref())?;
+    let (table, source) = read_table(args.table.as_ref())?;
+    let machine = read_machine(args.machine.as_ref())?;
     let mut combined = Combined::new(&scenario, &Advisor::new(&table), &machine, args.section)?;
     progress::work(&mut combined, "combined system", args.json)?;
-    let mut out = std::io::stdout().lock();
     if args.json {
         writeln!(
             out,
             "{}",
             serde_json::to_string_pretty(&to_json(
                 &combined,
-                &table_id(args.table.as_deref()),
+                &table_id(args.table.as_ref()),
                 &source
             ))?
         )?;
@@ -52,12 +53,12 @@ pub fn execute(args: &CombineArgs) -> Outcome {
     }
     if let Some(path) = &args.out {
         if combined.run().is_none() {
-            return Err(format!("{}: not written: the plan is not feasible", path.display()).into());
+            return Err(format!("{path}: not written: the plan is not feasible").into());
         }
         let text = scenario_file::write(combined.scenario(), &Edits::none());
-        out_file::write(path, &text)?;
+        path.write(&text)?;
         if !args.json {
-            writeln!(out, "scenario with these programmed values written to {}", path.display())?;
+            writeln!(out, "scenario with these programmed values written to {path}")?;
         }
     }
     Ok(if combined.run().is_some() { ExitCode::SUCCESS } else { ExitCode::from(1) })

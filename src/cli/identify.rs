@@ -5,8 +5,9 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
+use super::Outcome;
 use super::args::{IdentifyArgs, IdentifyTarget};
-use super::{Outcome, out_file};
+use super::files::report;
 use crate::study::identify::{Identified, identify, identify_milling, model_file};
 use crate::study::published::{PaperId, parse_table};
 
@@ -14,17 +15,16 @@ use crate::study::published::{PaperId, parse_table};
 fn from_table(args: &IdentifyArgs) -> Result<Identified, Box<dyn std::error::Error>> {
     let paper = PaperId::from(args.paper);
     let text = match &args.table {
-        Some(path) => {
-            std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?
-        }
+        Some(path) => path.text()?,
         None => paper.text().to_owned(),
     };
-    let source = args.table.as_ref().map_or(paper.label().to_owned(), |p| p.display().to_string());
+    let source = args.table.as_ref().map_or(paper.label().to_owned(), ToString::to_string);
     let rows = parse_table(&text).map_err(|error| format!("{source}: {error}"))?;
     Ok(identify(paper, &rows).map_err(|error| format!("{source}: {error}"))?)
 }
 
 pub fn execute(args: &IdentifyArgs) -> Outcome {
+    let mut out = report(args.json, args.out.as_ref())?;
     let identified = match args.target {
         IdentifyTarget::Tables => from_table(args)?,
         IdentifyTarget::Milling => {
@@ -36,7 +36,6 @@ pub fn execute(args: &IdentifyArgs) -> Outcome {
     };
     let shipped = identified.models.set.identified_file();
     let file = model_file(&identified);
-    let mut out = std::io::stdout().lock();
     if args.json {
         writeln!(out, "{}", serde_json::to_string_pretty(&to_json(&identified, &file, shipped))?)?;
     } else {
@@ -45,9 +44,9 @@ pub fn execute(args: &IdentifyArgs) -> Outcome {
     }
     match &args.out {
         Some(path) => {
-            out_file::write(path, &file)?;
+            path.write(&file)?;
             if !args.json {
-                writeln!(out, "model file written to {}", path.display())?;
+                writeln!(out, "model file written to {path}")?;
             }
         }
         None if !args.json => {

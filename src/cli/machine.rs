@@ -9,7 +9,7 @@ use serde_json::json;
 use super::Outcome;
 use super::machine_args::{MachineArgs, MachineModel, MachineWhat};
 use super::run::apply;
-use super::{machine_stability, machine_wear, out_file};
+use super::{machine_stability, machine_wear};
 use crate::models::structure::FiveMass;
 use crate::models::structure::frf::{FrequencyResponse, frequencies_hz, gauss};
 use crate::models::structure::modes::{damped, undamped};
@@ -41,9 +41,7 @@ pub(super) fn scenario(model: &MachineModel) -> Result<Scenario, Box<dyn std::er
 /// Prints `text`, or writes it where `--out` says.
 pub(super) fn deliver(model: &MachineModel, text: &str) -> Result<(), Box<dyn std::error::Error>> {
     match &model.out {
-        Some(path) => {
-            out_file::write(path, text)?;
-        }
+        Some(path) => path.write(text)?,
         None => std::io::stdout().lock().write_all(text.as_bytes())?,
     }
     Ok(())

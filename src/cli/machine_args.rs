@@ -1,10 +1,9 @@
 //! The arguments of `steadycut machine`.
 
-use std::path::PathBuf;
-
 use clap::{Args, Subcommand};
 
 use super::args::one_of;
+use super::files::OutPath;
 use crate::models::structure::parameters::Parameters;
 
 /// Arguments of `machine`.
@@ -69,7 +68,7 @@ pub struct MachineModel {
     pub set: Vec<String>,
     /// Write the result into a file.
     #[arg(long, value_name = "FILE")]
-    pub out: Option<PathBuf>,
+    pub out: Option<OutPath>,
     /// Print JSON.
     #[arg(long)]
     pub json: bool,

@@ -3,6 +3,7 @@
 pub mod args;
 mod check;
 mod combine;
+mod files;
 mod force;
 mod identify;
 mod list;
@@ -10,7 +11,6 @@ mod machine;
 mod machine_args;
 mod machine_stability;
 mod machine_wear;
-mod out_file;
 mod papers;
 mod papers_2005;
 mod papers_2019;
@@ -26,12 +26,16 @@ mod train;
 mod train_unks;
 mod unks;
 
+use std::path::Path;
 use std::process::ExitCode;
 
 use args::{Cli, CliCommand};
+use files::ScenarioPath;
 
+use crate::disk::WriteError;
 use crate::run::Start;
-use crate::run::presets::PRESETS;
+use crate::run::edits::Edits;
+use crate::run::presets::{self, PRESETS};
 
 /// Runs a subcommand; prints its result, or its error in one line.
 #[must_use]
@@ -56,10 +60,10 @@ pub fn execute(command: &CliCommand) -> ExitCode {
         // A reader that went away (`steadycut list | head`) is no error.
         Err(error) if is_broken_pipe(error.as_ref()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
+            report_error(error.as_ref());
             let interrupted =
                 matches!(error.downcast_ref(), Some(progress::NotDone::Interrupted { .. }));
-            ExitCode::from(if interrupted { progress::INTERRUPTED } else { 2 })
+            ExitCode::from(if interrupted { progress::INTERRUPTED } else { REFUSED })
         }
     }
 }
@@ -67,28 +71,57 @@ pub fn execute(command: &CliCommand) -> ExitCode {
 fn is_broken_pipe(error: &(dyn std::error::Error + 'static)) -> bool {
     let io = error.downcast_ref::<std::io::Error>();
     io.is_some_and(|error| error.kind() == std::io::ErrorKind::BrokenPipe)
+        || error.downcast_ref().is_some_and(WriteError::is_broken_pipe)
 }
+
+/// Prints an error in one line. What has no name of its own could not be printed.
+fn report_error(error: &(dyn std::error::Error + 'static)) {
+    let what = if error.is::<std::io::Error>() { "standard output: " } else { "" };
+    eprintln!("error: {what}{error}");
+}
+
+/// Exit code of a command that cannot be done.
+const REFUSED: u8 = 2;
 
 /// What a command gives: an exit code, or an error for one line.
 type Outcome = Result<ExitCode, Box<dyn std::error::Error>>;
 
-/// Reads the command line; a wrong one prints its usage and ends the program.
+/// The command line as its documents describe it.
+fn command() -> clap::Command {
+    files::hinted(<Cli as clap::CommandFactory>::command())
+}
+
+/// Reads the command line; a wrong one, or files that do not go together, end the program with what is wrong.
 #[must_use]
 pub fn parse() -> Cli {
-    <Cli as clap::Parser>::parse()
+    progress::notice_interrupts();
+    let command = command();
+    let matches = command.clone().get_matches();
+    if let Err(error) = files::check(&command, &matches) {
+        report_error(error.as_ref());
+        std::process::exit(REFUSED.into());
+    }
+    <Cli as clap::FromArgMatches>::from_arg_matches(&matches).unwrap_or_else(|error| error.exit())
 }
 
 /// Opens the console with a preset or scenario file (the first preset without one) through the
 /// front end's `open`; prints what is missing if it cannot.
 #[must_use]
-pub fn console(scenario: Option<&str>, open: impl FnOnce(Start) -> Result<(), String>) -> ExitCode {
-    let loaded = run::load(scenario.unwrap_or(PRESETS[0].name)).map_err(|error| error.to_string());
+pub fn console(
+    scenario: Option<&Path>,
+    open: impl FnOnce(Start) -> Result<(), String>,
+) -> ExitCode {
+    let loaded = match scenario {
+        Some(path) => run::load(&ScenarioPath::new(path)),
+        None => presets::load(PRESETS[0].name).map(|s| (s, Edits::none())).map_err(Into::into),
+    };
+    let loaded = loaded.map_err(|error| error.to_string());
     let opened = loaded.and_then(|(scenario, edits)| open(Start { scenario, edits, notice: None }));
     match opened {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
-            ExitCode::from(2)
+            ExitCode::from(REFUSED)
         }
     }
 }

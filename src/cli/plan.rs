@@ -1,14 +1,14 @@
 //! `steadycut plan`: the best feed and speed for a scenario's cut.
 
 use std::io::Write;
-use std::path::Path;
 use std::process::ExitCode;
 
 use serde::Serialize;
 
 use super::args::PlanArgs;
+use super::files::{InPath, report as report_to};
 use super::run::{apply, load};
-use super::{Outcome, out_file, progress};
+use super::{Outcome, progress};
 use crate::run::scenario_file;
 use crate::study::plan::PlanJob;
 use crate::study::plan::constraints::{Checked, ORIGIN};
@@ -45,10 +45,11 @@ struct Report<'a> {
 pub fn execute(args: &PlanArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
     apply(&mut scenario, &args.set)?;
-    let machine = read_machine(args.machine.as_deref())?;
+    let machine = read_machine(args.machine.as_ref())?;
     if let Some(sized_by) = args.per_cut {
         return super::schedule::execute(args, &scenario, &edits, &machine, sized_by);
     }
+    let mut out = report_to(args.json, args.out.as_ref())?;
     let mut job = PlanJob::on(&scenario, &machine)?;
     progress::work(&mut job, "plan", args.json)?;
     let optimum = job.optimum();
@@ -68,7 +69,6 @@ pub fn execute(args: &PlanArgs) -> Outcome {
         constraints_origin: ORIGIN,
         remarks: remarks(&scenario),
     };
-    let mut out = std::io::stdout().lock();
     if args.json {
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
@@ -76,12 +76,12 @@ pub fn execute(args: &PlanArgs) -> Outcome {
     }
     if let Some(path) = &args.out {
         if !optimum.feasible {
-            return Err(format!("{}: not written: {}", path.display(), report.verdict_text).into());
+            return Err(format!("{path}: not written: {}", report.verdict_text).into());
         }
         let text = scenario_file::write(&optimum.apply(&scenario)?, &edits);
-        out_file::write(path, &text)?;
+        path.write(&text)?;
         if !args.json {
-            writeln!(out, "scenario with these programmed values written to {}", path.display())?;
+            writeln!(out, "scenario with these programmed values written to {path}")?;
         }
     }
     // Nothing feasible is a finding about the cut, not an error of the program.
@@ -89,13 +89,11 @@ pub fn execute(args: &PlanArgs) -> Outcome {
 }
 
 /// The machine of a file, or the papers'.
-pub fn read_machine(path: Option<&Path>) -> Result<MachineLimits, Box<dyn std::error::Error>> {
+pub fn read_machine(path: Option<&InPath>) -> Result<MachineLimits, Box<dyn std::error::Error>> {
     let Some(path) = path else {
         return Ok(MachineLimits::heller_bea_01());
     };
-    let name = path.display();
-    let text = std::fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
-    Ok(MachineLimits::parse(&text).map_err(|error| format!("{name}: {error}"))?)
+    Ok(MachineLimits::parse(&path.text()?).map_err(|error| format!("{path}: {error}"))?)
 }
 
 fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {

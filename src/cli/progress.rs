@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 
+use crate::disk;
 use crate::run::job::{Budget, Job, Progress, Threads};
 
 /// Time that a slice is to take, s: the bar moves that often.
@@ -64,13 +65,15 @@ static INTERRUPT: AtomicBool = AtomicBool::new(false);
 /// Whether a job is at work that will notice.
 static AT_WORK: AtomicBool = AtomicBool::new(false);
 
-/// From the first job on: Ctrl+C ends the job, without one the program.
-fn notice_interrupts() {
+/// From now on an interruption (Ctrl+C, or the system's wish that the program ends) ends the job at work, or
+/// the program where none is; files that are not whole are removed.
+pub fn notice_interrupts() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let set = ctrlc::set_handler(|| {
             let twice = INTERRUPT.swap(true, Ordering::Relaxed);
             if twice || !AT_WORK.load(Ordering::Relaxed) {
+                disk::abandon();
                 std::process::exit(INTERRUPTED.into());
             }
         });
@@ -85,7 +88,6 @@ fn notice_interrupts() {
 /// The job cannot be done, or Ctrl+C came.
 #[expect(clippy::disallowed_methods, reason = "how long is left needs a clock")]
 pub fn work<J: Job>(job: &mut J, what: &str, quiet: bool) -> Result<(), NotDone> {
-    notice_interrupts();
     AT_WORK.store(true, Ordering::Relaxed);
     let bar = bar(what, quiet);
     let (start, from) = (Instant::now(), job.progress().share());

@@ -1,13 +1,13 @@
 //! `steadycut recommend`: recommended cutting conditions from a cutting-data table.
 
 use std::io::Write;
-use std::path::Path;
 use std::process::ExitCode;
 
 use serde_json::json;
 
+use super::Outcome;
 use super::args::{RecommendArgs, RecommendTableArgs, RecommendWhat};
-use super::{Outcome, out_file};
+use super::files::{InPath, report};
 use crate::models::tool::Tool;
 use crate::study::recommend::learned::{Answer, Learned};
 use crate::study::recommend::table::{NOTE as TABLE_NOTE, SHIPPED, Table, synthetic};
@@ -24,7 +24,7 @@ pub fn execute(args: &RecommendArgs) -> Outcome {
     else {
         return Err("`--hb`, `--diameter` and `--engagement` are needed".into());
     };
-    let (table, source) = read_table(args.table.as_deref())?;
+    let (table, source) = read_table(args.table.as_ref())?;
     let advisor = Advisor::new(&table);
     let tool = Tool { diameter_mm: diameter, teeth: args.teeth, ..Tool::default() };
     let found = advisor.recommend(hb, &tool, engagement)?;
@@ -39,7 +39,7 @@ pub fn execute(args: &RecommendArgs) -> Outcome {
         };
         let report = json!({
             "recommendation": found, "inside_table": found.inside_table(),
-            "table": table_id(args.table.as_deref()), "table_text": source, "note": NOTE,
+            "table": table_id(args.table.as_ref()), "table_text": source, "note": NOTE,
             "systems": {
                 "cutting_speed_m_min": system(&advisor.speed),
                 "feed_per_tooth_mm": system(&advisor.feed),
@@ -69,19 +69,17 @@ pub fn execute(args: &RecommendArgs) -> Outcome {
 }
 
 /// A table and what it is: that of a file, or the shipped one.
-pub fn read_table(path: Option<&Path>) -> Result<(Table, String), Box<dyn std::error::Error>> {
+pub fn read_table(path: Option<&InPath>) -> Result<(Table, String), Box<dyn std::error::Error>> {
     let Some(path) = path else {
         return Ok((Table::shipped(), TABLE_NOTE.to_owned()));
     };
-    let name = path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
-    let table = Table::parse(&text).map_err(|error| format!("{name}: {error}"))?;
-    Ok((table, name))
+    let table = Table::parse(&path.text()?).map_err(|error| format!("{path}: {error}"))?;
+    Ok((table, path.to_string()))
 }
 
 /// A table in reports: `shipped`, or its file.
-pub fn table_id(path: Option<&Path>) -> String {
-    path.map_or_else(|| "shipped".to_owned(), |path| path.display().to_string())
+pub fn table_id(path: Option<&InPath>) -> String {
+    path.map_or_else(|| "shipped".to_owned(), ToString::to_string)
 }
 
 /// The recommended values.
@@ -142,12 +140,12 @@ fn rounded(value: f64) -> String {
 
 fn make_table(args: &RecommendTableArgs) -> Outcome {
     let text = synthetic();
-    let mut out = std::io::stdout().lock();
+    let mut out = report(false, args.out.as_ref())?;
     let same = text == SHIPPED;
     match &args.out {
         Some(path) => {
-            out_file::write(path, &text)?;
-            writeln!(out, "table written to {}", path.display())?;
+            path.write(&text)?;
+            writeln!(out, "table written to {path}")?;
         }
         None if args.check => {
             let word = if same { "equals" } else { "differs from" };

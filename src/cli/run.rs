@@ -1,13 +1,12 @@
 //! `steadycut run`: one scenario, its metrics, its signals as CSV.
 
 use std::io::Write;
-use std::path::Path;
 use std::process::ExitCode;
 
 use serde::Serialize;
 
 use super::args::RunArgs;
-use super::out_file::OutFile;
+use super::files::{ScenarioPath, report};
 use super::{Outcome, profile, progress, story, unks};
 use crate::base::settings::SettingError;
 use crate::blocks::control::ControllerKind;
@@ -52,19 +51,15 @@ impl<'a> Ended<'a> {
     }
 }
 
-/// Loads a preset or a scenario file; what looks like a file name is read as one.
-pub fn load(name: &str) -> Result<(Scenario, Edits), Box<dyn std::error::Error>> {
-    if presets::PRESETS.iter().any(|preset| preset.name == name) {
-        return Ok((presets::load(name)?, Edits::none()));
+/// Loads a preset or a scenario file.
+pub fn load(path: &ScenarioPath) -> Result<(Scenario, Edits), Box<dyn std::error::Error>> {
+    match path.source() {
+        Ok(file) => {
+            let read = scenario_file::parse(&file.text()?);
+            Ok(read.map_err(|error| format!("{file}: {error}"))?)
+        }
+        Err(name) => Ok((presets::load(name)?, Edits::none())),
     }
-    let path = Path::new(name);
-    let looks_like_file =
-        path.extension().is_some() || path.components().count() > 1 || path.exists();
-    if !looks_like_file {
-        return Err(presets::load(name).expect_err("no preset has this name").into());
-    }
-    let text = std::fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
-    Ok(scenario_file::parse(&text).map_err(|error| format!("{name}: {error}"))?)
 }
 
 /// Applies `--set path=value` arguments, all or none.
@@ -105,17 +100,12 @@ pub fn execute(args: &RunArgs) -> Outcome {
     if let Some(line) = args.profile {
         return profile::execute(&scenario, &checked, line, args.cut, args.json);
     }
-    // The file is opened first: a path that cannot be written should not cost a run.
-    let out = match &args.out {
-        Some(path) => Some((path, OutFile::create(path)?)),
-        None => None,
-    };
+    let mut out = report(args.json, args.out.as_ref())?;
     let mut run = Run::new(&scenario, &checked);
     progress::work(&mut run, "run", args.json)?;
 
     let story = args.story.then(|| story_of(&run, args.json)).transpose()?;
     let (metrics, end) = (run.metrics(), end_of(&run)?);
-    let mut stdout = std::io::stdout().lock();
     if args.json {
         let report = Report {
             scenario: &scenario.info.name,
@@ -125,19 +115,19 @@ pub fn execute(args: &RunArgs) -> Outcome {
             digest: run.recording().digest(),
             story: story.map(|story| story.events),
         };
-        writeln!(stdout, "{}", serde_json::to_string_pretty(&report)?)?;
+        writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
-        print_metrics(&mut stdout, &scenario, &run, &metrics, end)?;
+        print_metrics(&mut out, &scenario, &run, &metrics, end)?;
         if let Some(story) = &story {
-            story::print(&mut stdout, story)?;
+            story::print(&mut out, story)?;
         }
     }
-    if let Some((path, mut file)) = out {
-        csv::write(&mut file, run.recording())
-            .map_err(|error| format!("{}: {error}", path.display()))?;
+    if let Some(path) = &args.out {
+        let mut file = path.create()?;
+        csv::write(&mut file, run.recording()).map_err(|error| file.failed(error))?;
         file.keep()?;
         if !args.json {
-            writeln!(stdout, "signals written to {}", path.display())?;
+            writeln!(out, "signals written to {path}")?;
         }
     }
     // A fault is a failure of the run, not of the program: its own exit code.

@@ -6,7 +6,8 @@ use std::process::ExitCode;
 use serde_json::json;
 
 use super::args::PlanArgs;
-use super::{Outcome, out_file, progress};
+use super::files::report as report_to;
+use super::{Outcome, progress};
 use crate::models::plan::PlannedSection;
 use crate::run::edits::Edits;
 use crate::run::scenario::Scenario;
@@ -22,10 +23,10 @@ pub fn execute(
     machine: &MachineLimits,
     sized_by: PlannedSection,
 ) -> Outcome {
+    let mut out = report_to(args.json, args.out.as_ref())?;
     let mut job = ScheduleJob::on(scenario, machine, sized_by)?;
     progress::work(&mut job, "plans of the cuts", args.json)?;
     let feasible = job.planned().iter().all(|cut| cut.optimum.feasible);
-    let mut out = std::io::stdout().lock();
     if args.json {
         let report = json!({
             "scenario": scenario.info.name, "sized_by": sized_by.id(), "feasible": feasible,
@@ -57,14 +58,12 @@ pub fn execute(
     }
     if let Some(path) = &args.out {
         if !feasible {
-            return Err(
-                format!("{}: not written: a cut has no feasible feed", path.display()).into()
-            );
+            return Err(format!("{path}: not written: a cut has no feasible feed").into());
         }
         let text = scenario_file::write(&job.apply(scenario)?, edits);
-        out_file::write(path, &text)?;
+        path.write(&text)?;
         if !args.json {
-            writeln!(out, "scenario with these feeds written to {}", path.display())?;
+            writeln!(out, "scenario with these feeds written to {path}")?;
         }
     }
     Ok(if feasible { ExitCode::SUCCESS } else { ExitCode::from(1) })

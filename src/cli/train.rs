@@ -7,7 +7,8 @@ use std::process::ExitCode;
 use serde_json::json;
 
 use super::args::{TrainArgs, TrainForceArgs, TrainWhat};
-use super::{Outcome, out_file, progress};
+use super::files::report as report_to;
+use super::{Outcome, progress};
 use crate::models::neural_force::INPUTS;
 use crate::study::train::TrainingSession;
 use crate::study::train::comparison::{ComparisonJob, EPOCHS, LEVEL_PERCENT, Trial, recipes};
@@ -62,16 +63,16 @@ fn recipe_of(args: &TrainForceArgs) -> TrainingRecipe {
 }
 
 fn train_force(args: &TrainForceArgs) -> Outcome {
+    let mut out = report_to(args.json, args.out.as_ref())?;
     let recipe = recipe_of(args);
     let measured = rows(RowsJob::measured(recipe.rows, recipe.seed), "rows", args.json)?;
     let session = trained(&recipe, &measured, args.json)?;
     let fresh = rows(RowsJob::fresh(FRESH_ROWS, recipe.seed), "fresh rows", args.json)?;
     let report = report(&session, &measured, &fresh)?;
     if let Some(path) = &args.out {
-        out_file::write(path, &report.file)?;
+        path.write(&report.file)?;
     }
     let shipped = args.recipe.shipped().map(|kind| kind.file() == report.file);
-    let mut out = std::io::stdout().lock();
     if args.json {
         let object = json!({ "report": report, "equals_shipped": shipped });
         writeln!(out, "{}", serde_json::to_string_pretty(&object)?)?;
@@ -84,7 +85,7 @@ fn train_force(args: &TrainForceArgs) -> Outcome {
         None => {}
     }
     if let Some(path) = &args.out {
-        writeln!(out, "network file written to {}", path.display())?;
+        writeln!(out, "network file written to {path}")?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use serde_json::json;
 
 use super::args::TrainUnksArgs;
-use super::{Outcome, out_file, progress};
+use super::{Outcome, progress};
 use crate::models::unks::FILES;
 use crate::study::train::unks::{CUTS, NOTE, NetworksJob, PatternsJob, SEED, Trained, WORKPIECES};
 
@@ -40,10 +40,8 @@ pub fn execute(args: &TrainUnksArgs) -> Outcome {
         }
     }
     if let Some(folder) = &args.out {
-        for (name, network) in NAMES.iter().zip(trained) {
-            let path = folder.join(name);
-            out_file::write(&path, &network.file)?;
-        }
+        let files = NAMES.into_iter().zip(trained.iter().map(|network| network.file.as_str()));
+        folder.write(&files.collect::<Vec<_>>())?;
     }
     let failed = args.check && !(0..3).all(same);
     Ok(if failed { ExitCode::from(1) } else { ExitCode::SUCCESS })

@@ -1,14 +1,14 @@
 //! `steadycut unks`: the same part again and again with UNKS, its networks learning.
 
 use std::io::Write;
-use std::path::Path;
 use std::process::ExitCode;
 
 use serde_json::json;
 
 use super::args::UnksArgs;
+use super::files::{InPath, report as report_to};
 use super::run::{apply, load};
-use super::{Outcome, out_file, progress};
+use super::{Outcome, progress};
 use crate::base::settings::Value;
 use crate::base::units::percent_from_ratio;
 use crate::models::unks::{Stored, UnksStart};
@@ -29,11 +29,9 @@ const NOTE: &str = "the same part, noise and seed in every pass: what changes is
 /// Puts the networks of a file into a scenario.
 pub fn load_networks(
     scenario: &mut Scenario,
-    path: &Path,
+    path: &InPath,
 ) -> Result<(), Box<dyn std::error::Error>> {
-    let named = |problem: String| format!("{}: {problem}", path.display());
-    let text = std::fs::read_to_string(path).map_err(|error| named(error.to_string()))?;
-    let stored = Stored::parse(&text).map_err(named)?;
+    let stored = Stored::parse(&path.text()?).map_err(|problem| format!("{path}: {problem}"))?;
     Ok(scenario.set_all(&beginning_with(&stored))?)
 }
 
@@ -45,8 +43,7 @@ fn prepare(args: &UnksArgs) -> Result<Scenario, Box<dyn std::error::Error>> {
         if args.cold && scenario.controller.unks.start != UnksStart::Cold {
             let start = scenario.controller.unks.start.id();
             return Err(format!(
-                "--cold: {} holds networks of the start `{start}`: leave --cold out",
-                path.display()
+                "--cold: {path} holds networks of the start `{start}`: leave --cold out"
             )
             .into());
         }
@@ -66,11 +63,11 @@ fn prepare(args: &UnksArgs) -> Result<Scenario, Box<dyn std::error::Error>> {
 }
 
 pub fn execute(args: &UnksArgs) -> Outcome {
+    let mut out = report_to(args.json, args.save.as_ref())?;
     let scenario = prepare(args)?;
     let mut passes = Passes::new(&scenario, args.passes);
     progress::work(&mut passes, "UNKS", args.json)?;
     let start = scenario.controller.unks.start;
-    let mut out = std::io::stdout().lock();
     if args.json {
         let report = json!({
             "scenario": scenario.info.name, "start": start.id(), "seed": scenario.run.seed,
@@ -93,7 +90,10 @@ pub fn execute(args: &UnksArgs) -> Outcome {
         if let Some(verdict) = passes.verdict() {
             judge(&mut out, &verdict, passes.done().len())?;
         }
-        if args.scenario == "experiment-2" && args.set.is_empty() && start == UnksStart::Cold {
+        if args.scenario.is_preset("experiment-2")
+            && args.set.is_empty()
+            && start == UnksStart::Cold
+        {
             let [off, first, fifth] =
                 REFERENCE.map(|[error, time_s]| format!("{error}, {time_s} s"));
             writeln!(
@@ -106,9 +106,9 @@ pub fn execute(args: &UnksArgs) -> Outcome {
         }
     }
     if let (Some(path), Some(learned)) = (&args.save, passes.learned()) {
-        out_file::write(path, &learned.write())?;
+        path.write(&learned.write())?;
         if !args.json {
-            writeln!(out, "networks written to {}", path.display())?;
+            writeln!(out, "networks written to {path}")?;
         }
     }
     Ok(ExitCode::SUCCESS)

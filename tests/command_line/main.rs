@@ -9,6 +9,8 @@ mod jobs;
 mod planning;
 mod profilometer;
 mod program;
+mod reading;
 mod recommending;
 mod training;
 mod wear;
+mod writing;

@@ -1,9 +1,10 @@
 //! What happens where the desktop has no file dialog: then the dialog is "cancelled" at once.
 
-use std::fs::OpenOptions;
-use std::io::{ErrorKind, Write as _};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+
+use crate::disk;
 
 /// Nobody cancels a dialog faster.
 const FASTEST_HAND: Duration = Duration::from_millis(300);
@@ -35,8 +36,8 @@ pub fn save(folder: &Path, name: &str, bytes: &[u8]) -> std::io::Result<PathBuf>
     for copy in 1..=MOST_COPIES {
         let name = if copy == 1 { name.to_owned() } else { format!("{stem}-{copy}.{extension}") };
         let path = folder.join(name);
-        match OpenOptions::new().write(true).create_new(true).open(&path) {
-            Ok(mut file) => return file.write_all(bytes).map(|()| path),
+        match disk::write_new(&path, bytes) {
+            Ok(()) => return Ok(path),
             Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
             Err(error) => return Err(error),
         }

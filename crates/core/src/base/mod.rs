@@ -9,5 +9,6 @@ pub mod network;
 pub mod rng;
 pub mod settings;
 pub mod stats;
+pub mod text;
 pub mod units;
 pub mod window;

@@ -1,0 +1,189 @@
+//! Files as arguments: `-` is standard input or output, names need not be UTF-8, and nothing is written
+//! over what is read. The types say what a command does with a file, so that [`check`] finds them all.
+
+mod check;
+
+use std::ffi::OsString;
+use std::fmt::{Display, Formatter};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::builder::{PathBufValueParser, TypedValueParser, ValueParser, ValueParserFactory};
+
+pub use check::{check, hinted};
+
+use crate::disk::{self, OutFile, WriteError};
+use crate::run::presets::PRESETS;
+
+/// Name of standard input and output.
+const STANDARD: &str = "-";
+
+/// A file that is read.
+#[derive(Clone, Debug)]
+pub struct InPath(PathBuf);
+
+impl InPath {
+    fn is_stdin(&self) -> bool {
+        self.0.as_os_str() == STANDARD
+    }
+
+    /// The text of the file.
+    ///
+    /// # Errors
+    /// It cannot be read, or is no text.
+    pub fn read(&self) -> Result<String, String> {
+        if self.is_stdin() { disk::read_stdin() } else { disk::read_text(&self.0) }
+    }
+
+    /// The text of the file.
+    ///
+    /// # Errors
+    /// As [`Self::read`], with the file's name.
+    pub fn text(&self) -> Result<String, String> {
+        self.read().map_err(|error| format!("{self}: {error}"))
+    }
+}
+
+impl Display for InPath {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        match self.is_stdin() {
+            true => f.write_str("standard input"),
+            false => self.0.display().fmt(f),
+        }
+    }
+}
+
+/// A preset's name or a scenario file.
+#[derive(Clone, Debug)]
+pub struct ScenarioPath(OsString);
+
+impl ScenarioPath {
+    /// What is meant by a name.
+    #[must_use]
+    pub fn new(name: &Path) -> Self {
+        Self(name.into())
+    }
+
+    /// The file; what looks like the name of one is one: it has an ending or a folder, or it is there.
+    ///
+    /// # Errors
+    /// The name, where it is that of a preset or can only be meant as one.
+    pub fn source(&self) -> Result<InPath, &str> {
+        let path = Path::new(&self.0);
+        let name = self.0.to_str();
+        if let Some(name) = name.filter(|name| PRESETS.iter().any(|preset| preset.name == *name)) {
+            return Err(name);
+        }
+        let is_file = self.0.as_os_str() == STANDARD
+            || path.extension().is_some()
+            || path.components().count() > 1
+            || path.exists();
+        match name {
+            Some(name) if !is_file => Err(name),
+            Some(_) | None => Ok(InPath(path.to_owned())),
+        }
+    }
+
+    /// Whether it is the preset with this name.
+    #[must_use]
+    pub fn is_preset(&self, name: &str) -> bool {
+        self.source().err() == Some(name)
+    }
+}
+
+/// A file that is written.
+#[derive(Clone, Debug)]
+pub struct OutPath(PathBuf);
+
+impl OutPath {
+    /// Whether the file is standard output, by any of its names.
+    #[must_use]
+    pub fn is_stdout(&self) -> bool {
+        [STANDARD, "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"]
+            .iter()
+            .any(|name| *self.0 == **name)
+    }
+
+    /// Begins the file.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn create(&self) -> Result<OutFile, WriteError> {
+        if self.is_stdout() { Ok(OutFile::stdout()) } else { OutFile::create(&self.0) }
+    }
+
+    /// Writes a text as the whole file.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn write(&self, text: &str) -> Result<(), WriteError> {
+        self.create()?.keep_text(text)
+    }
+}
+
+impl Display for OutPath {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        self.0.display().fmt(f)
+    }
+}
+
+/// A folder that files are written into.
+#[derive(Clone, Debug)]
+pub struct OutFolder(PathBuf);
+
+impl OutFolder {
+    /// Writes texts as files of these names, after all of them have grown.
+    ///
+    /// # Errors
+    /// One of them cannot be written: then none of those that are there is touched, unless the disk fails at
+    /// the very last.
+    pub fn write(&self, files: &[(&str, &str)]) -> Result<(), Box<dyn std::error::Error>> {
+        let paths: Vec<OutPath> =
+            files.iter().map(|(name, _)| OutPath(self.0.join(name))).collect();
+        check::differ(&paths)?;
+        let mut grown = Vec::new();
+        for (path, (_, text)) in paths.iter().zip(files) {
+            let mut file = path.create()?;
+            file.write_all(text.as_bytes())
+                .and_then(|()| file.flush())
+                .map_err(|error| file.failed(error))?;
+            grown.push(file);
+        }
+        Ok(grown.into_iter().try_for_each(OutFile::keep)?)
+    }
+}
+
+impl Display for OutFolder {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        self.0.display().fmt(f)
+    }
+}
+
+/// Where the report goes of a command that also writes a file: to standard output, or nowhere where the
+/// file goes there.
+///
+/// # Errors
+/// The report is asked for as JSON, and the file goes to standard output too.
+pub fn report(json: bool, file: Option<&OutPath>) -> Result<Box<dyn Write>, String> {
+    match file.filter(|path| path.is_stdout()) {
+        Some(path) if json => Err(format!(
+            "--json and a file named {path} both want standard output: leave one of them out"
+        )),
+        Some(_) => Ok(Box::new(std::io::sink())),
+        None => Ok(Box::new(std::io::stdout().lock())),
+    }
+}
+
+/// Reads arguments as paths, which are never empty.
+macro_rules! paths {
+    ($($name:ident)+) => {$(
+        impl ValueParserFactory for $name {
+            type Parser = ValueParser;
+
+            fn value_parser() -> ValueParser {
+                PathBufValueParser::new().map(|path| Self(path.into())).into()
+            }
+        }
+    )+};
+}
+paths!(InPath ScenarioPath OutPath OutFolder);
