@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser, ValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::files::{InPath, OutFolder, OutPath, ScenarioPath};
@@ -64,6 +65,10 @@ pub enum CliCommand {
     Machine(MachineArgs),
     /// Judge how robust a controller is: many runs with plant and belief drawn at random.
     Robust(RobustArgs),
+    /// Print what makes a shell complete this program's commands, options and files.
+    Completions(CompletionsArgs),
+    /// Print the manual page, or write those of all commands.
+    Man(ManArgs),
 }
 
 /// Arguments of `run`.
@@ -153,11 +158,6 @@ impl From<CalibrationArg> for Calibration {
     }
 }
 
-fn force_model(text: &str) -> Result<ForceModel, String> {
-    let map = ForceModel::MAPS.into_iter().find(|map| map.id() == text);
-    map.ok_or_else(|| format!("allowed is {}", ForceModel::MAPS.map(ForceModel::id).join(", ")))
-}
-
 /// A paper whose table can be compared with runs.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum ComparedPaper {
@@ -194,7 +194,7 @@ pub struct PapersArgs {
     #[arg(long, value_enum, default_value = "identified")]
     pub calibration: CalibrationArg,
     /// What gives the plant's cutting force.
-    #[arg(long, value_parser = force_model, default_value = ForceModel::Formula.id())]
+    #[arg(long, value_parser = one_of(&ForceModel::MAPS, ForceModel::id), default_value = ForceModel::Formula.id())]
     pub plant: ForceModel,
     /// Print one JSON object.
     #[arg(long)]
@@ -223,7 +223,7 @@ pub struct IdentifyArgs {
     #[arg(long, value_name = "FILE.csv")]
     pub table: Option<InPath>,
     /// The cutter of the simulator; for `milling`. The shipped models are those of the papers' cutter.
-    #[arg(long, value_name = "TOOL", default_value = ShippedTool::ALL[0].id(), value_parser = tool)]
+    #[arg(long, value_name = "TOOL", default_value = ShippedTool::ALL[0].id(), value_parser = one_of(ShippedTool::ALL, ShippedTool::id))]
     pub tool: ShippedTool,
     /// Where to write the model file; without it, it is compared with the shipped one.
     #[arg(long, value_name = "FILE.toml")]
@@ -276,7 +276,7 @@ pub struct TrainUnksArgs {
 #[derive(Debug, Args)]
 pub struct TrainForceArgs {
     /// Recipe: `improved` and `literal` make the shipped networks, `2005` the four-layer one.
-    #[arg(long, default_value = "improved", value_parser = recipe_kind)]
+    #[arg(long, default_value = "improved", value_parser = one_of(RecipeKind::ALL, RecipeKind::id))]
     pub recipe: RecipeKind,
     /// Rows to generate; four fifths are trained on, the others held out.
     #[arg(long, value_parser = clap::value_parser!(u32).range(100..=20_000))]
@@ -288,7 +288,7 @@ pub struct TrainForceArgs {
     #[arg(long, value_delimiter = ',', value_name = "N,...")]
     pub hidden: Option<Vec<usize>>,
     /// Activation: arctan, tanh, sine or sigmoid.
-    #[arg(long, value_parser = activation)]
+    #[arg(long, value_parser = one_of(Activation::ALL, Activation::id))]
     pub activation: Option<Activation>,
     /// Take logarithms of feed, speed, depths, hardness and diameter.
     #[arg(long, overrides_with = "no_ln")]
@@ -325,30 +325,14 @@ fn ratio(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "allowed is a number from 0 to 1".to_owned())
 }
 
-pub(super) fn one_of<T: Copy>(
-    all: &[T],
-    id: impl Fn(T) -> &'static str,
-    text: &str,
-) -> Result<T, String> {
-    let ids: Vec<&str> = all.iter().map(|option| id(*option)).collect();
-    let found = all.iter().find(|option| id(**option) == text);
-    found.copied().ok_or_else(|| format!("allowed is one of {}", ids.join(", ")))
-}
-
-fn recipe_kind(text: &str) -> Result<RecipeKind, String> {
-    one_of(RecipeKind::ALL, RecipeKind::id, text)
-}
-
-fn controller_kind(text: &str) -> Result<ControllerKind, String> {
-    one_of(ControllerKind::ALL, ControllerKind::id, text)
-}
-
-fn planned_section(text: &str) -> Result<PlannedSection, String> {
-    one_of(PlannedSection::ALL, PlannedSection::id, text)
-}
-
-fn activation(text: &str) -> Result<Activation, String> {
-    one_of(Activation::ALL, Activation::id, text)
+/// Reads one of a closed choice by its id; help and completions list all.
+pub(super) fn one_of<T: Copy + Send + Sync + 'static>(
+    all: &'static [T],
+    id: fn(T) -> &'static str,
+) -> ValueParser {
+    let ids = PossibleValuesParser::new(all.iter().map(|option| id(*option)));
+    let find = move |text: String| all.iter().copied().find(|option| id(*option) == text);
+    ids.try_map(move |text| find(text).ok_or("no such choice")).into()
 }
 
 /// Arguments of `force`.
@@ -385,7 +369,7 @@ pub struct PlanArgs {
     pub machine: Option<InPath>,
     /// Plan the feed of every cut for its lightest or its heaviest section, the spindle as
     /// programmed.
-    #[arg(long, value_name = "SECTION", value_parser = planned_section)]
+    #[arg(long, value_name = "SECTION", value_parser = one_of(PlannedSection::ALL, PlannedSection::id))]
     pub per_cut: Option<PlannedSection>,
     /// Write the scenario with the optimum as its programmed feed and speed, or with the feeds per
     /// cut.
@@ -403,7 +387,7 @@ pub struct RobustArgs {
     #[arg(long, value_name = "PRESET|FILE", default_value = "experiment-2")]
     pub scenario: ScenarioPath,
     /// The controller; without it the scenario's.
-    #[arg(long, value_parser = controller_kind)]
+    #[arg(long, value_parser = one_of(ControllerKind::ALL, ControllerKind::id))]
     pub controller: Option<ControllerKind>,
     /// Change a setting, for example `--set belief.dead_time_s=0.08`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
@@ -444,7 +428,7 @@ pub struct RecommendArgs {
     #[arg(long, value_name = "Z", default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=8))]
     pub teeth: u32,
     /// Engagement: 1 slot, 2 heavy side cut, 3 light side cut, 4 finishing.
-    #[arg(long, value_name = "1|2|3|4", required = true, value_parser = engagement)]
+    #[arg(long, value_name = "1|2|3|4", required = true, value_parser = one_of(EngagementCode::ALL, EngagementCode::id))]
     pub engagement: Option<EngagementCode>,
     /// Another table in the form of the shipped one, which is synthetic.
     #[arg(long, value_name = "FILE.csv")]
@@ -455,14 +439,6 @@ pub struct RecommendArgs {
     /// What else there is to do.
     #[command(subcommand)]
     pub what: Option<RecommendWhat>,
-}
-
-fn tool(text: &str) -> Result<ShippedTool, String> {
-    one_of(ShippedTool::ALL, ShippedTool::id, text)
-}
-
-fn engagement(text: &str) -> Result<EngagementCode, String> {
-    one_of(EngagementCode::ALL, EngagementCode::id, text)
 }
 
 /// What `recommend` does besides.
@@ -494,7 +470,7 @@ pub struct CombineArgs {
     pub set: Vec<String>,
     /// The section of the part that the feed is planned for: the controller lowers the feed to
     /// nothing but raises it by half at most, so the lightest one is the faster choice.
-    #[arg(long, default_value = PlannedSection::Lightest.id(), value_parser = section)]
+    #[arg(long, default_value = PlannedSection::Lightest.id(), value_parser = one_of(PlannedSection::ALL, PlannedSection::id))]
     pub section: PlannedSection,
     /// Another cutting-data table in the form of the shipped one, which is synthetic.
     #[arg(long, value_name = "FILE.csv")]
@@ -508,10 +484,6 @@ pub struct CombineArgs {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
-}
-
-fn section(text: &str) -> Result<PlannedSection, String> {
-    one_of(PlannedSection::ALL, PlannedSection::id, text)
 }
 
 /// Arguments of `unks`.
@@ -541,4 +513,26 @@ pub struct UnksArgs {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Arguments of `completions`.
+#[derive(Debug, Args)]
+pub struct CompletionsArgs {
+    /// The shell.
+    #[arg(value_enum)]
+    pub shell: clap_complete::Shell,
+    /// Where to write it; without it, it is printed.
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<OutPath>,
+}
+
+/// Arguments of `man`.
+#[derive(Debug, Args)]
+pub struct ManArgs {
+    /// The command whose page is printed, for example `machine stability`; without it, the program's.
+    #[arg(value_name = "COMMAND", conflicts_with = "out")]
+    pub of: Vec<String>,
+    /// Folder to write the pages of the program and of all its commands into.
+    #[arg(long, value_name = "FOLDER")]
+    pub out: Option<OutFolder>,
 }

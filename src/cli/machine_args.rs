@@ -61,7 +61,7 @@ fn chart_speed(text: &str) -> Result<f64, String> {
 #[derive(Debug, Args)]
 pub struct MachineModel {
     /// Parameters: D by the table's rules, T its digits with two exponents corrected, or printed.
-    #[arg(long, value_parser = parameters)]
+    #[arg(long, value_parser = one_of(Parameters::ALL, Parameters::id))]
     pub parameters: Option<Parameters>,
     /// Change a setting, for example `--set machine.variant=B`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
@@ -83,8 +83,4 @@ pub struct LifeArgs {
     /// The machine, the cut and where the results go.
     #[command(flatten)]
     pub model: MachineModel,
-}
-
-fn parameters(text: &str) -> Result<Parameters, String> {
-    one_of(Parameters::ALL, Parameters::id, text)
 }

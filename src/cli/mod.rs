@@ -11,6 +11,7 @@ mod machine;
 mod machine_args;
 mod machine_stability;
 mod machine_wear;
+mod manual;
 mod papers;
 mod papers_2005;
 mod papers_2019;
@@ -54,6 +55,8 @@ pub fn execute(command: &CliCommand) -> ExitCode {
         CliCommand::Unks(args) => unks::execute(args),
         CliCommand::Machine(args) => machine::execute(args),
         CliCommand::Robust(args) => robust::execute(args),
+        CliCommand::Completions(args) => manual::completions(args),
+        CliCommand::Man(args) => manual::man(args),
     };
     match result {
         Ok(code) => code,

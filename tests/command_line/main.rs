@@ -6,6 +6,7 @@ mod commands;
 mod contributing;
 mod documents;
 mod jobs;
+mod manual;
 mod planning;
 mod profilometer;
 mod program;

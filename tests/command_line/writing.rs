@@ -127,8 +127,23 @@ fn standard_input_and_output_are_files_too() {
     assert!(scenario_file::parse(&text).is_ok());
 }
 
+#[test]
+fn two_results_do_not_go_into_one_file() {
+    let folder = folder("twice");
+    fs::write(folder.join("both.1"), OLD).unwrap();
+    for name in ["steadycut-run.1", "steadycut-plan.1"] {
+        symlink("both.1", folder.join(name)).unwrap();
+    }
+    let said = refused(program(&folder, &["man", "--out", "."]));
+    for part in ["steadycut-run.1", "steadycut-plan.1", "two files"] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    assert_eq!(names(&folder), ["both.1", "steadycut-plan.1", "steadycut-run.1"]);
+    assert_eq!(fs::read_to_string(folder.join("both.1")).unwrap(), OLD);
+}
+
 /// Every command that writes a file, as it is asked for quickly.
-fn writers() -> [(&'static [&'static str], &'static str); 9] {
+fn writers() -> [(&'static [&'static str], &'static str); 10] {
     const SHORT: &str = "workpiece.cuts=[[[4.0, 3.0, 2.0]]]";
     [
         (&["run", "first-cut"], "--out"),
@@ -140,6 +155,7 @@ fn writers() -> [(&'static [&'static str], &'static str); 9] {
         (&["recommend", "table"], "--out"),
         (&["train", "force", "--rows", "100", "--epochs", "1"], "--out"),
         (&["machine", "modes"], "--out"),
+        (&["completions", "bash"], "--out"),
     ]
 }
 
