@@ -33,11 +33,18 @@ mod web_exports {
         steadycut::study::golden::to_json()
     }
 
-    /// Opens the console in a canvas.
+    /// Shows the console on a canvas.
     #[cfg(feature = "app")]
     #[wasm_bindgen]
     pub async fn start(canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
         steadycut::app::web::start(canvas).await
+    }
+
+    /// Takes the console off its canvas, whose graphics are lost; `start` shows it again on another one.
+    #[cfg(feature = "app")]
+    #[wasm_bindgen]
+    pub fn stop() {
+        steadycut::app::web::stop();
     }
 
     /// The console's state, for the browser test.

@@ -1,9 +1,13 @@
-// Loads and starts SteadyCut: looks for a way to draw, downloads the program while showing how far
-// it is, starts it, and shows a page in plain words when any of that fails.
+// Loads and starts SteadyCut: downloads the program, showing how far it is, while it looks for a way
+// to draw; starts it, starts it again on a fresh canvas when the graphics are lost, and shows a page
+// in plain words when any of that fails.
 // web/build fills in @BUILD@ (the name of this build); index.html carries the program's size.
 
 const BUILD = "@BUILD@";
 const ADAPTER_PATIENCE_MS = 3000;
+// Graphics that are lost again and again are not worth another try.
+const MOST_LOSSES = 3;
+const LOSSES_WITHIN_MS = 60_000;
 const byId = (id) => document.getElementById(id);
 
 let started = false; // the program draws: later failures are crashes
@@ -129,9 +133,54 @@ const nextFrame = () => new Promise((resolve) => requestAnimationFrame(resolve))
 
 // --- start ------------------------------------------------------------------------------------
 
+// The program's exports, once it has arrived. The glue and the program are asked for at the same time.
+async function load() {
+  const wasm = new URL(`steadycut_bg.wasm?v=${BUILD}`, import.meta.url);
+  const answer = download(wasm);
+  answer.catch(() => {}); // where the glue fails first, that is the failure which is told
+  const program = await import(`./steadycut.js?v=${BUILD}`);
+  await program.default({ module_or_path: answer });
+  return program;
+}
+
+// Starts the program on the page's canvas: scenario and changes come from the page's address.
+async function draw(program) {
+  const canvas = byId("canvas");
+  canvas.addEventListener("webglcontextlost", () => graphicsLost(program));
+  await program.start(canvas);
+  await nextFrame(); // the first picture
+  await nextFrame();
+  // The hidden field through which eframe gets typed text.
+  document.querySelector("body > input")?.setAttribute("aria-label", "Text typed into SteadyCut");
+  canvas.focus();
+}
+
+// A driver that is reset or a laptop that wakes takes the graphics away. A canvas whose context is lost
+// gives no other one, so a fresh canvas takes its place.
+const losses = [];
+async function graphicsLost(program) {
+  if (failed) return;
+  losses.push(performance.now());
+  const recent = losses.filter((at) => performance.now() - at < LOSSES_WITHIN_MS);
+  const advice =
+    "The browser or the graphics driver has taken the graphics away. Scenario and changes are kept in the page's address: reload the page to go on. " +
+    OTHER_BROWSER;
+  if (recent.length > MOST_LOSSES) return fail("The graphics were lost", advice, `${recent.length} times within a minute`);
+  try {
+    program.stop();
+    const canvas = byId("canvas");
+    canvas.replaceWith(canvas.cloneNode(true));
+    await draw(program);
+  } catch (error) {
+    fail("The graphics were lost", advice, error);
+  }
+}
+
 async function boot() {
   if (typeof WebAssembly !== "object") return fail(byId("failed-title").textContent, byId("failed-advice").textContent);
 
+  const loading = load();
+  loading.catch(() => {}); // told below, unless there is nothing to draw with
   graphics = await findGraphics();
   if (!graphics) {
     return fail(
@@ -143,9 +192,7 @@ async function boot() {
 
   let program;
   try {
-    program = await import(`./steadycut.js?v=${BUILD}`);
-    const wasm = new URL(`steadycut_bg.wasm?v=${BUILD}`, import.meta.url);
-    await program.default({ module_or_path: download(wasm) });
+    program = await loading;
   } catch (error) {
     const advice = navigator.onLine
       ? `A part of the program did not arrive or could not be read. Check the connection and reload the page. ${OTHER_BROWSER}`
@@ -154,11 +201,8 @@ async function boot() {
   }
 
   try {
-    const canvas = byId("canvas");
-    canvas.addEventListener("webglcontextlost", () => crashed("The browser has taken the graphics context away."));
-    await program.start(canvas);
-    await nextFrame(); // the first picture
-    await nextFrame();
+    window.steadycutGraphicsLost = () => graphicsLost(program); // WebGPU has no event for it
+    await draw(program);
   } catch (error) {
     return fail("SteadyCut could not start", `Drawing with ${graphics} failed. Reload the page. ${OTHER_BROWSER}`, error);
   }

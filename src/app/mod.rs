@@ -218,10 +218,9 @@ impl Console {
     }
 }
 
+#[cfg(not(target_arch = "wasm32"))]
 impl eframe::App for Console {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         Self::ui(self, ui);
-        #[cfg(target_arch = "wasm32")]
-        web::publish(self.state_json());
     }
 }

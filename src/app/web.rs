@@ -1,6 +1,7 @@
 //! The console in a web page: start, state for tests, the link kept current, downloads.
 
 use std::cell::RefCell;
+use std::rc::Rc;
 
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -10,30 +11,88 @@ use crate::run::{Start, presets, scenario_link};
 
 thread_local! {
     static STATE: RefCell<String> = const { RefCell::new(String::new()) };
+    static SHOWN: RefCell<Option<Shown>> = const { RefCell::new(None) };
 }
 
-/// Starts the console on a canvas, with the scenario of the page's link.
+/// What is on the page. The console is kept apart from eframe's runner, so that it outlives the
+/// graphics that the runner has.
+struct Shown {
+    runner: eframe::WebRunner,
+    ctx: egui::Context,
+    console: Rc<RefCell<Console>>,
+}
+
+/// The console as eframe sees it.
+struct Page(Rc<RefCell<Console>>);
+
+impl eframe::App for Page {
+    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        let mut console = self.0.borrow_mut();
+        console.ui(ui);
+        STATE.set(console.state_json());
+    }
+}
+
+/// Shows the console on a canvas: at first with the scenario of the page's link, after [`stop`] as it was.
 ///
 /// # Errors
 /// The browser gives nothing to draw with.
 pub async fn start(canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
-    // Set before eframe's own hook, which logs and then calls this one.
-    std::panic::set_hook(Box::new(|info| report_panic(&info.to_string())));
+    let runner = eframe::WebRunner::new();
+    // Eframe's own hook only logs, and would come after this one.
+    std::panic::set_hook(Box::new(|info| tell_page("steadycutPanic", &info.to_string())));
     let options = eframe::WebOptions::default();
-    let create: eframe::AppCreator<'static> = Box::new(|cc| {
-        super::scene::prepare(cc);
-        Ok(Box::new(Console::new(&cc.egui_ctx, start_of_link())))
+    let create: eframe::AppCreator<'static> = Box::new({
+        let runner = runner.clone();
+        move |cc| {
+            let ctx = cc.egui_ctx.clone();
+            let console = match SHOWN.take() {
+                Some(before) => {
+                    // What is open, scrolled and chosen, the theme too.
+                    let memory = before.ctx.memory(Clone::clone);
+                    ctx.memory_mut(|now| *now = memory);
+                    super::theme::install(&ctx);
+                    before.console
+                }
+                None => Rc::new(RefCell::new(Console::new(&ctx, start_of_link()))),
+            };
+            super::scene::prepare(cc);
+            if let Some(state) = &cc.wgpu_render_state {
+                tell_of_loss(&state.device);
+            }
+            SHOWN.set(Some(Shown { runner, ctx, console: console.clone() }));
+            Ok(Box::new(Page(console)))
+        }
     });
-    eframe::WebRunner::new().start(canvas, options, create).await
+    runner.start(canvas, options, create).await
 }
 
-/// Reports to the page, which shows the message and offers to reload.
-fn report_panic(message: &str) {
+/// Takes the console off its canvas, whose graphics are lost; the next [`start`] shows it again.
+pub fn stop() {
+    SHOWN.with_borrow(|shown| {
+        if let Some(shown) = shown {
+            shown.runner.destroy();
+        }
+    });
+}
+
+/// A WebGPU device that is lost tells nobody but those who asked; WebGL tells the canvas.
+fn tell_of_loss(device: &eframe::wgpu::Device) {
+    device.set_device_lost_callback(|reason, message| match reason {
+        eframe::wgpu::DeviceLostReason::Unknown => tell_page("steadycutGraphicsLost", &message),
+        eframe::wgpu::DeviceLostReason::Destroyed => {}
+    });
+}
+
+/// Calls a function of the page: it shows what it is told and offers a way on.
+fn tell_page(listener: &str, message: &str) {
     let Some(window) = web_sys::window() else { return };
-    let report = js_sys::Reflect::get(&window, &JsValue::from_str("steadycutPanic"));
-    if let Some(report) = report.ok().and_then(|found| found.dyn_into::<js_sys::Function>().ok()) {
+    let listener = js_sys::Reflect::get(&window, &JsValue::from_str(listener));
+    if let Some(listener) =
+        listener.ok().and_then(|found| found.dyn_into::<js_sys::Function>().ok())
+    {
         // A page without a listener has no way to show it: the browser's log has it.
-        let _ = report.call1(&window, &JsValue::from_str(message));
+        let _ = listener.call1(&window, &JsValue::from_str(message));
     }
 }
 
@@ -60,11 +119,6 @@ pub fn state_json() -> String {
     STATE.with_borrow(Clone::clone)
 }
 
-/// Keeps the state for [`state_json`].
-pub(super) fn publish(state: String) {
-    STATE.set(state);
-}
-
 /// Puts scenario and edits into the page's address, without a step in its history.
 pub(super) fn write_link(fragment: &str) {
     let Some(window) = web_sys::window() else { return };
@@ -82,6 +136,9 @@ pub(super) fn address(fragment: &str) -> String {
     format!("{page}#{fragment}")
 }
 
+/// Time after which every browser has read a file that was offered for download, ms.
+const FILE_IS_READ_AFTER_MS: i32 = 60_000;
+
 /// Offers a file for download.
 pub(super) fn download(name: &str, bytes: &[u8]) -> Result<(), JsValue> {
     let document = web_sys::window().and_then(|window| window.document());
@@ -92,6 +149,29 @@ pub(super) fn download(name: &str, bytes: &[u8]) -> Result<(), JsValue> {
     let anchor: web_sys::HtmlAnchorElement = document.create_element("a")?.unchecked_into();
     anchor.set_href(&url);
     anchor.set_download(name);
+    // Firefox follows only a link that stands in the page; Safari and Firefox read the bytes after the
+    // click has returned, so that the address must live on for a while.
+    let body =
+        document.body().ok_or_else(|| JsValue::from_str("no page to put the file's link in"))?;
+    body.append_child(&anchor)?;
     anchor.click();
-    web_sys::Url::revoke_object_url(&url)
+    anchor.remove();
+    wasm_bindgen_futures::spawn_local(async move {
+        sleep(FILE_IS_READ_AFTER_MS).await;
+        // An address that is gone already is what is wanted.
+        let _ = web_sys::Url::revoke_object_url(&url);
+    });
+    Ok(())
+}
+
+/// Waits; the page goes on meanwhile.
+async fn sleep(ms: i32) {
+    let wait = js_sys::Promise::new(&mut |resolve, _| {
+        if let Some(window) = web_sys::window() {
+            // Without a timer the wait ends with the page.
+            let _ = window.set_timeout_with_callback_and_timeout_and_arguments_0(&resolve, ms);
+        }
+    });
+    // The promise is never rejected.
+    let _ = wasm_bindgen_futures::JsFuture::from(wait).await;
 }

@@ -215,6 +215,65 @@ test("a WebGPU without an adapter falls back to WebGL", async () => {
   await context.close();
 });
 
+test("the program is downloaded while the graphics are being asked for", async () => {
+  const { page, context, wrong } = await open({
+    // An adapter that takes its time.
+    prepare: () => {
+      const requestAdapter = () => new Promise((resolve) => setTimeout(resolve, 2500, null));
+      Object.defineProperty(navigator, "gpu", { value: { requestAdapter }, configurable: true });
+    },
+  });
+  const asked = {};
+  page.on("request", (request) => (asked[new URL(request.url()).pathname] ??= Date.now()));
+  await page.goto(server.url);
+  await firstFrame(page);
+  const wait = (path) => asked[path] - asked["/boot.js"];
+  assert.ok(wait("/steadycut.js") < 2000, `steadycut.js asked for ${wait("/steadycut.js")} ms after boot.js`);
+  assert.ok(wait("/steadycut_bg.wasm") < 2000, `steadycut_bg.wasm asked for ${wait("/steadycut_bg.wasm")} ms after boot.js`);
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+test("canvas and text field have a name, and the page can be enlarged", async () => {
+  const { page, context, wrong } = await open();
+  await page.goto(server.url);
+  await firstFrame(page);
+  const tree = await (await context.newCDPSession(page)).send("Accessibility.getFullAXTree");
+  const named = tree.nodes.filter((node) => !node.ignored).map((node) => `${node.role.value}: ${node.name?.value ?? ""}`);
+  assert.ok(named.some((node) => /^application: SteadyCut/.test(node)), `the canvas has a name: ${named}`);
+  assert.ok(named.some((node) => /^textbox: \S/.test(node)), `the text field has a name: ${named}`);
+  assert.match(await page.locator("#canvas").textContent(), /WebGL 2 or WebGPU/, "the canvas has a fallback");
+  const viewport = await page.locator("meta[name=viewport]").getAttribute("content");
+  assert.doesNotMatch(viewport, /maximum-scale|user-scalable/);
+  assert.equal(await page.locator("#canvas").evaluate((canvas) => getComputedStyle(canvas).touchAction), "pinch-zoom");
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+test("lost graphics come back without reloading, and too many losses are told in plain words", async () => {
+  const { page, context } = await open();
+  await page.goto(`${server.url}?graphics=webgl#v=1&target.ra_um=0.65`);
+  let before = await firstFrame(page);
+  await page.evaluate(() => { window.sameProgram = true; });
+  const lose = () =>
+    page.locator("#canvas").evaluate((canvas) => canvas.getContext("webgl2").getExtension("WEBGL_lose_context").loseContext());
+  for (let loss = 1; loss <= 3; loss++) {
+    const old = await page.locator("#canvas").elementHandle();
+    await lose();
+    await page.waitForFunction((old) => document.getElementById("canvas") !== old, old, PATIENCE);
+    before = await untilState(page, (now, was) => now.frames > was.frames + 3, before);
+    assert.equal(before.target_ra_um, 0.65);
+    assert.equal(await page.evaluate(() => window.sameProgram), true, "the page was not loaded anew");
+    assert.equal(await page.locator("#failed").isVisible(), false);
+  }
+  await picture(page, "graphics-back");
+  await lose();
+  await errorPage(page, "The graphics were lost");
+  assert.doesNotMatch(await page.locator("#failed").innerText(), /fault in the program/);
+  await page.screenshot({ path: `${SHOTS}/graphics-lost.png` });
+  await context.close();
+});
+
 // --- without a network ------------------------------------------------------------------------
 
 test("works off line after the first visit, and shows a new build at once", async () => {

@@ -29,6 +29,9 @@ pub struct Boundary {
     pub kept_somewhere: bool,
 }
 
+/// Name of the image among the textures.
+const NAME: &str = "force map";
+
 /// See the head of this file.
 pub struct Picture {
     field: PlanField,
@@ -131,11 +134,17 @@ impl Picture {
 
     /// The image in the colours of `palette`; drawn again only where they have changed.
     pub fn texture(&mut self, ctx: &Context, palette: &Palette, dark: bool) -> egui::TextureId {
+        // Graphics that were lost took the texture with them; its name is of this image alone.
+        let there = |texture: &TextureHandle| {
+            let textures = ctx.tex_manager();
+            let known = textures.read().meta(texture.id()).is_some_and(|meta| meta.name == NAME);
+            known
+        };
         match &self.texture {
-            Some((drawn, texture)) if *drawn == dark => texture.id(),
+            Some((drawn, texture)) if *drawn == dark && there(texture) => texture.id(),
             _ => {
                 let image = self.image(palette);
-                let texture = ctx.load_texture("force map", image, TextureOptions::LINEAR);
+                let texture = ctx.load_texture(NAME, image, TextureOptions::LINEAR);
                 self.texture.insert((dark, texture)).1.id()
             }
         }
