@@ -102,10 +102,10 @@ impl Drop for Growing {
     }
 }
 
-/// The system's words, without the name of a file that nobody has asked for.
+/// The system's words, without the name that follows them, of a file that nobody has asked for.
 fn plain(error: &Error) -> String {
-    let system = error.raw_os_error().map(|code| Error::from_raw_os_error(code).to_string());
-    system.unwrap_or_else(|| error.kind().to_string())
+    let text = error.to_string();
+    text.split(" at path ").next().unwrap_or_default().to_owned()
 }
 
 /// Gives a file the rights of another one, and its owner as far as that is allowed.

@@ -10,7 +10,7 @@ use std::io::{Error, ErrorKind, Read};
 use std::path::Path;
 
 pub use growing::abandon;
-pub use out_file::{OutFile, WriteError, write, write_new};
+pub use out_file::{OutFile, WriteError, can_fill, write, write_new};
 
 use crate::base::text::decode;
 

@@ -146,6 +146,14 @@ impl Write for OutFile {
     }
 }
 
+/// Whether files can be written into a folder, without writing one.
+///
+/// # Errors
+/// It is no folder, or there is no right to make a file in it.
+pub fn can_fill(folder: &Path) -> Result<(), WriteError> {
+    Growing::beside(&folder.join("file")).map(drop).map_err(|error| WriteError::new(folder, error))
+}
+
 /// Writes bytes as a file, in place of the one that may stand there.
 ///
 /// # Errors

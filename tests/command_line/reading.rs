@@ -217,7 +217,7 @@ fn a_table_without_its_columns_is_told_what_was_found_and_what_is_needed() {
             ("", "no line with the names"),
         ] {
             let error = said(&fed(&folder, &args, text.as_bytes()));
-            for part in ["standard input: ", found, "missing are ", needed] {
+            for part in ["standard input: ", found, "needed are ", needed] {
                 assert!(error.contains(part), "{part}: {error}");
             }
         }

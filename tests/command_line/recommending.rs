@@ -88,7 +88,7 @@ proptest! {
 
     #[test]
     fn text_that_is_no_table_is_refused_and_never_panics(
-        text in "[0-9a-z,.#\n\"-]{0,80}",
+        text in "[0-9a-z,;\t.#\n\"-]{0,80}",
         at in 0..1000_usize,
     ) {
         prop_assert!(Table::parse(&text).is_err());

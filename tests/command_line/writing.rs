@@ -182,7 +182,8 @@ fn a_full_disk_leaves_the_older_result_whole() {
         let said = refused(program(&folder, &[command, &[output, "/dev/full"]].concat()));
         assert!(said.contains("error: /dev/full: "), "{command:?}: {said}");
         let said = refused(program(&folder, &[command, &[output, "no/such"]].concat()));
-        assert!(said.contains("error: no/such: no file can be made in no: "), "{said}");
+        let problem = "error: no/such: no file can be made in no: No such file or directory";
+        assert!(said.contains(problem) && !said.contains(".part"), "{said}");
         let said = refused(program(&folder, &[command, &[output, "."]].concat()));
         assert!(said.contains("error: .: is a directory"), "{said}");
     }
@@ -193,9 +194,27 @@ fn a_full_disk_leaves_the_older_result_whole() {
 }
 
 #[test]
+fn a_folder_is_looked_at_before_the_work_for_its_files() {
+    let folder = folder("folders");
+    fs::write(folder.join("file"), OLD).unwrap();
+    for command in [&["train", "unks"][..], &["man"]] {
+        for (name, problem) in [
+            ("no", "no: no file can be made in no: No such file or directory"),
+            ("file", "file: no file can be made in file: Not a directory"),
+            ("-", "--out -: several files do not go to standard output: name a folder"),
+        ] {
+            let said = refused(program(&folder, &[command, &["--out", name]].concat()));
+            assert!(said.contains(problem), "{command:?}: {said}");
+        }
+    }
+    assert_eq!(names(&folder), ["file"]);
+}
+
+#[test]
 fn an_end_from_outside_leaves_the_older_result_and_nothing_beside_it() {
-    // Long enough to write that the end comes in between.
-    let args = ["run", "experiment-2", "--set", "run.duration_s=10", "--out", "old"];
+    // Some 60 MB: long enough to write that the end comes in between.
+    let long = ["--set", "run.duration_s=10", "--set", "run.record_every=1"];
+    let args = [&["run", "experiment-2", "--out", "old"], &long[..]].concat();
     for signal in ["INT", "TERM", "HUP"] {
         let folder = folder(&format!("ended-{signal}"));
         fs::write(folder.join("old"), OLD).unwrap();

@@ -158,10 +158,13 @@ fn places(header: &csv::StringRecord, columns: &[ColumnNames]) -> Result<Vec<usi
         let found: Vec<&str> = header.iter().filter(|name| !name.is_empty()).collect();
         let found = match found.is_empty() {
             true => "there is no line with the names of the columns".to_owned(),
-            false => format!("the columns are {}", shown(&found.join(", "), MAX_LIST)),
+            false => {
+                let found = shown(&found.join(", "), MAX_LIST);
+                format!("the columns are {found}; missing are {missing}")
+            }
         };
         let needed = list(&mut columns.iter());
-        return Err(format!("{found}; missing are {missing}; needed are {needed}"));
+        return Err(format!("{found}; needed are {needed}"));
     }
     for names in columns {
         if header.iter().filter(|name| names.contains(name)).count() > 1 {

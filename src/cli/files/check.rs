@@ -8,14 +8,15 @@ use std::path::Path;
 use clap::{Arg, ArgMatches, Command, ValueHint};
 use same_file::Handle;
 
-use super::{InPath, OutFolder, OutPath, ScenarioPath};
-use crate::disk::OutFile;
+use super::{InPath, OutFolder, OutPath, STANDARD, ScenarioPath};
+use crate::disk::{self, OutFile};
 
 /// The files of a command, each with the argument that names it.
 #[derive(Default)]
 struct Files {
     read: Vec<(String, InPath)>,
     written: Vec<(String, OutPath)>,
+    filled: Vec<(String, OutFolder)>,
 }
 
 /// Sees to it that a command can read and write its files without harm to any of them.
@@ -43,6 +44,9 @@ impl Files {
             }
             if let Ok(Some(paths)) = matches.try_get_many::<OutPath>(id) {
                 self.written.extend(paths.map(|path| (name(), path.clone())));
+            }
+            if let Ok(Some(folders)) = matches.try_get_many::<OutFolder>(id) {
+                self.filled.extend(folders.map(|folder| (name(), folder.clone())));
             }
         }
         if let Some((name, matches)) = matches.subcommand()
@@ -72,6 +76,13 @@ impl Files {
             }
         }
         distinct(&written)?;
+        for (name, OutFolder(folder)) in &self.filled {
+            if folder.as_os_str() == STANDARD {
+                let problem = "several files do not go to standard output: name a folder";
+                return Err(format!("{name} {STANDARD}: {problem}").into());
+            }
+            disk::can_fill(folder)?;
+        }
         let places = self.written.iter().filter(|(_, path)| !path.is_stdout());
         Ok(places.map(|(_, path)| &path.0).try_for_each(|path| OutFile::can_be(path))?)
     }
