@@ -1,14 +1,37 @@
-//! The worked example of CONTRIBUTING.md: its file and its line are added to a copy of the core, which
-//! is built and run there. Nothing else is, so a controller that needed a second line would fail here.
+//! The worked examples of CONTRIBUTING.md: their files and their lines are added to a copy of the core, which
+//! is built and run there. Nothing else is, so a controller or a force model that needed a second line would
+//! fail here.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 const GUIDE: &str = include_str!("../../CONTRIBUTING.md");
-const CONTROL: &str = "crates/core/src/blocks/control";
-/// What the copy is asked once the controller is in it.
-const CHECK: &str = include_str!("contributing/check.rs");
+/// What is added: the section of the guide, the folder, its file and its list.
+struct Addition {
+    section: &'static str,
+    folder: &'static str,
+    file: &'static str,
+    list: &'static str,
+}
+
+const CONTROLLER: Addition = Addition {
+    section: "Add a controller",
+    folder: "crates/core/src/blocks/control",
+    file: "integral.rs",
+    list: "controllers!",
+};
+const FORCE_MODEL: Addition = Addition {
+    section: "Add a force model",
+    folder: "crates/core/src/blocks/cutting/force_model",
+    file: "power.rs",
+    list: "force_models!",
+};
+/// What the copy is asked once both are in it.
+const CHECKS: [(&str, &str); 2] = [
+    ("check", include_str!("contributing/check.rs")),
+    ("check_force", include_str!("contributing/check_force.rs")),
+];
 
 /// The code blocks of the section, in order.
 fn blocks(section: &str) -> Vec<String> {
@@ -77,18 +100,25 @@ impl Workspace {
         if !root.join("Cargo.lock").exists() {
             fs::copy(here.join("Cargo.lock"), root.join("Cargo.lock")).unwrap();
         }
-        write(&root.join("crates/core/examples/check.rs"), CHECK);
+        for (name, check) in CHECKS {
+            write(&root.join(format!("crates/core/examples/{name}.rs")), check);
+        }
         Self { root }
     }
 
-    /// Adds a controller: its file, and its line at the end of the list.
-    fn add(&self, file: &str, line: &str) {
-        write(&self.root.join(CONTROL).join("integral.rs"), file);
-        let list = self.root.join(CONTROL).join("mod.rs");
+    /// Adds what a section of the guide shows: its file, and its line at the end of the list. Gives the
+    /// file's place and text.
+    fn add(&self, addition: &Addition) -> (PathBuf, String) {
+        let [file, line] = &blocks(addition.section)[..] else { panic!("a file and a line") };
+        assert_eq!(line.lines().count(), 1, "{line}");
+        let folder = self.root.join(addition.folder);
+        write(&folder.join(addition.file), file);
+        let list = folder.join("mod.rs");
         let text = fs::read_to_string(&list).unwrap();
-        let start = text.find("\ncontrollers! {\n").expect("the list");
+        let start = text.find(&format!("\n{} {{\n", addition.list)).expect("the list");
         let end = start + text[start..].find("\n}").expect("its end") + 1;
         fs::write(list, format!("{}{line}{}", &text[..end], &text[end..])).unwrap();
+        (folder.join(addition.file), file.clone())
     }
 
     /// cargo, as a user would start it there: without what the cargo of this test has set.
@@ -105,22 +135,23 @@ impl Workspace {
 }
 
 #[test]
-fn the_controller_of_the_guide_is_one_file_and_one_line() {
-    let [file, line] = &blocks("Add a controller")[..] else { panic!("a file and a line") };
-    assert_eq!(line.lines().count(), 1, "{line}");
+fn what_the_guide_adds_is_one_file_and_one_line() {
     let copy = Workspace::new("contributing");
-    copy.add(file, line);
-    let output = copy.cargo(&["run", "--quiet", "-p", "steadycut-core", "--example", "check"]);
-    let told = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{told}");
+    let (place, file) = copy.add(&CONTROLLER);
+    copy.add(&FORCE_MODEL);
+    for (name, _) in CHECKS {
+        let output = copy.cargo(&["run", "--quiet", "-p", "steadycut-core", "--example", name]);
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{name}: {told}");
+    }
 
     // The compiler names what is left out.
     let (left_out, method) = (file.replace("fn printed(", "fn print("), "printed");
-    assert_ne!(left_out, *file);
-    write(&copy.root.join(CONTROL).join("integral.rs"), &left_out);
+    assert_ne!(left_out, file);
+    write(&place, &left_out);
     let output = copy.cargo(&["check", "--quiet", "-p", "steadycut-core", "--lib"]);
     let told = String::from_utf8_lossy(&output.stderr);
     let named = told.contains("not all trait items implemented") && told.contains(method);
     assert!(!output.status.success() && named, "{told}");
-    write(&copy.root.join(CONTROL).join("integral.rs"), file);
+    write(&place, &file);
 }

@@ -164,8 +164,11 @@ fn every_script_of_the_documents_is_there() {
     assert!(scripts >= 2, "README.md names web/build and web/serve");
 }
 
-/// The file of the worked example in CONTRIBUTING.md, which is not there until somebody follows it.
-const TO_BE_WRITTEN: [&str; 1] = ["crates/core/src/blocks/control/integral.rs"];
+/// The files of the worked examples in CONTRIBUTING.md, which are not there until somebody follows it.
+const TO_BE_WRITTEN: [&str; 2] = [
+    "crates/core/src/blocks/control/integral.rs",
+    "crates/core/src/blocks/cutting/force_model/power.rs",
+];
 
 /// Every file and folder below the top, as `/path/from/the/top`, folders with a `/` behind too.
 fn tree() -> Vec<String> {

@@ -201,7 +201,7 @@ fn the_papers_screen_has_both_papers_and_every_force_model() {
         screen::rest(&mut harness);
         assert!(texts(&harness).contains("M2 outside its range"), "{}", texts(&harness));
         harness.get_by_label("identified").click();
-        for force_model in &ForceModel::MAPS[1..] {
+        for force_model in &ForceModel::maps()[1..] {
             harness.get_by_label(force_model.label()).click();
             screen::rest(&mut harness);
             let shown = texts(&harness);

@@ -5,13 +5,11 @@
 //! Formulas are plain text; `_d` or `_{dyn}` marks a subscript and `^2` a superscript.
 
 mod control;
-mod cutting;
 pub mod formula;
 mod laws;
 mod live;
 mod machine;
 mod models;
-mod neural;
 mod overrides;
 
 pub use live::{Live, Moment, live};

@@ -4,7 +4,7 @@
 use steadycut_core::blocks::control::law::AtRest;
 use steadycut_core::blocks::control::mrac::Adapted;
 use steadycut_core::blocks::control::{ControlInput, Controller, ControllerKind, FeedSpeed};
-use steadycut_core::blocks::cutting::force_map::ForceMap;
+use steadycut_core::blocks::cutting::force_model::law::ForceSetup;
 use steadycut_core::blocks::cutting::process::ForceModel;
 use steadycut_core::blocks::cutting::tool_path::Engagement;
 use steadycut_core::models::ball_end::{CK45, Cutter, Kienzle, StaticCut, static_peak};
@@ -21,7 +21,7 @@ use steadycut_core::run::signals::flag;
 fn plants() -> Vec<(&'static str, Scenario)> {
     let mut plants = Vec::new();
     for preset in ["table3-5", "strategy-table1-5"] {
-        for force_model in ForceModel::MAPS {
+        for force_model in ForceModel::maps() {
             let mut scenario = load(preset).unwrap();
             scenario.change(|s| s.plant.force_model = force_model).unwrap();
             plants.push((force_model.id(), scenario));
@@ -103,8 +103,16 @@ fn map_n(scenario: &Scenario, feed_mm_min: f64, speed_rpm: f64) -> f64 {
         };
         return static_peak(&cutter, &law, &cut).fxy_n;
     }
-    let mut map = ForceMap::new(plant, &scenario.tool, place.radial_depth_mm);
-    map.force(feed_mm_min, speed_rpm, &place, 1.0).value
+    let setup = ForceSetup {
+        plant,
+        tool: &scenario.tool,
+        radial_depth_mm: place.radial_depth_mm,
+        several: false,
+        depth_max_mm: place.axial_depth_mm,
+        dt_s: scenario.dt_s(),
+        window: 1,
+    };
+    plant.force_model.at(&setup, feed_mm_min, speed_rpm, &place).unwrap().value
 }
 
 /// What the controller asks for at the programmed values, from the force it measures.

@@ -3,7 +3,6 @@
 
 use super::Block;
 use super::control::controller;
-use super::cutting::cutting;
 use super::formula::{number, sum};
 use super::machine::{marks, vibration};
 use super::models::{desired_force, roughness};
@@ -12,6 +11,7 @@ pub use crate::base::equation::Live;
 use crate::base::units::percent_from_ratio;
 use crate::models::genetic::GeneticModels;
 use crate::models::structure::RoughnessFrom;
+use crate::run::explanation::explain_force;
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 
@@ -40,7 +40,7 @@ pub fn live(block: Block, moment: &Moment<'_>) -> Vec<Live> {
         Block::DeadTime => dead_time(row, scenario, delayed),
         Block::FeedDrive => vec![feed_drive(row, scenario, delayed[0])],
         Block::SpindleDrive => vec![spindle_drive(row, scenario, delayed[1])],
-        Block::Cutting => cutting(row, scenario),
+        Block::Cutting => explain_force(scenario, row),
         Block::Dynamic if scenario.machine.coupled => {
             vec![dynamic(row, scenario), vibration(row, scenario)]
         }

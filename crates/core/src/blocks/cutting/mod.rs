@@ -7,7 +7,6 @@
 pub mod contact;
 pub mod disturbance;
 pub mod field;
-pub mod force_map;
 pub mod force_model;
 pub mod material;
 pub mod milling;

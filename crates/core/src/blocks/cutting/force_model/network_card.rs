@@ -1,29 +1,24 @@
-//! The card of the cutting process where a neural network gives its force: inputs, ranges of
-//! training, components, peak force.
+//! A neural network's force with the values of a moment: inputs, ranges of training, components, peak
+//! force.
 
-use super::cutting::map_at;
-use super::formula::number;
-use crate::app::format;
-use crate::base::equation::Live;
+use super::law::ForceMoment;
+use crate::base::equation::{Live, number};
 use crate::blocks::cutting::material::Material;
 use crate::blocks::cutting::neural::NeuralCut;
 use crate::blocks::cutting::process::PlantSettings;
+use crate::models::Valued;
 use crate::models::neural_force::{
     AXIAL_DEPTH_MM, AXIAL_PER_DIAMETER, CutPoint, DIAMETER_MM, FEED_PER_TOOTH_MM, GEOMETRY_CODE,
     HARDNESS_HB, NeuralForce, NeuralKind, RADIAL_PER_DIAMETER, SPEED_M_MIN, speed_m_min,
 };
-use crate::run::scenario::Scenario;
-use crate::run::signals::Row;
 
 /// From the network's inputs to the force that the process gives.
-pub fn neural(kind: NeuralKind, row: &Row, scenario: &Scenario) -> Vec<Live> {
-    let (_, force) = map_at(row, scenario);
-    let plant = &scenario.plant;
-    let radial_mm = scenario.workpiece.radial_depth_mm;
-    let depths_mm = [row.axial_depth_mm, radial_mm];
-    let cut = NeuralCut::new(&scenario.tool, plant.material, plant.hardness_hb, depths_mm);
-    let feed_mm_min = cut.feed_factor * row.feed_mm_min;
-    let point = CutPoint { feed_mm_min, speed_rpm: row.spindle_rpm, ..cut.point };
+pub(super) fn lines(kind: NeuralKind, moment: &ForceMoment, force: Valued) -> Vec<Live> {
+    let ForceMoment { plant, tool, place, .. } = *moment;
+    let depths_mm = [place.axial_depth_mm, place.radial_depth_mm];
+    let cut = NeuralCut::new(tool, plant.material, plant.hardness_hb, depths_mm);
+    let feed_mm_min = cut.feed_factor * moment.feed_mm_min;
+    let point = CutPoint { feed_mm_min, speed_rpm: moment.speed_rpm, ..cut.point };
     let network = NeuralForce::shipped(kind);
     let [fx, fy, fz] = network.components(&point).map(|component| component * cut.factor);
     let (peak, wear) = ((fx * fx + fy * fy).sqrt(), plant.wear_factor);
@@ -37,7 +32,7 @@ pub fn neural(kind: NeuralKind, row: &Row, scenario: &Scenario) -> Vec<Live> {
                 number(fy),
                 number(fz)
             ),
-            range: ranges(&point, &cut, scenario),
+            range: ranges(&point, &cut, plant),
             valid: force.valid,
         },
         Live::everywhere(
@@ -93,8 +88,8 @@ fn inputs(network: &NeuralForce, point: &CutPoint) -> Live {
 }
 
 /// The ranges of the training data; only those that are left, where any are.
-fn ranges(point: &CutPoint, cut: &NeuralCut, scenario: &Scenario) -> String {
-    let PlantSettings { material, hardness_hb, .. } = scenario.plant;
+fn ranges(point: &CutPoint, cut: &NeuralCut, plant: &PlantSettings) -> String {
+    let PlantSettings { material, hardness_hb, .. } = *plant;
     let diameter = point.diameter_mm;
     let axial_max = (diameter * AXIAL_PER_DIAMETER).min(AXIAL_DEPTH_MM[1]);
     let speed = speed_m_min(diameter, point.speed_rpm);
@@ -127,8 +122,8 @@ fn ranges(point: &CutPoint, cut: &NeuralCut, scenario: &Scenario) -> String {
         );
     }
     if !cut.material_known {
-        let hardness = format::quantity(hardness_hb, "HB");
-        left.push(format!("{} at {hardness}, trained on {materials}", material.label()));
+        let hardness = number(hardness_hb);
+        left.push(format!("{} at {hardness} HB, trained on {materials}", material.label()));
     }
     if !left.is_empty() {
         return left.join("; ");

@@ -1,0 +1,149 @@
+//! The formula of the model set, K4 (2007, eq. 7) or M4 (2013, eq. 5), times what it does not know.
+//!
+//! ```text
+//! F = (K4(f_a, n_a) + offset) x material(HB) x (A_D R_D) / (A_0 R_0) x wear
+//! ```
+//!
+//! K4 and M4 belong to Ck45 at A_0 2 mm and R_0 3 mm with a sharp tool (those of the milling simulator
+//! to its reference cut); force is taken as proportional to the cross-section (chosen).
+
+use super::law::ForceMoment;
+use super::map::{MapLaw, Mapped};
+use crate::base::equation::{Live, number};
+use crate::blocks::cutting::process::PlantSettings;
+use crate::blocks::cutting::tool_path::Engagement;
+use crate::models::Valued;
+use crate::models::genetic::force_formula::{FEED_MIN_MM_MIN, INCH, SPEED_MIN_RPM};
+use crate::models::genetic::{GeneticModels, ModelSet};
+use crate::models::printed::Printed;
+use crate::models::tool::Tool;
+
+const K4: &[Printed] = &[Printed::new(
+    "F = 286.44 - 5.82·10^{-10} n^3 - 8973 ln(0.039 f) / f",
+    "SDNRP 2007, eq. 7 (Ck45, A_D 2 mm, R_D 3 mm, sharp tool)",
+)];
+const M4: &[Printed] = &[Printed::new(
+    "F = 265.11 (1 - 2.0·10^{-12} n^3 - (31.32 / f) ln(0.039 f))",
+    "Control strategy 2013, eq. 5; the paper then takes its neural network in place of it",
+)];
+
+/// The force model.
+pub type Formula = Mapped<FormulaMap>;
+
+/// Cross-section of the cut for each millimetre of axial depth, over that at which the formula of
+/// the set holds, 1/mm.
+fn engagement_per_mm(models: &GeneticModels, radial_depth_mm: f64) -> f64 {
+    let [axial_mm, radial_mm] = models.set.engagement_mm();
+    radial_depth_mm / (axial_mm * radial_mm)
+}
+
+/// The map of a plant.
+#[derive(Clone, Debug)]
+pub struct FormulaMap {
+    models: GeneticModels,
+    /// Force factor per millimetre of axial depth.
+    factor_per_mm: f64,
+    radial_depth_mm: f64,
+    /// Material times wear.
+    share: f64,
+}
+
+impl MapLaw for FormulaMap {
+    const ABOUT: &'static str = "The formula of the model set: K4 or M4.";
+    const FORMULA: bool = true;
+
+    fn new(plant: &PlantSettings, tool: &Tool, radial_depth_mm: f64) -> Self {
+        let models = GeneticModels::new(plant.model_set, plant.calibration);
+        let mut models = models.for_tool(tool);
+        models.force.intercept_n += plant.force_offset_n;
+        let engagement = engagement_per_mm(&models, radial_depth_mm);
+        let material = plant.material.force_factor(plant.hardness_hb);
+        Self {
+            models,
+            factor_per_mm: material * plant.wear_factor * engagement,
+            radial_depth_mm,
+            share: material * plant.wear_factor,
+        }
+    }
+
+    #[inline]
+    fn force(
+        &mut self,
+        feed_mm_min: f64,
+        speed_rpm: f64,
+        place: &Engagement,
+        life_factor: f64,
+    ) -> Valued {
+        if place.radial_depth_mm != self.radial_depth_mm {
+            self.radial_depth_mm = place.radial_depth_mm;
+            let engagement = engagement_per_mm(&self.models, place.radial_depth_mm);
+            self.factor_per_mm = self.share * engagement;
+        }
+        let base = self.models.force(feed_mm_min, speed_rpm);
+        Valued::new(
+            base.value * self.factor_per_mm * place.axial_depth_mm * life_factor,
+            base.valid,
+        )
+    }
+
+    fn short_name(set: ModelSet) -> String {
+        format!("{}4", set.letter())
+    }
+
+    fn printed(set: ModelSet) -> &'static [Printed] {
+        match set {
+            // Those of the milling simulator have the forms of 2007.
+            ModelSet::Sdnrp2007 | ModelSet::Milling2005 => K4,
+            ModelSet::Strategy2013 => M4,
+        }
+    }
+
+    /// Model 4 of the plant, and what it does not know.
+    fn explain(moment: &ForceMoment) -> Vec<Live> {
+        let ForceMoment { plant, tool, feed_mm_min: feed, speed_rpm: speed, place, .. } = *moment;
+        let mut map = Self::new(plant, tool, place.radial_depth_mm);
+        let force = map.force(feed, speed, &place, 1.0);
+        let models = &map.models;
+        let k4 = models.force(feed, speed);
+        let name = format!("{}4", models.set.letter());
+        let [intercept, feed_coefficient, inch, speed_coefficient] =
+            [models.force.intercept_n, models.force.feed, INCH, models.force.speed * 1e10]
+                .map(number);
+        let formula = |f: &str, n: &str, times: &str| {
+            format!(
+                "{intercept} - {speed_coefficient}·10^{{-10}}{times}{n}^3 \
+                 - {feed_coefficient} ln({inch}{times}{f}) / {f}"
+            )
+        };
+        let with = formula(&number(feed.max(FEED_MIN_MM_MIN)), &number(speed), " · ");
+        let with = if k4.value == 0.0 { format!("max(0, {with})") } else { with };
+        let model = Live {
+            formula: format!("{name} = {}", formula("f", "n", " ")),
+            values: format!("{name} = {with} = {} N", number(k4.value)),
+            range: format!(
+                "f from {} mm/min on (its least force), n from {} 1/min on{}",
+                number(FEED_MIN_MM_MIN),
+                number(SPEED_MIN_RPM),
+                if models.of_tool { "" } else { "; of the papers' cutter alone" }
+            ),
+            valid: k4.valid,
+        };
+        let [axial_mm, radial_mm] = models.set.engagement_mm();
+        let reference = axial_mm * radial_mm;
+        let product = Live::everywhere(
+            format!("F = {name} · material · (A_D R_D / {} mm^2) · wear", number(reference)),
+            format!(
+                "F = {} · {} · {} / {} · {} = {} N  ({}, {} HB)",
+                number(k4.value),
+                number(plant.material.force_factor(plant.hardness_hb)),
+                number(place.axial_depth_mm * place.radial_depth_mm),
+                number(reference),
+                number(plant.wear_factor),
+                number(force.value),
+                plant.material.label(),
+                number(plant.hardness_hb),
+            ),
+        );
+        vec![model, product]
+    }
+}

@@ -1,0 +1,121 @@
+//! Force models that are maps: functions of feed, speed and engagement.
+//!
+//! | path | force of a plant step |
+//! |---|---|
+//! | one path | the map where the tool is |
+//! | several cuts | the same where the cutter meets their sections ([`contact`]), with air between them |
+
+use super::law::{ForceLaw, ForceMoment, ForceSetup};
+use crate::base::equation::Live;
+use crate::base::math;
+use crate::blocks::cutting::contact;
+use crate::blocks::cutting::process::{CutStep, Force, PlantSettings};
+use crate::blocks::cutting::tool_path::Engagement;
+use crate::models::Valued;
+use crate::models::ball_end::MAX_TEETH;
+use crate::models::genetic::ModelSet;
+use crate::models::neural_force::NeuralKind;
+use crate::models::printed::Printed;
+use crate::models::tool::{Outline, Tool};
+
+/// A map of the force; see [`ForceLaw`] for what is not said here.
+pub trait MapLaw: Clone + std::fmt::Debug {
+    /// See [`ForceLaw::ABOUT`].
+    const ABOUT: &'static str;
+    /// See [`ForceLaw::NETWORK`].
+    const NETWORK: Option<NeuralKind> = None;
+    /// See [`ForceLaw::FORMULA`].
+    const FORMULA: bool = false;
+
+    /// The map of a plant with a tool at a radial depth of cut in mm.
+    fn new(plant: &PlantSettings, tool: &Tool, radial_depth_mm: f64) -> Self;
+
+    /// The largest force of a revolution in N at feed in mm/min, speed in 1/min and an engagement, 0 in the
+    /// air; `life_factor` is that of the wear over the tool's life.
+    fn force(
+        &mut self,
+        feed_mm_min: f64,
+        speed_rpm: f64,
+        place: &Engagement,
+        life_factor: f64,
+    ) -> Valued;
+
+    /// See [`ForceLaw::short_name`].
+    #[must_use]
+    fn short_name(set: ModelSet) -> String;
+
+    /// See [`ForceLaw::printed`].
+    #[must_use]
+    fn printed(set: ModelSet) -> &'static [Printed];
+
+    /// See [`ForceLaw::explain`].
+    #[must_use]
+    fn explain(moment: &ForceMoment) -> Vec<Live>;
+}
+
+/// A map along one path, or along the sections of several cuts.
+#[derive(Clone, Debug)]
+pub struct Mapped<M> {
+    map: M,
+    outline: Outline,
+    several: bool,
+}
+
+/// Whether the tool is in the material; otherwise it is in the air.
+pub(super) fn engaged(place: &Engagement) -> bool {
+    place.axial_depth_mm > 0.0 && place.radial_depth_mm > 0.0
+}
+
+impl<M: MapLaw> ForceLaw for Mapped<M> {
+    const ABOUT: &'static str = M::ABOUT;
+    const MAP: bool = true;
+    const NETWORK: Option<NeuralKind> = M::NETWORK;
+    const FORMULA: bool = M::FORMULA;
+
+    fn new(setup: &ForceSetup) -> Self {
+        Self {
+            map: M::new(setup.plant, setup.tool, setup.radial_depth_mm),
+            outline: setup.tool.outline(),
+            several: setup.several,
+        }
+    }
+
+    #[inline]
+    fn cut(&mut self, step: &CutStep) -> Force {
+        let CutStep { feed_mm_min, speed_rpm, life_factor, .. } = *step;
+        let map = &mut self.map;
+        let mut force_in =
+            |place: &Engagement| map.force(feed_mm_min, speed_rpm, place, life_factor);
+        let (model, air) = if self.several {
+            let (cut, x_mm) = step.under;
+            let model = contact::force_along(&self.outline, cut, x_mm, force_in);
+            (model, model.value < step.air_n)
+        } else {
+            (force_in(&step.place), !engaged(&step.place))
+        };
+        let dynamic_n = math::positive(model.value * step.dynamic);
+        Force { model, dynamic_n, teeth_n: None, height_mm: [0.0; MAX_TEETH], air }
+    }
+
+    fn at(
+        setup: &ForceSetup,
+        feed_mm_min: f64,
+        speed_rpm: f64,
+        place: &Engagement,
+    ) -> Option<Valued> {
+        let mut map = M::new(setup.plant, setup.tool, place.radial_depth_mm);
+        Some(map.force(feed_mm_min, speed_rpm, place, 1.0))
+    }
+
+    fn short_name(set: ModelSet) -> String {
+        M::short_name(set)
+    }
+
+    fn printed(set: ModelSet) -> &'static [Printed] {
+        M::printed(set)
+    }
+
+    fn explain(moment: &ForceMoment) -> Vec<Live> {
+        M::explain(moment)
+    }
+}

@@ -1,0 +1,160 @@
+//! The mechanistic model of the end mill, tooth by tooth: the milling simulator of 2005
+//! ([`crate::blocks::cutting::milling`]), and the largest force of every control period.
+
+use super::law::{ForceLaw, ForceMoment, ForceSetup};
+use crate::base::equation::{Live, number};
+use crate::base::math;
+use crate::base::units::mm_from_um;
+use crate::base::window::WindowMax;
+use crate::blocks::cutting::material::Material;
+use crate::blocks::cutting::milling::{Milling, MillingSetup};
+use crate::blocks::cutting::process::{CutStep, Force, PlantSettings};
+use crate::models::Valued;
+use crate::models::ball_end::{CK45, Cutter, Cutting, MNCRSI5};
+use crate::models::genetic::ModelSet;
+use crate::models::printed::Printed;
+use crate::models::spindle::SLOWEST_RPM;
+use crate::models::tool::Tool;
+
+const PRINTED: &[Printed] = &[
+    Printed::new(
+        "h = [(f_t + X_m) sin φ + Y_m cos φ + Δρ] sin κ",
+        "Combined system 2005, Fig. 3 (lost), as ball-end geometry after Lee and Altintas",
+    ),
+    Printed::new(
+        "X_m = G [F_x(t) - F_x(t - T)],  Y_m = G [F_y(t) - F_y(t - T)]",
+        "Combined system 2005, eq. 1: compliance with the delay of one tooth period",
+    ),
+    Printed::new(
+        "dF_i = k_i h^{1 - m} db",
+        "Kienzle's laws, tangential, radial and axial (constants of published tables, in part chosen)",
+    ),
+];
+
+/// The teeth with the largest of what they make.
+#[derive(Clone, Debug)]
+pub struct Mechanistic {
+    milling: Milling,
+    largest: WindowMax<1>,
+    wear_factor: f64,
+}
+
+/// The tool in the plant's material. Materials but the two of the 2005 paper are Ck45
+/// times the ratio of their forces, hardness included.
+fn milling_setup(plant: &PlantSettings, tool: &Tool, dt_s: f64) -> MillingSetup {
+    let (steel, base) = match plant.material {
+        Material::MnCrSi5 => (MNCRSI5, Material::MnCrSi5),
+        Material::Ck45
+        | Material::S235
+        | Material::Crmo42
+        | Material::X5CrNi
+        | Material::NiCrMoV
+        | Material::Gjl250
+        | Material::Gjs600
+        | Material::Al7075
+        | Material::Brass
+        | Material::Ti64 => (CK45, Material::Ck45),
+    };
+    let factor =
+        plant.material.force_factor(plant.hardness_hb) / base.force_factor(base.hardness_hb());
+    MillingSetup {
+        cutter: Cutter::new(tool, mm_from_um(tool.runout_um), plant.slice_mm),
+        steel,
+        rake_deg: tool.rake_deg,
+        hardness_hb: steel.hardness_hb,
+        factor,
+        dt_s,
+    }
+}
+
+impl ForceLaw for Mechanistic {
+    const ABOUT: &'static str = "The mechanistic model of the end mill, tooth by tooth (2005 milling \
+                                 simulator); wants plant steps of some 30 us.";
+    const MAP: bool = false;
+    /// Some 180 samples for a tooth period of the papers' cut.
+    const LONGEST_STEP_S: f64 = 1e-4;
+    const IDENTIFIED_SET: Option<ModelSet> = Some(ModelSet::Milling2005);
+
+    fn new(setup: &ForceSetup) -> Self {
+        let milling = milling_setup(setup.plant, setup.tool, setup.dt_s);
+        Self {
+            milling: Milling::new(&milling, setup.depth_max_mm),
+            largest: WindowMax::new(setup.window),
+            wear_factor: setup.plant.wear_factor,
+        }
+    }
+
+    /// A turning cutter goes on.
+    fn take_over(&mut self, before: &Self) {
+        self.milling.take_over(&before.milling);
+        self.largest = before.largest.clone();
+    }
+
+    fn make_rigid(&mut self) {
+        self.milling.make_rigid();
+    }
+
+    fn restart(&mut self) {
+        self.milling.restart();
+        self.largest.restart();
+    }
+
+    fn spindle_turn(&self) -> Option<f64> {
+        Some(self.milling.spindle_turn())
+    }
+
+    #[inline]
+    fn cut(&mut self, step: &CutStep) -> Force {
+        let CutStep { feed_mm_min, speed_rpm, life_factor, dynamic, .. } = *step;
+        let (cut, x_mm) = step.under;
+        let factor = self.wear_factor * life_factor * math::positive(dynamic);
+        let Cutting { forces_n, height_mm } =
+            self.milling.update(feed_mm_min, speed_rpm, x_mm, cut, factor);
+        let [x, y, _] = forces_n;
+        let [largest_n] = self.largest.push(step.tick, [(x * x + y * y).sqrt()]);
+        Force {
+            model: Valued::new(largest_n, speed_rpm >= SLOWEST_RPM),
+            dynamic_n: largest_n,
+            teeth_n: Some(forces_n),
+            height_mm,
+            air: largest_n < step.air_n,
+        }
+    }
+
+    fn short_name(_: ModelSet) -> String {
+        "by teeth".to_owned()
+    }
+
+    fn printed(_: ModelSet) -> &'static [Printed] {
+        PRINTED
+    }
+
+    /// What a tooth meets now, and the peak of the control period.
+    fn explain(moment: &ForceMoment) -> Vec<Live> {
+        let ForceMoment { tool, feed_mm_min, speed_rpm, place, .. } = *moment;
+        let per_tooth_mm = tool.feed_per_tooth_mm(feed_mm_min, speed_rpm.max(1.0));
+        vec![
+            Live::everywhere(
+                "f_t = f_a / (z n_a)",
+                format!(
+                    "f_t = {} / ({} · {}) = {} mm, run-out ± {} mm",
+                    number(feed_mm_min),
+                    number(f64::from(tool.teeth)),
+                    number(speed_rpm),
+                    number(per_tooth_mm),
+                    number(mm_from_um(tool.runout_um))
+                ),
+            ),
+            Live::everywhere(
+                "F = largest √(F_x^2 + F_y^2) of a control period",
+                format!(
+                    "F = {} N; with vibration {} N  (A_D {} mm, R_D {} mm)",
+                    number(moment.force_n),
+                    number(moment.force_dyn_n),
+                    number(place.axial_depth_mm),
+                    number(place.radial_depth_mm)
+                ),
+            ),
+        ]
+    }
+}
