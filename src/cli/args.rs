@@ -194,7 +194,7 @@ pub struct PapersArgs {
     #[arg(long, value_enum, default_value = "identified")]
     pub calibration: CalibrationArg,
     /// What gives the plant's cutting force.
-    #[arg(long, value_parser = one_of(&ForceModel::MAPS, ForceModel::id), default_value = ForceModel::Formula.id())]
+    #[arg(long, value_parser = one_of(ForceModel::maps(), ForceModel::id), default_value = ForceModel::Formula.id())]
     pub plant: ForceModel,
     /// Print one JSON object.
     #[arg(long)]

@@ -21,7 +21,7 @@ use steadycut_core::run::signals::flag;
 fn plants() -> Vec<(&'static str, Scenario)> {
     let mut plants = Vec::new();
     for preset in ["table3-5", "strategy-table1-5"] {
-        for force_model in ForceModel::maps() {
+        for force_model in ForceModel::maps().iter().copied() {
             let mut scenario = load(preset).unwrap();
             scenario.change(|s| s.plant.force_model = force_model).unwrap();
             plants.push((force_model.id(), scenario));

@@ -12,6 +12,8 @@ pub mod law;
 pub mod map;
 mod network_card;
 
+use std::sync::LazyLock;
+
 use super::process::{CutStep, Force};
 use super::tool_path::Engagement;
 use crate::base::equation::Live;
@@ -32,8 +34,11 @@ force_models! {
 impl ForceModel {
     /// The force models that are functions of feed, speed and depth, as published tables need them.
     #[must_use]
-    pub fn maps() -> Vec<Self> {
-        Self::ALL.iter().copied().filter(|model| model.is_map()).collect()
+    pub fn maps() -> &'static [Self] {
+        static MAPS: LazyLock<Vec<ForceModel>> = LazyLock::new(|| {
+            ForceModel::ALL.iter().copied().filter(|model| model.is_map()).collect()
+        });
+        &MAPS
     }
 
     /// Whether the force is simulated instant by instant, with the teeth that make it: it then has
@@ -59,7 +64,7 @@ mod tests {
 
     #[test]
     fn an_offset_that_asks_for_less_than_no_force_is_marked_on_every_map() {
-        for force_model in ForceModel::maps() {
+        for force_model in ForceModel::maps().iter().copied() {
             let place = Engagement { axial_depth_mm: 2.0, radial_depth_mm: 3.0 };
             let force = |force_offset_n: f64| {
                 let plant =
