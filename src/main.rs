@@ -47,6 +47,13 @@ mod web_exports {
         steadycut::app::web::stop();
     }
 
+    /// Whether the next Tab belongs to the browser, so that it leads out of the canvas.
+    #[cfg(feature = "app")]
+    #[wasm_bindgen]
+    pub fn tab_leaves() -> bool {
+        steadycut::app::web::tab_leaves()
+    }
+
     /// The console's state, for the browser test.
     #[cfg(feature = "app")]
     #[wasm_bindgen]

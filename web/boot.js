@@ -59,6 +59,26 @@ const trapped = (error) => {
 window.addEventListener("error", (event) => trapped(event.error));
 window.addEventListener("unhandledrejection", (event) => trapped(event.reason));
 
+// --- keys -------------------------------------------------------------------------------------
+
+// Each key acts in the page or in the browser, never in both. The browser's own do not reach the
+// program, and what the program answers does not reach the browser.
+const BROWSERS_WITH_ALT = new Set(["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home"]);
+const PROGRAMS_WITH_CTRL = new Set(["z", "y"]);
+const PROGRAMS_ALONE = new Set(["Home", "End"]);
+
+function key(event) {
+  if (!started || failed) return;
+  const ctrl = event.ctrlKey || event.metaKey;
+  const leaves = event.key === "Tab" && !ctrl && window.steadycut.tab_leaves();
+  if (leaves || (event.altKey && BROWSERS_WITH_ALT.has(event.key))) event.stopImmediatePropagation();
+  else if (ctrl ? PROGRAMS_WITH_CTRL.has(event.key.toLowerCase()) : PROGRAMS_ALONE.has(event.key)) {
+    // A text that is being written keeps them.
+    if (event.target === byId("canvas")) event.preventDefault();
+  }
+}
+window.addEventListener("keydown", key, { capture: true });
+
 // --- what to draw with ------------------------------------------------------------------------
 
 // WebGPU if the browser hands out an adapter, otherwise WebGL 2: the order of the program's own

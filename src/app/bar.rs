@@ -1,12 +1,14 @@
-//! The strip at the head of the window: screens, files, undo and redo, light or dark, and the
-//! messages below it.
+//! The strip at the head of the window: screens, files, undo and redo, light or dark, messages, and what is
+//! worked at.
 
 use egui::{RichText, Role, ThemePreference, Ui, WidgetInfo};
 
 use super::command::{Command, FileCommand, SessionCommand, ShellCommand};
 use super::jobs;
+use super::messages;
 use super::panels::View;
-use super::theme::{self, Palette};
+use super::shortcuts;
+use super::theme::Palette;
 use super::widgets::icon::{self, Icon};
 
 /// A screen as the tabs show it.
@@ -41,7 +43,7 @@ pub fn show(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &
             }
         } else {
             *ui.spacing_mut() = spacing;
-            choice(ui, tabs, shown, commands);
+            choice(ui, view, tabs, shown, commands);
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             if view.narrow {
@@ -50,10 +52,12 @@ pub fn show(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &
                 help(ui, commands);
                 theme_button(ui, commands);
                 ui.separator();
-                file_buttons(ui, commands);
+                file_buttons(ui, view, commands);
                 ui.separator();
                 undo_buttons(ui, view, commands);
             }
+            // At the end of the row, where nothing moves when they come.
+            messages::button(ui, view.session.notices());
             jobs::show(ui, view.jobs);
             let taken = ui.min_rect().width() + GAP;
             if taken != room {
@@ -81,7 +85,7 @@ fn tabs_width(ui: &Ui, tabs: &[Tab]) -> f32 {
 }
 
 /// The screens as a list to choose from, where tabs have no room.
-fn choice(ui: &mut Ui, tabs: &[Tab], shown: &str, commands: &mut Vec<Command>) {
+fn choice(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &mut Vec<Command>) {
     let title = tabs.iter().find(|tab| tab.id == shown).map_or("", |tab| tab.title);
     let list = egui::ComboBox::from_id_salt("screen")
         .selected_text(RichText::new(title).strong())
@@ -96,7 +100,9 @@ fn choice(ui: &mut Ui, tabs: &[Tab], shown: &str, commands: &mut Vec<Command>) {
     });
     let response = list.response;
     response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Screen"));
-    response.on_hover_text("Screens (Ctrl+1, Ctrl+2, …)");
+    let keys = (0..2).filter_map(|order| shortcuts::screen_key(order, view.place));
+    let keys: Vec<String> = keys.map(|keys| ui.ctx().format_shortcut(&keys)).collect();
+    response.on_hover_text(format!("Screens ({}, …)", keys.join(", ")));
 }
 
 fn menu(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
@@ -108,7 +114,7 @@ fn menu(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
             help(ui, commands);
         });
         ui.separator();
-        file_buttons(ui, commands);
+        file_buttons(ui, view, commands);
     });
 }
 
@@ -135,30 +141,20 @@ fn theme_button(ui: &mut Ui, commands: &mut Vec<Command>) {
     }
 }
 
-fn file_buttons(ui: &mut Ui, commands: &mut Vec<Command>) {
+fn file_buttons(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     // In reading order; a layout from the right turns it round.
     let mut buttons = [
-        (
-            "Open",
-            "Open a scenario file (Ctrl+O); one can also be dropped here",
-            Command::File(FileCommand::Open),
-        ),
-        ("Save", "Save the scenario with its edits (Ctrl+S)", Command::File(FileCommand::Save)),
-        (
-            "CSV",
-            "Export all signals of the run as CSV (Ctrl+E)",
-            Command::File(FileCommand::ExportCsv),
-        ),
-        (
-            "Link",
-            "Copy a link that holds scenario and edits (Ctrl+L)",
-            Command::File(FileCommand::CopyLink),
-        ),
+        ("Open", "Open a scenario file; one can also be dropped here", FileCommand::Open),
+        ("Save", "Save the scenario with its edits", FileCommand::Save),
+        ("CSV", "Export all signals of the run as CSV", FileCommand::ExportCsv),
+        ("Link", "Copy a link that holds scenario and edits", FileCommand::CopyLink),
     ];
     if ui.layout().prefer_right_to_left() {
         buttons.reverse();
     }
     for (name, help, command) in buttons {
+        let command = Command::File(command);
+        let help = help.to_owned() + &shortcuts::hint(ui.ctx(), view.place, &command);
         if ui.button(name).on_hover_text(help).clicked() {
             commands.push(command);
         }
@@ -168,42 +164,17 @@ fn file_buttons(ui: &mut Ui, commands: &mut Vec<Command>) {
 fn undo_buttons(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     let session = view.session;
     let mut buttons = [
-        (Icon::Undo, "Undo", "Take the last change back (Ctrl+Z)", session.can_undo()),
-        (Icon::Redo, "Redo", "Do it again (Ctrl+Shift+Z)", session.can_redo()),
+        (Icon::Undo, "Undo", "Take the last change back", SessionCommand::Undo, session.can_undo()),
+        (Icon::Redo, "Redo", "Do it again", SessionCommand::Redo, session.can_redo()),
     ];
     if ui.layout().prefer_right_to_left() {
         buttons.reverse();
     }
-    for (sign, name, help, enabled) in buttons {
-        if icon::button(ui, sign, name, help, enabled).clicked() {
-            commands.push(if sign == Icon::Undo {
-                Command::Session(SessionCommand::Undo)
-            } else {
-                Command::Session(SessionCommand::Redo)
-            });
+    for (sign, name, help, command, enabled) in buttons {
+        let command = Command::Session(command);
+        let help = help.to_owned() + &shortcuts::hint(ui.ctx(), view.place, &command);
+        if icon::button(ui, sign, name, &help, enabled).clicked() {
+            commands.push(command);
         }
-    }
-}
-
-/// The messages, the last ones first, each with a button that removes it.
-pub fn notices(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-    /// Older ones come back into sight as newer ones are dismissed.
-    const SHOWN: usize = 3;
-    let palette = Palette::at(ui);
-    for notice in view.session.notices().iter().rev().take(SHOWN) {
-        theme::card(palette).stroke(egui::Stroke::new(1.0, palette.warn)).show(ui, |ui| {
-            ui.horizontal(|ui| {
-                let right = egui::Layout::right_to_left(egui::Align::Center);
-                ui.with_layout(right, |ui| {
-                    let help = "Remove this message";
-                    if icon::button(ui, Icon::Close, "Dismiss", help, true).clicked() {
-                        commands.push(Command::Session(SessionCommand::Dismiss(notice.number)));
-                    }
-                    ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
-                        ui.add(egui::Label::new(&notice.text).wrap());
-                    });
-                });
-            });
-        });
     }
 }

@@ -58,8 +58,6 @@ pub enum SessionCommand {
     },
     /// Shows a message.
     Notify(String),
-    /// Removes the notice with this number.
-    Dismiss(u64),
     /// Takes back the last change; the playhead stays.
     Undo,
     /// Does the change taken back last again.
@@ -120,4 +118,10 @@ pub enum ShellCommand {
     Theme(egui::ThemePreference),
     /// Shows or hides the sheet of shortcuts.
     ShowShortcuts(bool),
+    /// Removes the message with this number from the screen; it stays in the list.
+    Dismiss(u64),
+    /// Closes what lies on top: sheet, link, or the newest message.
+    CloseTopmost,
+    /// Puts a link up, for copying it by hand.
+    ShowLink(String),
 }

@@ -34,6 +34,15 @@ impl Console {
             }
             ShellCommand::Theme(preference) => ctx.set_theme(preference),
             ShellCommand::ShowShortcuts(show) => self.shortcuts = show,
+            ShellCommand::Dismiss(number) => self.messages.dismiss(number),
+            ShellCommand::ShowLink(link) => self.link = Some(link),
+            ShellCommand::CloseTopmost => self.close_topmost(),
+        }
+    }
+
+    fn close_topmost(&mut self) {
+        if self.link.take().is_none() && !std::mem::take(&mut self.shortcuts) {
+            self.messages.dismiss_newest();
         }
     }
 
@@ -77,8 +86,7 @@ impl Console {
 
     #[cfg(target_arch = "wasm32")]
     fn copy_link(&mut self, ctx: &egui::Context) {
-        ctx.copy_text(web::address(&self.fragment()));
-        self.session.notify("The link is in the clipboard: it opens this scenario with its edits.");
+        self.files.copy(ctx, web::address(&self.fragment()));
     }
 
     #[cfg(not(target_arch = "wasm32"))]

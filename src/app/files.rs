@@ -2,6 +2,8 @@
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 
+#[cfg(target_arch = "wasm32")]
+use super::command::ShellCommand;
 use super::command::{Command, SessionCommand};
 use crate::base::text::decode;
 
@@ -38,6 +40,12 @@ impl Answer {
 impl Files {
     fn answer(&self, ctx: &egui::Context) -> Answer {
         Answer { sender: self.sender.clone(), ctx: ctx.clone() }
+    }
+
+    /// Answers with a command.
+    pub fn push(&self, command: Command) {
+        // The receiver is beside it.
+        let _ = self.sender.send(command);
     }
 
     /// What has been answered since the last time.
@@ -150,6 +158,24 @@ impl Files {
             Err(_) => format!("the browser did not take {name} for download"),
         };
         self.answer(ctx).send(Command::notify(text));
+    }
+}
+
+#[cfg(target_arch = "wasm32")]
+impl Files {
+    /// Puts a link into the clipboard and says so once it is there; where the browser refuses, or has no
+    /// clipboard (plain http), the link is put up for copying.
+    pub fn copy(&self, ctx: &egui::Context, link: String) {
+        let answer = self.answer(ctx);
+        spawn(async move {
+            answer.send(match super::web::copy(&link).await {
+                Ok(()) => Command::notify(
+                    "The link is in the clipboard: it opens this scenario with its edits."
+                        .to_owned(),
+                ),
+                Err(_) => Command::Shell(ShellCommand::ShowLink(link)),
+            });
+        });
     }
 }
 

@@ -10,6 +10,8 @@ mod files;
 pub mod format;
 pub mod history;
 pub mod jobs;
+mod link;
+mod messages;
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 pub mod panels;
@@ -30,17 +32,18 @@ use egui::{CentralPanel, Frame, Margin, Panel as SidePanel, Ui};
 
 use crate::run::{Start, scenario_link};
 use bar::Tab;
-use command::Command;
+use command::{Command, ShellCommand};
 use files::Files;
 use jobs::Jobs;
+use link::{Address, Due};
+use messages::Messages;
 use panels::{Panel, View, panels};
 use session::Session;
-use widgets::{scaffold, setting};
+use shortcuts::{Place, Reach};
+use widgets::{focus, scaffold, setting};
 
 /// Time without a change after which a drag counts as over, s.
 const GESTURE_PAUSE_S: f64 = 0.6;
-/// The link is brought up to date at most this often, s: browsers refuse more.
-const LINK_EVERY_S: f64 = 0.5;
 
 /// The application.
 pub struct Console {
@@ -49,18 +52,20 @@ pub struct Console {
     panels: Vec<Box<dyn Panel>>,
     shown: usize,
     files: Files,
+    place: Place,
+    messages: Messages,
+    /// Whether the sheet of keys is shown.
     shortcuts: bool,
+    /// A link that is put up for copying.
+    link: Option<String>,
+    address: Address,
+    /// Whether a control had the focus at the end of the last frame.
+    had_focus: bool,
+    /// Whether the next Tab leaves the console, in a page.
+    tab_leaves: bool,
     frames: u64,
     since_change_s: f64,
-    link: Link,
     target_slider: Option<egui::Rect>,
-}
-
-/// What the link in the page's address holds.
-#[derive(Default)]
-struct Link {
-    changes: u64,
-    age_s: f64,
 }
 
 /// Opens the console in a window of the desktop and stays until it is closed.
@@ -97,10 +102,15 @@ impl Console {
             panels,
             shown: 0,
             files: Files::default(),
+            place: Place::HERE,
+            messages: Messages::default(),
             shortcuts: false,
+            link: None,
+            address: Address::default(),
+            had_focus: false,
+            tab_leaves: false,
             frames: 0,
             since_change_s: 0.0,
-            link: Link::default(),
             target_slider: None,
         }
     }
@@ -109,6 +119,30 @@ impl Console {
     #[must_use]
     pub fn session(&self) -> &Session {
         &self.session
+    }
+
+    /// Takes the keys of a page from now on, as in a browser.
+    pub fn act_as_page(&mut self) {
+        self.place = Place::Page;
+    }
+
+    /// Carries a command out in the next frame.
+    pub fn push(&self, command: Command) {
+        self.files.push(command);
+    }
+
+    /// The messages over the screen, the newest last.
+    pub fn messages(&self) -> impl Iterator<Item = &str> {
+        let notices = self.session.notices().iter();
+        notices
+            .filter(|notice| self.messages.is_up(notice.number))
+            .map(|notice| notice.text.as_str())
+    }
+
+    /// Whether the next Tab is to leave the console for what stands around it.
+    #[must_use]
+    pub fn tab_leaves(&self) -> bool {
+        self.tab_leaves
     }
 
     /// The long work of the screens.
@@ -124,35 +158,75 @@ impl Console {
         let mut commands: Vec<Command> = self.files.answers().collect();
         self.files.take_dropped(&ctx);
         let ids: Vec<&'static str> = self.panels.iter().map(|panel| panel.id()).collect();
-        shortcuts::read(&ctx, &ids, &mut commands);
+        let timeline = self.panels[self.shown].has_timeline();
+        let reach = Reach { place: self.place, screens: &ids, timeline };
+        focus::resume(&ctx);
+        self.escape(&ctx, &mut commands);
+        shortcuts::read(&ctx, &reach, &mut commands);
         for command in commands.drain(..) {
             self.execute(command, &ctx);
         }
-        self.session.advance(dt_s);
+        // The playhead moves where it is seen.
+        let timeline = self.panels[self.shown].has_timeline();
+        self.session.advance(if timeline && !is_hidden() { dt_s } else { 0.0 });
         self.jobs.pump(&ctx);
         self.since_change_s += dt_s;
         if self.since_change_s > GESTURE_PAUSE_S && !ctx.input(|input| input.pointer.any_down()) {
             self.session.end_gesture();
         }
+        self.messages.follow(self.session.notices(), dt_s);
         self.draw(ui, &mut commands);
-        shortcuts::sheet(&ctx, ids.len(), &mut self.shortcuts);
+        shortcuts::sheet(&ctx, &Reach { timeline, ..reach }, &mut self.shortcuts);
+        if let Some(link) = self.link.take() {
+            self.link = link::show(&ctx, &link).then_some(link);
+        }
         let acted = !commands.is_empty();
         for command in commands {
             self.execute(command, &ctx);
         }
+        self.follow_focus(&ctx);
         self.frames += 1;
         self.target_slider = setting::slider_rect(&ctx, "target.ra_um");
-        self.write_link(dt_s);
+        self.write_address(&ctx);
         let session = &self.session;
-        let at_work = session.playback().playing || session.progress() < 1.0;
-        if acted || at_work || session.comparison_is_due() {
+        let plays = session.playback().playing && timeline;
+        if acted || plays || session.progress() < 1.0 || session.comparison_is_due() {
             ctx.request_repaint();
+        }
+    }
+
+    /// What Escape closes around the screens. A control that has the focus loses it first, and menus close
+    /// themselves.
+    fn escape(&mut self, ctx: &egui::Context, commands: &mut Vec<Command>) {
+        let escaped = ctx.input(|input| input.key_pressed(egui::Key::Escape));
+        if !escaped || egui::Popup::is_any_open(ctx) {
+            return;
+        }
+        let over = self.shortcuts || self.link.is_some();
+        if over || (!self.had_focus && self.messages().next().is_some()) {
+            ctx.input_mut(|input| input.consume_key(egui::Modifiers::NONE, egui::Key::Escape));
+            commands.push(Command::Shell(ShellCommand::CloseTopmost));
+        }
+    }
+
+    /// Whether Tab stays in the console: it does until Escape found nothing to close in this frame.
+    fn follow_focus(&mut self, ctx: &egui::Context) {
+        let had_focus = self.had_focus;
+        self.had_focus = ctx.memory(|memory| memory.focused().is_some());
+        let (escaped, touched) = ctx.input(|input| {
+            let left = !input.raw.focused || input.pointer.any_pressed();
+            (input.key_pressed(egui::Key::Escape), left)
+        });
+        if self.had_focus || touched {
+            self.tab_leaves = false;
+        } else if escaped && !had_focus && !egui::Popup::is_any_open(ctx) {
+            self.tab_leaves = true;
         }
     }
 
     fn draw(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         let narrow = ui.available_width() < theme::NARROW;
-        let view = View { session: &self.session, jobs: &self.jobs, narrow };
+        let view = View { session: &self.session, jobs: &self.jobs, place: self.place, narrow };
         let tabs: Vec<Tab> =
             self.panels.iter().map(|p| Tab { id: p.id(), title: p.title() }).collect();
         let side = if view.narrow { 8 } else { 12 };
@@ -163,14 +237,17 @@ impl Console {
         let frame = strip(ui, 6);
         SidePanel::top("bar").frame(frame).resizable(false).show(ui, |ui| {
             bar::show(ui, &view, &tabs, shown, commands);
-            bar::notices(ui, &view, commands);
         });
-        SidePanel::bottom("timeline").frame(strip(ui, 6)).resizable(false).show(ui, |ui| {
-            timeline::show(ui, &view, commands);
-        });
+        if self.panels[self.shown].has_timeline() {
+            SidePanel::bottom("timeline").frame(strip(ui, 6)).resizable(false).show(ui, |ui| {
+                timeline::show(ui, &view, commands);
+            });
+        }
+        let middle = ui.available_rect_before_wrap();
         CentralPanel::no_frame().frame(strip(ui, 0).inner_margin(0)).show(ui, |ui| {
             self.panels[self.shown].ui(ui, &view, commands);
         });
+        self.messages.show(ui.ctx(), middle, self.session.notices(), commands);
     }
 
     /// Scenario and edits as the part of a link after `#`.
@@ -179,24 +256,27 @@ impl Console {
     }
 
     /// Keeps the page's address current; a window of the desktop has none.
-    fn write_link(&mut self, dt_s: f64) {
-        self.link.age_s += dt_s;
-        if self.link.changes == self.session.changes() || self.link.age_s < LINK_EVERY_S {
-            return;
+    fn write_address(&mut self, ctx: &egui::Context) {
+        match self.address.due(self.session.changes(), clock::now_s()) {
+            Due::Current => {}
+            // Nothing else may ask for a frame by then.
+            Due::In(wait_s) => ctx.request_repaint_after_secs(wait_s as f32),
+            Due::Now => {
+                #[cfg(target_arch = "wasm32")]
+                web::write_link(&self.fragment());
+            }
         }
-        self.link = Link { changes: self.session.changes(), age_s: 0.0 };
-        #[cfg(target_arch = "wasm32")]
-        web::write_link(&self.fragment());
     }
 
     /// What tests in a browser read: frames drawn, playhead, target and produced Ra, the screen
-    /// that is shown and the list of all with their keys (with Ctrl; null where there is none), the
-    /// last message, and where the slider of the target is, in points.
+    /// that is shown and the list of all with their keys (alone in a page, with Ctrl in a window; null where
+    /// there is none), the last message, a link put up for copying, whether the address holds the last change, and where the slider of the target is, in points.
     #[must_use]
     pub fn state_json(&self) -> String {
         let playback = self.session.playback();
         let screens = self.panels.iter().enumerate().map(|(place, panel)| {
-            let key = shortcuts::screen_key(place).map(egui::Key::symbol_or_name);
+            let key = shortcuts::screen_key(place, self.place);
+            let key = key.map(|keys| keys.logical_key.symbol_or_name());
             serde_json::json!({ "id": panel.id(), "title": panel.title(), "key": key })
         });
         let screens: Vec<_> = screens.collect();
@@ -211,11 +291,22 @@ impl Console {
             "ra_um": self.session.row().ra_um,
             "screen": self.panels[self.shown].id(),
             "screens": screens,
+            "link": self.link,
+            "address_is_current": self.address.is_current(self.session.changes()),
             "error": self.session.notices().last().map(|notice| notice.text.as_str()),
             "rects": { "target_ra_slider": rect },
         })
         .to_string()
     }
+}
+
+/// Whether nobody sees the page: then the playhead rests. A window always counts as seen.
+fn is_hidden() -> bool {
+    #[cfg(target_arch = "wasm32")]
+    let hidden = web::is_hidden();
+    #[cfg(not(target_arch = "wasm32"))]
+    let hidden = false;
+    hidden
 }
 
 #[cfg(not(target_arch = "wasm32"))]

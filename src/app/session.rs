@@ -23,6 +23,8 @@ const TICKS_PER_FRAME: u64 = 60_000;
 const TOOTH_TICKS_PER_FRAME: u64 = 12_000;
 /// Steps of undo that are kept.
 const MAX_UNDO: usize = 200;
+/// Messages that are kept.
+const MAX_NOTICES: usize = 100;
 /// Time between two comparisons while playing, s: numbers that change faster can't be read.
 const COMPARE_EVERY_S: f64 = 0.2;
 /// A comparison walks over all revealed rows: with more than these it is made less often.
@@ -31,10 +33,10 @@ const COMPARE_ROWS: usize = 1_000_000;
 /// What times may be off by, having been written in decimals, s.
 const HAIR_S: f64 = 1e-6;
 
-/// A message that stays until it is dismissed.
+/// A message.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Notice {
-    /// Its number, for dismissing it.
+    /// Its number: larger than those of all before.
     pub number: u64,
     /// Its text.
     pub text: String,
@@ -56,6 +58,8 @@ pub struct Session {
     gesture: Option<String>,
     notices: Vec<Notice>,
     notices_so_far: u64,
+    /// Why there is no scenario at the playhead, where that was said.
+    refused: Option<String>,
     /// Scenario as it stands at the playhead.
     current: Scenario,
     comparison: Comparison,
@@ -88,6 +92,7 @@ impl Session {
             gesture: None,
             notices: Vec::new(),
             notices_so_far: 0,
+            refused: None,
             comparison,
             compared: (0, 1, 0),
             since_comparison_s: 0.0,
@@ -146,7 +151,7 @@ impl Session {
         &self.comparison
     }
 
-    /// The messages to show.
+    /// The messages so far, the newest last; old ones are forgotten at last.
     #[must_use]
     pub fn notices(&self) -> &[Notice] {
         &self.notices
@@ -248,13 +253,14 @@ impl Session {
         self.gesture = None;
     }
 
-    /// Shows a message, once.
+    /// Says something; what was said before in the same words is said again in its place.
     pub fn notify(&mut self, text: impl Into<String>) {
         let text = text.into();
-        if self.notices.iter().all(|notice| notice.text != text) {
-            self.notices_so_far += 1;
-            self.notices.push(Notice { number: self.notices_so_far, text });
-        }
+        self.notices.retain(|notice| notice.text != text);
+        self.notices_so_far += 1;
+        self.notices.push(Notice { number: self.notices_so_far, text });
+        let over = self.notices.len().saturating_sub(MAX_NOTICES);
+        self.notices.drain(..over);
     }
 
     /// Says which edits were left out, and why.
@@ -271,8 +277,15 @@ impl Session {
     fn refresh(&mut self) {
         let (scenario, edits) = &self.plan;
         match edits.scenario_at(scenario, self.playback.playhead_s + HAIR_S) {
-            Ok(current) => self.current = current,
-            Err(refused) => self.notify(refused.to_string()),
+            Ok(current) => (self.current, self.refused) = (current, None),
+            Err(refused) => {
+                // Said once, though it is found in every frame.
+                let refused = Some(refused.to_string());
+                if refused != self.refused {
+                    self.refused.clone_from(&refused);
+                    refused.into_iter().for_each(|text| self.notify(text));
+                }
+            }
         }
     }
 

@@ -1,9 +1,38 @@
 //! The keyboard: one table gives the keys and the sheet that lists them. The first nine screens have
-//! a key each; there is no end to how many there may be.
+//! a key each; there is no end to how many there may be. A browser keeps some keys for itself: a page has
+//! others for the same.
+
+mod sheet;
 
 use egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 use super::command::{Command, FileCommand, PlaybackCommand, SessionCommand, ShellCommand};
+pub use sheet::sheet;
+
+/// Where the console runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// In a window of its own.
+    Window,
+    /// In a page of a browser, to which Ctrl with a digit, L and E belong.
+    Page,
+}
+
+impl Place {
+    /// Where this program runs.
+    pub const HERE: Self = if cfg!(target_arch = "wasm32") { Self::Page } else { Self::Window };
+}
+
+/// What the keys can reach now.
+#[derive(Clone, Copy, Debug)]
+pub struct Reach<'a> {
+    /// Where the console runs.
+    pub place: Place,
+    /// Ids of the screens, in the order of their tabs.
+    pub screens: &'a [&'static str],
+    /// Whether the run's timeline is on the screen.
+    pub timeline: bool,
+}
 
 /// A key with what it does.
 struct Shortcut {
@@ -12,13 +41,28 @@ struct Shortcut {
     command: Command,
 }
 
-fn table() -> Vec<Shortcut> {
+impl Shortcut {
+    /// Whether it acts too while a slider, a button or another widget has the focus: arrows, Home and End
+    /// belong to that widget.
+    fn acts_anywhere(&self) -> bool {
+        let KeyboardShortcut { modifiers, logical_key } = self.keys;
+        let arrow = matches!(logical_key, Key::ArrowLeft | Key::ArrowRight | Key::Home | Key::End);
+        modifiers.command || !arrow
+    }
+}
+
+fn table(place: Place) -> Vec<Shortcut> {
     let shortcut = |modifiers, key, doing, command| Shortcut {
         keys: KeyboardShortcut::new(modifiers, key),
         doing,
         command,
     };
     let (none, shift, ctrl) = (Modifiers::NONE, Modifiers::SHIFT, Modifiers::COMMAND);
+    // A page's own keys where the browser has another use for those with Ctrl.
+    let own = match place {
+        Place::Window => ctrl,
+        Place::Page => none,
+    };
     // Keys with more modifiers stand before the same keys with fewer.
     vec![
         shortcut(
@@ -70,12 +114,13 @@ fn table() -> Vec<Shortcut> {
             "Save the scenario with its edits",
             Command::File(FileCommand::Save),
         ),
-        shortcut(ctrl, Key::E, "Export all signals as CSV", Command::File(FileCommand::ExportCsv)),
-        shortcut(ctrl, Key::L, "Copy a link to this state", Command::File(FileCommand::CopyLink)),
+        shortcut(own, Key::E, "Export all signals as CSV", Command::File(FileCommand::ExportCsv)),
+        shortcut(own, Key::L, "Copy a link to this state", Command::File(FileCommand::CopyLink)),
     ]
 }
 
-/// The keys of the screens, with Ctrl. Ctrl+0 is none of them: it resets the zoom.
+/// The keys of the screens: with Ctrl in a window, alone in a page. 0 is none of them: with Ctrl it resets the
+/// zoom.
 const DIGITS: [Key; 9] = [
     Key::Num1,
     Key::Num2,
@@ -88,77 +133,78 @@ const DIGITS: [Key; 9] = [
     Key::Num9,
 ];
 
-/// The key that shows the screen at this place in the order of the tabs, with Ctrl; the tenth and
-/// those after it have none and are shown by their tabs.
+/// The key that shows the screen at this place in the order of the tabs; the tenth and those after it have
+/// none and are shown by their tabs.
 #[must_use]
-pub fn screen_key(place: usize) -> Option<Key> {
-    DIGITS.get(place).copied()
-}
-
-/// The line of the sheet that says how the screens are shown, where there are `count` of them.
-fn screens_line(ctx: &Context, count: usize) -> Option<(String, &'static str)> {
-    let name = |key| ctx.format_shortcut(&KeyboardShortcut::new(Modifiers::COMMAND, key));
-    let last = *DIGITS.get(..count).unwrap_or(&DIGITS).last()?;
-    let keys = format!("{} … {}", name(DIGITS[0]), name(last));
-    let doing = if count > DIGITS.len() {
-        "The first screens; the others by their tabs"
-    } else {
-        "The screens"
+pub fn screen_key(order: usize, place: Place) -> Option<KeyboardShortcut> {
+    let modifiers = match place {
+        Place::Window => Modifiers::COMMAND,
+        Place::Page => Modifiers::NONE,
     };
-    Some((keys, doing))
+    DIGITS.get(order).map(|key| KeyboardShortcut::new(modifiers, *key))
 }
 
-/// The commands of the keys pressed in this frame. Keys without Ctrl belong to the widget that has
-/// the focus, all keys to a text that is being written.
-pub fn read(ctx: &Context, screens: &[&'static str], commands: &mut Vec<Command>) {
+/// The key of a command as a tooltip shows it, in brackets; empty where there is none.
+#[must_use]
+pub fn hint(ctx: &Context, place: Place, command: &Command) -> String {
+    let keys = table(place).into_iter().find(|shortcut| shortcut.command == *command);
+    keys.map_or(String::new(), |found| format!(" ({})", ctx.format_shortcut(&found.keys)))
+}
+
+/// The commands of the keys pressed in this frame. A text that is being written has all keys; what belongs
+/// to Alt is the system's or the browser's.
+pub fn read(ctx: &Context, reach: &Reach<'_>, commands: &mut Vec<Command>) {
     if ctx.text_edit_focused() {
         return;
     }
+    // An open menu has the keys that choose in it.
+    let menu = egui::Popup::is_any_open(ctx);
     let focused = ctx.egui_wants_keyboard_input();
     ctx.input_mut(|input| {
-        for (key, id) in DIGITS.into_iter().zip(screens) {
-            if input.consume_key(Modifiers::COMMAND, key) {
+        if input.modifiers.alt {
+            return;
+        }
+        for (order, id) in reach.screens.iter().enumerate() {
+            if let Some(keys) = screen_key(order, reach.place)
+                && input.consume_shortcut(&keys)
+            {
                 commands.push(Command::Shell(ShellCommand::ShowScreen(id)));
             }
         }
-        if input.key_pressed(Key::Questionmark) && !focused {
+        if input.key_pressed(Key::Questionmark) {
             commands.push(Command::Shell(ShellCommand::ShowShortcuts(true)));
         }
-        for shortcut in table() {
-            let free = shortcut.keys.modifiers.command || !focused;
-            if free && input.consume_shortcut(&shortcut.keys) {
+        for shortcut in table(reach.place) {
+            let there = match shortcut.command {
+                Command::Playback(_) => reach.timeline && !menu,
+                Command::Session(_) | Command::File(_) | Command::Shell(_) => true,
+            };
+            let free = !focused || shortcut.acts_anywhere();
+            if there && free && input.consume_shortcut(&shortcut.keys) {
                 commands.push(shortcut.command);
             }
         }
     });
 }
 
-/// The sheet that lists all keys, for this number of screens.
-pub fn sheet(ctx: &Context, screens: usize, open: &mut bool) {
-    egui::Window::new("Keyboard")
-        .open(open)
-        .collapsible(false)
-        .resizable(false)
-        .anchor(egui::Align2::CENTER_CENTER, egui::Vec2::ZERO)
-        .vscroll(true)
-        .default_height(600.0)
-        .show(ctx, |ui| {
-            egui::Grid::new("keys").num_columns(2).spacing([24.0, 5.0]).show(ui, |ui| {
-                let mut line = |keys: String, doing: &str| {
-                    ui.strong(keys);
-                    ui.label(doing);
-                    ui.end_row();
-                };
-                for shortcut in table() {
-                    line(ctx.format_shortcut(&shortcut.keys), shortcut.doing);
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_key_has_two_meanings_and_a_page_leaves_the_browser_its_own() {
+        for place in [Place::Window, Place::Page] {
+            let screens = (0..9).filter_map(|order| screen_key(order, place));
+            let all: Vec<KeyboardShortcut> =
+                table(place).iter().map(|shortcut| shortcut.keys).chain(screens).collect();
+            for (i, keys) in all.iter().enumerate() {
+                assert!(!all[..i].contains(keys), "{keys:?}");
+                let of_the_browser = [Key::E, Key::L].contains(&keys.logical_key)
+                    || DIGITS.contains(&keys.logical_key);
+                if place == Place::Page && of_the_browser {
+                    assert!(!keys.modifiers.any(), "{keys:?}");
                 }
-                if let Some((keys, doing)) = screens_line(ctx, screens) {
-                    line(keys, doing);
-                }
-                line("?".to_owned(), "This sheet");
-                line("Double-click on a plot".to_owned(), "Fit");
-                line("Drag on a plot".to_owned(), "Zoom");
-                line("Right-click on a setting".to_owned(), "Back to its default");
-            });
-        });
+            }
+        }
+    }
 }

@@ -6,7 +6,9 @@ use super::command::{Command, PlaybackCommand};
 use super::format;
 use super::panels::View;
 use super::playback::Speed;
+use super::shortcuts::hint;
 use super::theme::Palette;
+use super::widgets::focus;
 use super::widgets::icon::{self, Icon};
 use crate::run::one_run::End;
 
@@ -26,9 +28,10 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         if icon::button(ui, sign, name, &format!("{name} (Space)"), true).clicked() {
             commands.push(Command::Playback(PlaybackCommand::TogglePlay));
         }
-        let help = "One control sample on (Ctrl+Right)";
-        if icon::button(ui, Icon::Step, "Step", help, true).clicked() {
-            commands.push(Command::Playback(PlaybackCommand::Step(1)));
+        let step = Command::Playback(PlaybackCommand::Step(1));
+        let help = format!("One control sample on{}", hint(ui.ctx(), view.place, &step));
+        if icon::button(ui, Icon::Step, "Step", &help, true).clicked() {
+            commands.push(step);
         }
         if icon::button(ui, Icon::End, "End", "To the end of the cut (End)", true).clicked() {
             commands.push(Command::Playback(PlaybackCommand::SeekToEnd));
@@ -102,7 +105,7 @@ fn scrub(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     let response = ui.add(slider);
     response.widget_info(|| WidgetInfo::slider(true, playhead_s, "Playhead"));
     if response.drag_stopped() {
-        response.surrender_focus();
+        focus::leave(&response);
     }
     if playhead_s != now {
         commands.push(Command::Playback(PlaybackCommand::SeekTo(playhead_s)));

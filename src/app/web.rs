@@ -1,6 +1,6 @@
 //! The console in a web page: start, state for tests, the link kept current, downloads.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use wasm_bindgen::{JsCast, JsValue};
@@ -12,6 +12,7 @@ use crate::run::{Start, presets, scenario_link};
 thread_local! {
     static STATE: RefCell<String> = const { RefCell::new(String::new()) };
     static SHOWN: RefCell<Option<Shown>> = const { RefCell::new(None) };
+    static TAB_LEAVES: Cell<bool> = const { Cell::new(false) };
 }
 
 /// What is on the page. The console is kept apart from eframe's runner, so that it outlives the
@@ -30,6 +31,7 @@ impl eframe::App for Page {
         let mut console = self.0.borrow_mut();
         console.ui(ui);
         STATE.set(console.state_json());
+        TAB_LEAVES.set(console.tab_leaves());
     }
 }
 
@@ -117,6 +119,31 @@ fn start_of_link() -> Start {
 #[must_use]
 pub fn state_json() -> String {
     STATE.with_borrow(Clone::clone)
+}
+
+/// Whether the next Tab belongs to the browser: see [`Console::tab_leaves`].
+#[must_use]
+pub fn tab_leaves() -> bool {
+    TAB_LEAVES.get()
+}
+
+/// Whether the page is in a tab or window that nobody sees.
+pub(super) fn is_hidden() -> bool {
+    let document = web_sys::window().and_then(|window| window.document());
+    document.is_some_and(|document| document.hidden())
+}
+
+/// Puts a text into the clipboard; it is there when this is over.
+pub(super) async fn copy(text: &str) -> Result<(), JsValue> {
+    let window = web_sys::window().ok_or_else(|| JsValue::from_str("no window"))?;
+    let navigator = window.navigator();
+    // Pages without https have none, which the bindings do not know.
+    let clipboard = js_sys::Reflect::get(&navigator, &JsValue::from_str("clipboard"))?;
+    if clipboard.is_undefined() {
+        return Err(JsValue::from_str("no clipboard"));
+    }
+    wasm_bindgen_futures::JsFuture::from(navigator.clipboard().write_text(text)).await?;
+    Ok(())
 }
 
 /// Puts scenario and edits into the page's address, without a step in its history.

@@ -9,5 +9,6 @@ mod panels;
 mod plan;
 mod screen;
 mod screens;
+mod shell;
 mod windows;
 mod workpiece;

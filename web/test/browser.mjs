@@ -152,7 +152,7 @@ test("the console draws, gives the golden digests and obeys the target-Ra slider
   assert.ok(first.screens.length > 1);
   for (const { key, id: screen } of first.screens.slice(1).filter(({ key }) => key)) {
     await t.test(`screen ${screen}`, async () => {
-      await page.keyboard.press(`Control+${key}`);
+      await page.keyboard.press(key);
       const shown = await untilState(page, (now, screen) => now.screen === screen, screen);
       await untilState(page, (now, was) => now.frames > was.frames + 5, shown);
       await picture(page, screen);
@@ -201,6 +201,87 @@ test("a good link opens its scenario, and one pasted into the open page replaces
     null,
     PATIENCE,
   );
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+// Whether a key is left to the browser: nobody has kept it from acting there.
+const isLeft = (page, key) =>
+  page.evaluate(
+    (key) => document.getElementById("canvas").dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, cancelable: true, code: key.key, ...key })),
+    key,
+  );
+
+test("each key acts in the page or in the browser", async () => {
+  const { page, context, wrong } = await open();
+  await page.goto(server.url);
+  await firstFrame(page);
+  await page.keyboard.press("Space");
+  await page.keyboard.press("Shift+ArrowRight");
+  const old = await untilState(page, (now) => !now.playing && now.playhead_s > 0.5);
+  for (const key of [
+    { key: "ArrowLeft", altKey: true },
+    { key: "4", code: "Digit4", ctrlKey: true },
+    { key: "l", code: "KeyL", ctrlKey: true },
+    { key: "e", code: "KeyE", ctrlKey: true },
+    { key: "F5" },
+  ]) {
+    assert.equal(await isLeft(page, key), true, `${JSON.stringify(key)} is the browser's`);
+  }
+  const now = await untilState(page, (now, was) => now.frames > was.frames + 3, old);
+  assert.deepEqual([now.screen, now.playhead_s, now.link], [old.screen, old.playhead_s, null]);
+  for (const key of [{ key: "ArrowLeft" }, { key: "z", code: "KeyZ", ctrlKey: true }, { key: "End" }, { key: "Tab" }]) {
+    assert.equal(await isLeft(page, key), false, `${JSON.stringify(key)} is the console's`);
+  }
+  // Escape until nothing is left to close, then Tab leads out.
+  for (let times = 0; times < 3; times += 1) await page.keyboard.press("Escape");
+  await page.waitForFunction(() => window.steadycut.tab_leaves(), null, PATIENCE);
+  assert.equal(await isLeft(page, { key: "Tab" }), true);
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+for (const [what, prepare] of [
+  ["refuses", () => Object.defineProperty(navigator, "clipboard", { value: { writeText: () => Promise.reject(new Error("denied")) } })],
+  ["is missing", () => Object.defineProperty(navigator, "clipboard", { value: undefined })],
+]) {
+  test(`where the clipboard ${what} the link is put up, and nothing false is said`, async () => {
+    const { page, context, wrong } = await open({ prepare });
+    await page.goto(server.url);
+    await firstFrame(page);
+    await page.keyboard.press("l");
+    const now = await untilState(page, (now) => now.link !== null);
+    assert.match(now.link, /^http.*#/);
+    assert.equal(now.error, null);
+    await picture(page, "link");
+    assert.deepEqual(wrong, []);
+    await context.close();
+  });
+}
+
+test("the address has the last change, and a hidden page stands still", async () => {
+  const { page, context, wrong } = await open();
+  await page.goto(`${server.url}#v=1&target.ra_um=0.6`);
+  await firstFrame(page);
+  const hide = (hidden) =>
+    page.evaluate((hidden) => {
+      Object.defineProperty(document, "hidden", { value: hidden, configurable: true });
+      document.dispatchEvent(new Event("visibilitychange"));
+    }, hidden);
+  await hide(true);
+  const old = await untilState(page, (now) => now.frames > 5);
+  const now = await untilState(page, (now, was) => now.frames > was.frames + 3, old);
+  assert.equal(now.playhead_s, old.playhead_s);
+  await hide(false);
+  await untilState(page, (now, was) => now.playhead_s > was.playhead_s, now);
+  await page.keyboard.press("Space");
+  const [x0, y0, x1, y1] = now.rects.target_ra_slider;
+  await page.mouse.click(x0 + 0.3 * (x1 - x0), (y0 + y1) / 2);
+  await untilState(page, (now) => now.target_ra_um !== 0.6);
+  for (const key of ["z", "y", "z"]) await page.keyboard.press(`Control+${key}`);
+  await untilState(page, (now) => now.target_ra_um === 0.6 && now.address_is_current);
+  await page.reload();
+  assert.equal((await firstFrame(page)).target_ra_um, 0.6);
   assert.deepEqual(wrong, []);
   await context.close();
 });

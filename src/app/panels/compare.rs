@@ -40,6 +40,10 @@ impl Panel for ComparePanel {
         "Compare"
     }
 
+    fn has_timeline(&self) -> bool {
+        false
+    }
+
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         self.contests.follow(view.session.scenario(), view.jobs);
         let margin =

@@ -7,6 +7,7 @@ pub mod learning;
 use super::command::Command;
 use super::jobs::Jobs;
 use super::session::Session;
+use super::shortcuts::Place;
 
 /// What a panel sees of the console; it changes nothing but by commands.
 pub struct View<'a> {
@@ -14,6 +15,8 @@ pub struct View<'a> {
     pub session: &'a Session,
     /// Long work, which goes on when a screen is left.
     pub jobs: &'a Jobs,
+    /// Where the console runs, for the names of keys.
+    pub place: Place,
     /// Whether the window is as narrow as a phone's.
     pub narrow: bool,
 }
@@ -26,6 +29,10 @@ pub trait Panel {
     fn title(&self) -> &'static str;
     /// Draws it into the whole of `ui`.
     fn ui(&mut self, ui: &mut egui::Ui, view: &View<'_>, commands: &mut Vec<Command>);
+    /// Whether the run's timeline belongs below it. Where not, the playhead rests.
+    fn has_timeline(&self) -> bool {
+        true
+    }
     /// Another screen is shown from now on.
     fn left(&mut self) {}
 }

@@ -75,6 +75,10 @@ impl Panel for PapersPanel {
         "Papers"
     }
 
+    fn has_timeline(&self) -> bool {
+        false
+    }
+
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let side = if view.narrow { 8 } else { 12 };
         let margin = Frame::new().inner_margin(Margin::symmetric(side, 6));

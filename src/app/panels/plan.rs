@@ -70,6 +70,10 @@ impl Panel for PlanPanel {
         "Plan"
     }
 
+    fn has_timeline(&self) -> bool {
+        false
+    }
+
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         self.search.follow(view.session.scenario(), view.jobs);
         let dt_s = scaffold::frame_s(ui.ctx());

@@ -44,9 +44,6 @@ impl Session {
                 }
             }
             SessionCommand::Notify(text) => self.notify(text),
-            SessionCommand::Dismiss(number) => {
-                self.notices.retain(|notice| notice.number != number)
-            }
             SessionCommand::Undo => {
                 self.gesture = None;
                 if let Some(plan) = self.undo.pop() {

@@ -1,7 +1,8 @@
 //! A page's loudspeaker: Web Audio.
 
-use wasm_bindgen::JsValue;
-use web_sys::{AudioBufferSourceNode, AudioContext, AudioScheduledSourceNode, GainNode};
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{AudioBufferSourceNode, AudioContext, AudioScheduledSourceNode, Document, GainNode};
 
 use super::FADE_S;
 
@@ -12,6 +13,40 @@ pub struct Speaker {
     /// The block that sounds, with its share.
     playing: Option<(AudioBufferSourceNode, GainNode)>,
     failure: Option<String>,
+    /// Lives as long as the output.
+    _hidden: Hidden,
+}
+
+/// Silences the output while the page is hidden: frames that could do it may not come then.
+struct Hidden {
+    document: Document,
+    listener: Closure<dyn FnMut()>,
+}
+
+/// What it listens to.
+const VISIBILITY: &str = "visibilitychange";
+
+impl Hidden {
+    fn new(context: &AudioContext) -> Result<Self, JsValue> {
+        let document = web_sys::window().and_then(|window| window.document());
+        let document = document.ok_or_else(|| JsValue::from_str("no document"))?;
+        let (page, context) = (document.clone(), context.clone());
+        let listener = Closure::<dyn FnMut()>::new(move || {
+            // Refused only where it is closed already.
+            let _ = if page.hidden() { context.suspend() } else { context.resume() };
+        });
+        let called = listener.as_ref().unchecked_ref();
+        document.add_event_listener_with_callback(VISIBILITY, called)?;
+        Ok(Self { document, listener })
+    }
+}
+
+impl Drop for Hidden {
+    fn drop(&mut self) {
+        let called = self.listener.as_ref().unchecked_ref();
+        // It was added, so it can be removed.
+        let _ = self.document.remove_event_listener_with_callback(VISIBILITY, called);
+    }
 }
 
 fn problem(error: &JsValue) -> String {
@@ -33,7 +68,8 @@ impl Speaker {
             master.connect_with_audio_node(&context.destination())?;
             // Browsers begin in silence until a click; this is called in the wake of one.
             let _ = context.resume()?;
-            Ok(Self { context, master, playing: None, failure: None })
+            let playing = None;
+            Ok(Self { _hidden: Hidden::new(&context)?, context, master, playing, failure: None })
         };
         made().map_err(|error: JsValue| problem(&error))
     }

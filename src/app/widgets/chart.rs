@@ -103,25 +103,27 @@ fn legend_row(
         for curve in chart.foremost() {
             reading(ui, curve, session.row(), chart.write);
         }
-        let mut entry = |name: &'static str, look: Look| {
+        let mut entry = |ui: &mut Ui, name: &'static str, look: Look| {
             let key = (chart.id, name);
             let hidden = axes.hidden.contains(&key);
-            if legend::entry(ui, name, look, hidden).clicked() && !axes.hidden.remove(&key) {
+            let response = legend::entry(ui, name, look, hidden);
+            if response.clicked() && !axes.hidden.remove(&key) {
                 axes.hidden.insert(key);
             }
+            response
         };
         for curve in chart.curves {
-            entry(SIGNALS[index(curve.signal)].label, curve.look);
+            entry(ui, SIGNALS[index(curve.signal)].label, curve.look);
         }
         if chart.curves.iter().any(|curve| curve.compared) {
-            entry(TWIN, Look::Twin);
-            if session.ghost().is_some() {
-                entry(GHOST, Look::Ghost);
-            }
+            entry(ui, TWIN, Look::Twin);
+            // Its place is kept free: a change, in the middle of a drag mostly, moves no plot.
+            let shown = session.ghost().is_some();
+            ui.add_visible(shown, |ui: &mut Ui| entry(ui, GHOST, Look::Ghost));
         }
         // Those out of the picture need no explanation.
         for (name, _) in chart.levels.iter().filter(|(_, level)| (low..=high).contains(level)) {
-            entry(name, Look::Limit);
+            entry(ui, name, Look::Limit);
         }
     });
     *ui.spacing_mut() = spacing;

@@ -29,6 +29,8 @@ pub enum Icon {
     Menu,
     /// A cross.
     Close,
+    /// A sheet with two lines.
+    Message,
     /// Two sheets.
     Copy,
     /// A loudspeaker with waves.
@@ -128,6 +130,13 @@ pub fn paint(painter: &Painter, icon: Icon, square: Rect, color: Color32, ground
         Icon::Close => {
             painter.line_segment([at(0.15, 0.15), at(0.85, 0.85)], stroke);
             painter.line_segment([at(0.85, 0.15), at(0.15, 0.85)], stroke);
+        }
+        Icon::Message => {
+            let sheet = Rect::from_min_max(at(0.0, 0.08), at(1.0, 0.92));
+            painter.rect_stroke(sheet, 2.0, stroke, egui::StrokeKind::Inside);
+            for y in [0.38, 0.62] {
+                painter.line_segment([at(0.25, y), at(0.75, y)], Stroke::new(1.5, color));
+            }
         }
         Icon::Sound | Icon::Silence => {
             let cone =

@@ -1,6 +1,7 @@
 //! Widgets that several screens use.
 
 pub mod chart;
+pub mod focus;
 pub mod icon;
 pub mod legend;
 pub mod number;
@@ -8,5 +9,6 @@ pub mod plot;
 pub mod scaffold;
 pub mod setting;
 pub mod target;
+pub mod touch;
 pub mod window;
 pub mod zoom;

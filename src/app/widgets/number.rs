@@ -6,6 +6,7 @@ use std::cell::RefCell;
 use egui::{DragValue, Response, Ui};
 
 use super::super::format;
+use super::{focus, touch};
 
 /// What a field holds.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +29,7 @@ impl NumberField<'_> {
     /// The field; what there is to say about a text that was typed goes to `said`.
     pub fn show(&self, ui: &mut Ui, value: &mut f64, said: &mut Option<String>) -> Response {
         let [min, max] = self.range;
-        let problem = RefCell::new(None);
+        let (problem, before) = (RefCell::new(None), *value);
         let drag = DragValue::new(value)
             .range(min..=max)
             .speed(self.speed)
@@ -46,6 +47,10 @@ impl NumberField<'_> {
                 }
             });
         let response = ui.add(drag);
+        touch::only_across(ui, &response, value, before);
+        if response.lost_focus() {
+            focus::remember(&response);
+        }
         if let Some(note) = problem.into_inner() {
             *said = Some(note);
         }

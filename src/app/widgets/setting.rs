@@ -8,6 +8,7 @@ use egui::{ComboBox, Response, Slider, Ui};
 use super::super::command::{Command, SessionCommand};
 use super::super::format;
 use super::number::NumberField;
+use super::{focus, touch};
 use crate::base::settings::{Kind, Value};
 use crate::run::scenario::{Param, Scenario, param};
 
@@ -132,14 +133,16 @@ fn number(
     if let Some(place) = slider {
         ui.spacing_mut().slider_width = ui.available_width();
         let logarithmic = min > 0.0 && max / min > LOGARITHMIC_FROM;
+        let before = value;
         let slider = Slider::new(&mut value, min..=max)
             .show_value(false)
             .logarithmic(logarithmic)
             .max_decimals(decimals);
         let slider = ui.add(slider).labelled_by(label.id);
+        touch::only_across(ui, &slider, &mut value, before);
         if slider.drag_stopped() {
             // So that the keys go to the playhead again.
-            slider.surrender_focus();
+            focus::leave(&slider);
         }
         remember_rect(ui, &param.path, slider.rect);
         *place = Some(slider);

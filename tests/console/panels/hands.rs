@@ -49,7 +49,7 @@ fn type_target(window: &mut Window, text: &str) {
 }
 
 fn notices(window: &Window) -> Vec<String> {
-    console(window).session().notices().iter().map(|notice| notice.text.clone()).collect()
+    console(window).messages().map(str::to_owned).collect()
 }
 
 #[test]

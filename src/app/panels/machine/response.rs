@@ -11,6 +11,7 @@ use crate::app::format;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::legend;
 use crate::app::widgets::zoom::by_touch;
+use crate::app::widgets::touch;
 use crate::base::math::{TAU, acos};
 use crate::models::structure::Complex;
 use crate::models::structure::frf::{FrequencyResponse, LAST_HZ, tree};
@@ -105,11 +106,13 @@ impl ResponseView {
         ui.horizontal_wrapped(|ui| {
             let last_hz = if self.near { NEAR_HZ } else { f64::from(LAST_HZ) };
             ui.spacing_mut().slider_width = 130.0;
+            let before = self.cursor_hz;
             let slider = Slider::new(&mut self.cursor_hz, 0.0..=last_hz)
                 .step_by(1.0)
                 .max_decimals(1)
                 .suffix(" Hz");
             let response = ui.add(slider);
+            touch::only_across(ui, &response, &mut self.cursor_hz, before);
             response.widget_info(|| WidgetInfo::slider(true, self.cursor_hz, "Cursor frequency"));
             moved = response.changed();
             response

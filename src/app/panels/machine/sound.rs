@@ -6,6 +6,7 @@ use crate::app::session::Session;
 use crate::app::speaker::Speaker;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
+use crate::app::widgets::touch;
 use crate::base::units::rev_s_from_rpm;
 use crate::models::machine_trend::MachineTrend;
 use crate::run::signals::flag;
@@ -70,8 +71,10 @@ impl SoundControl {
             self.switch();
         }
         ui.spacing_mut().slider_width = 90.0;
+        let before = self.volume;
         let slider = Slider::new(&mut self.volume, 0.0..=1.0).show_value(false).step_by(0.05);
         let slider = ui.add_enabled(self.on, slider);
+        touch::only_across(ui, &slider, &mut self.volume, before);
         slider.widget_info(|| WidgetInfo::slider(self.on, f64::from(self.volume), "Volume"));
         slider.on_hover_text("Volume");
         if let Some(problem) = &self.problem {

@@ -9,6 +9,7 @@ use super::plot::{Figure, Marks, PlotCurve, decades_of, range_of};
 use crate::app::format;
 use crate::app::session::Session;
 use crate::app::theme::{self, Look, Palette};
+use crate::app::widgets::touch;
 use crate::base::math::extent;
 use crate::models::machine_trend::{TrendLine, TrendPoint};
 use crate::models::wear::WearModel;
@@ -90,9 +91,11 @@ impl WearView {
             ui.label(RichText::new("Tool life used").strong());
             // The slider rounds what it is given.
             let mut x = (100.0 * self.x).round() / 100.0;
+            let before = x;
             let response = ui.add(Slider::new(&mut x, 0.0..=1.0).step_by(0.01).fixed_decimals(2));
+            touch::only_across(ui, &response, &mut x, before);
             response.widget_info(|| WidgetInfo::slider(true, x, "Share of the tool's life"));
-            if response.changed() {
+            if response.changed() && x != before {
                 (self.x, self.follows) = (x, false);
             }
             response.on_hover_text("Fraction τ/T of the tool's life that is drawn and sounded");

@@ -5,6 +5,7 @@ use egui::{PointerButton, Rect, Response, Role, Slider, Ui, Vec2, WidgetInfo};
 use super::cutter::SHANK_MM;
 use crate::app::format::round_step;
 use crate::app::scene::camera::{Camera, Point};
+use crate::app::widgets::touch;
 
 /// Distance of the eye and how far behind the tool it looks, mm: at the tool, and close up.
 const AT_TOOL_MM: [f32; 2] = [96.0, 9.0];
@@ -188,8 +189,10 @@ impl Looking {
                 self.chosen = own.then_some(self.shown);
             }
             if let Some(times) = &mut self.chosen {
+                let before = *times;
                 let slider = Slider::new(times, TIMES[0]..=TIMES[1]).logarithmic(true);
-                ui.add(slider.prefix("heights ×").max_decimals(0)).labelled_by(switch.id);
+                let slider = ui.add(slider.prefix("heights ×").max_decimals(0));
+                touch::only_across(ui, &slider.labelled_by(switch.id), times, before);
             }
             if pages {
                 let help = "Fingers on the picture turn the part; otherwise they scroll the page";

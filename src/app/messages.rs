@@ -1,0 +1,173 @@
+//! Messages: they lie over the screen, move nothing on it and go by themselves once there was time to read
+//! them; all that were shown can be read again in a list.
+
+use egui::{Align, Align2, Area, Context, Layout, Order, Rect, RichText, ScrollArea, Ui, vec2};
+
+use super::command::{Command, ShellCommand};
+use super::session::Notice;
+use super::theme::{self, Palette};
+use super::widgets::icon::{self, Icon};
+
+/// Time that a message is shown, s, and more for each of its letters.
+const SHOWN_S: f64 = 5.0;
+/// See [`SHOWN_S`].
+const SHOWN_PER_CHAR_S: f64 = 0.08;
+/// Most messages over the screen; older ones are in the list.
+const MOST: usize = 3;
+/// Width of messages and list, points, and distance from the edges.
+const WIDTH: f32 = 380.0;
+/// See [`WIDTH`].
+const EDGE: f32 = 10.0;
+
+/// Messages over the screen.
+#[derive(Default)]
+pub struct Messages {
+    /// Number of the last message that was taken.
+    taken: u64,
+    /// Numbers of those that are shown, the newest last, and how long they still are, s.
+    up: Vec<(u64, f64)>,
+    /// Whether the pointer is over them: then they stay.
+    held: bool,
+}
+
+impl Messages {
+    /// Shows new messages, and removes those whose time is over; `dt_s` seconds have gone by.
+    pub fn follow(&mut self, notices: &[Notice], dt_s: f64) {
+        if !self.held {
+            self.up.iter_mut().for_each(|(_, left_s)| *left_s -= dt_s);
+        }
+        for notice in notices.iter().filter(|notice| notice.number > self.taken) {
+            let chars = notice.text.chars().count() as f64;
+            self.up.push((notice.number, SHOWN_S + SHOWN_PER_CHAR_S * chars));
+        }
+        self.taken = notices.last().map_or(self.taken, |notice| notice.number.max(self.taken));
+        self.up.retain(|(number, left_s)| {
+            *left_s > 0.0 && notices.iter().any(|notice| notice.number == *number)
+        });
+        let over = self.up.len().saturating_sub(MOST);
+        self.up.drain(..over);
+    }
+
+    /// Whether one is shown.
+    #[must_use]
+    pub fn is_up(&self, number: u64) -> bool {
+        self.up.iter().any(|(up, _)| *up == number)
+    }
+
+    /// Removes a message from the screen.
+    pub fn dismiss(&mut self, number: u64) {
+        self.up.retain(|(up, _)| *up != number);
+    }
+
+    /// Removes the newest one from the screen; `false` where there is none.
+    pub fn dismiss_newest(&mut self) -> bool {
+        self.up.pop().is_some()
+    }
+
+    /// Draws them over the lower right corner of `screen`.
+    pub fn show(
+        &mut self,
+        ctx: &Context,
+        screen: Rect,
+        notices: &[Notice],
+        commands: &mut Vec<Command>,
+    ) {
+        self.held = false;
+        let Some(soonest_s) = self.up.iter().map(|(_, left_s)| *left_s).reduce(f64::min) else {
+            return;
+        };
+        let width = WIDTH.min(screen.width() - 2.0 * EDGE);
+        let shown = Area::new(egui::Id::unique("messages"))
+            .order(Order::Foreground)
+            .pivot(Align2::RIGHT_BOTTOM)
+            .fixed_pos(screen.right_bottom() - vec2(EDGE, EDGE))
+            .constrain_to(screen)
+            .show(ctx, |ui| {
+                ui.set_width(width);
+                for notice in notices.iter().filter(|notice| self.is_up(notice.number)) {
+                    card(ui, notice, commands);
+                }
+            });
+        let rect = shown.response.rect;
+        self.held =
+            ctx.input(|input| input.pointer.hover_pos().is_some_and(|at| rect.contains(at)));
+        // Time goes on while nothing else asks for a frame.
+        ctx.request_repaint_after_secs(soonest_s.clamp(0.05, 0.25) as f32);
+    }
+}
+
+fn card(ui: &mut Ui, notice: &Notice, commands: &mut Vec<Command>) {
+    let palette = Palette::at(ui);
+    let frame = theme::card(palette).stroke(egui::Stroke::new(1.0, palette.warn));
+    frame.shadow(ui.visuals().popup_shadow).show(ui, |ui| {
+        ui.with_layout(Layout::right_to_left(Align::TOP), |ui| {
+            let help = "Remove this message; it stays in the list of messages";
+            if icon::button(ui, Icon::Close, "Dismiss", help, true).clicked() {
+                commands.push(Command::Shell(ShellCommand::Dismiss(notice.number)));
+            }
+            ui.with_layout(Layout::left_to_right(Align::TOP), |ui| {
+                ui.add(egui::Label::new(&notice.text).wrap());
+            });
+        });
+    });
+}
+
+/// The button that opens the list of all messages, once there was one.
+pub fn button(ui: &mut Ui, notices: &[Notice]) {
+    if notices.is_empty() {
+        return;
+    }
+    let help = "What was said so far";
+    let response = icon::button(ui, Icon::Message, "Messages", help, true);
+    egui::Popup::menu(&response)
+        .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside)
+        .show(|ui| list(ui, notices));
+}
+
+/// All messages, the newest first.
+fn list(ui: &mut Ui, notices: &[Notice]) {
+    let palette = Palette::at(ui);
+    let screen = ui.ctx().content_rect();
+    ui.set_width(WIDTH.min(screen.width() - 4.0 * EDGE));
+    ui.label(RichText::new("Messages, the newest first").strong());
+    let spacing = ui.spacing_mut();
+    spacing.scroll = egui::style::ScrollStyle::solid();
+    ScrollArea::vertical().max_height(0.6 * screen.height()).show(ui, |ui| {
+        for notice in notices.iter().rev() {
+            ui.separator();
+            ui.add(egui::Label::new(RichText::new(&notice.text).color(palette.text)).wrap());
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn notice(number: u64, text: &str) -> Notice {
+        Notice { number, text: text.to_owned() }
+    }
+
+    #[test]
+    fn messages_go_by_themselves_once_there_was_time_to_read_them() {
+        let mut messages = Messages::default();
+        let mut all = vec![notice(1, "short"), notice(2, &"long ".repeat(20))];
+        messages.follow(&all, 0.1);
+        assert!(messages.is_up(1) && messages.is_up(2));
+        messages.follow(&all, 6.0);
+        assert!(!messages.is_up(1) && messages.is_up(2));
+        // Under the pointer one stays.
+        messages.held = true;
+        messages.follow(&all, 60.0);
+        assert!(messages.is_up(2));
+        messages.held = false;
+        all.extend((3..=6).map(|number| notice(number, "more")));
+        messages.follow(&all, 0.1);
+        let up: Vec<u64> = (1..=6).filter(|number| messages.is_up(*number)).collect();
+        assert_eq!(up, [4, 5, 6]);
+        assert!(messages.dismiss_newest() && !messages.is_up(6));
+        messages.dismiss(4);
+        messages.follow(&all, 60.0);
+        assert!(!messages.dismiss_newest(), "what has been shown does not come again");
+    }
+}

@@ -1,0 +1,46 @@
+//! Where Tab goes on. A number that was ended with Enter, and a slider that was dragged, have the focus no
+//! more, so that the keys go to the playhead; the next Tab goes on from there all the same.
+
+use egui::{Context, FocusDirection, Id, Key, Response};
+
+fn place() -> Id {
+    Id::unique("where tab goes on")
+}
+
+/// Takes the focus from a widget; the next Tab goes on from it.
+pub fn leave(response: &Response) {
+    response.surrender_focus();
+    remember(response);
+}
+
+/// The next Tab goes on from a widget that has just lost the focus.
+pub fn remember(response: &Response) {
+    response.ctx.data_mut(|data| data.insert_temp(place(), response.id));
+}
+
+/// Lets Tab go on from the widget that was left last; to be called before the widgets of a frame. It has the
+/// focus for one frame, and gives it on in the next.
+pub fn resume(ctx: &Context) {
+    let focused = ctx.memory(|memory| memory.focused());
+    let waiting = Id::unique("tab that waits");
+    if let Some(back) = ctx.data_mut(|data| data.remove_temp::<bool>(waiting)) {
+        let direction = if back { FocusDirection::Previous } else { FocusDirection::Next };
+        return ctx.memory_mut(|memory| memory.move_focus(direction));
+    }
+    let Some(left) = ctx.data(|data| data.get_temp::<Id>(place())) else { return };
+    let (pressed, back) = ctx.input(|input| {
+        let plain = !input.modifiers.command && !input.modifiers.alt;
+        (plain && input.key_pressed(Key::Tab), input.modifiers.shift)
+    });
+    if focused.is_none() && pressed {
+        ctx.memory_mut(|memory| {
+            memory.move_focus(FocusDirection::None);
+            memory.request_focus(left);
+        });
+        ctx.data_mut(|data| data.insert_temp(waiting, back));
+        ctx.request_repaint();
+    }
+    if focused.is_some() || pressed {
+        ctx.data_mut(|data| data.remove::<Id>(place()));
+    }
+}

@@ -1,0 +1,366 @@
+//! What surrounds the screens: messages, keys, the sheet of keys, Escape and Tab, fingers, the address.
+
+use std::time::{Duration, Instant};
+
+use egui::accesskit::Role;
+use egui::{
+    Event, Key, Modifiers, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2, pos2, vec2,
+};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use steadycut::app::Console;
+use steadycut::run::edits::Edits;
+use steadycut::run::{Start, presets};
+
+use crate::screen::{Screen, show, sliced, texts};
+
+const DESKTOP: Vec2 = vec2(1280.0, 800.0);
+const PHONE: Vec2 = vec2(390.0, 844.0);
+const SIZES: [Vec2; 2] = [DESKTOP, PHONE];
+
+/// The console, with a message at its start, in a window or with the keys of a page.
+fn open<'a>(size: Vec2, notice: Option<&str>, page: bool) -> Screen<'a> {
+    let notice = notice.map(str::to_owned);
+    let mut screen = Harness::builder().with_size(size).with_step_dt(0.05).build_ui_state(
+        move |ui, console: &mut Option<Console>| {
+            let console = console.get_or_insert_with(|| {
+                let scenario = presets::load("first-cut").expect("shipped");
+                let start = Start { scenario, edits: Edits::none(), notice: notice.clone() };
+                let mut console = sliced(Console::new(ui.ctx(), start));
+                if page {
+                    console.act_as_page();
+                }
+                console
+            });
+            console.ui(ui);
+        },
+        None,
+    );
+    screen.run_steps(3);
+    screen
+}
+
+fn console<'a>(screen: &'a Screen<'_>) -> &'a Console {
+    screen.state().as_ref().expect("made in the first frame")
+}
+
+fn press(screen: &mut Screen<'_>, modifiers: Modifiers, key: Key) {
+    screen.key_press_modifiers(modifiers, key);
+    screen.run_steps(3);
+}
+
+fn shown(screen: &Screen<'_>) -> String {
+    let state: serde_json::Value = serde_json::from_str(&console(screen).state_json()).unwrap();
+    state["screen"].as_str().unwrap().to_owned()
+}
+
+fn target_um(screen: &Screen<'_>) -> f64 {
+    console(screen).session().current().target.ra_um
+}
+
+fn rect_of(screen: &Screen<'_>, role: Role, name: &str) -> Rect {
+    screen.get_by_role_and_label(role, name).rect()
+}
+
+#[test]
+fn a_message_moves_nothing_goes_by_itself_and_can_be_read_again() {
+    const SAID: &str = "The link was not used, first-cut is open instead.";
+    for size in SIZES {
+        let before = rect_of(&open(size, None, false), Role::Button, "Pause");
+        let mut screen = open(size, Some(SAID), false);
+        assert_eq!(console(&screen).messages().collect::<Vec<&str>>(), [SAID]);
+        assert_eq!(rect_of(&screen, Role::Button, "Pause"), before, "nothing has moved");
+        let card = screen.get_by_label(SAID).rect();
+        assert!(card.max.y < before.min.y && card.is_positive(), "{card:?} above {before:?}");
+        // 5 s and 0.08 s a letter, in frames of 0.05 s.
+        screen.run_steps(160);
+        assert_eq!(console(&screen).messages().count(), 1);
+        screen.run_steps(40);
+        assert_eq!(console(&screen).messages().count(), 0);
+        assert!(screen.query_by_label(SAID).is_none());
+        screen.get_by_role_and_label(Role::Button, "Messages").click();
+        screen.run_steps(3);
+        assert!(screen.query_by_label(SAID).is_some(), "{}", texts(&screen));
+        press(&mut screen, Modifiers::NONE, Key::Escape);
+        assert!(screen.query_by_label(SAID).is_none());
+        assert_eq!(screen.unnamed_widgets(), Vec::<String>::new());
+    }
+}
+
+#[test]
+fn escape_closes_what_lies_on_top_one_after_the_other() {
+    let mut screen = open(DESKTOP, Some("a message"), false);
+    press(&mut screen, Modifiers::NONE, Key::Questionmark);
+    let sheet = |screen: &Screen<'_>| screen.query_by_label("This sheet").is_some();
+    assert!(sheet(&screen) && console(&screen).messages().count() == 1);
+    assert!(!console(&screen).tab_leaves());
+    press(&mut screen, Modifiers::NONE, Key::Escape);
+    assert!(!sheet(&screen) && console(&screen).messages().count() == 1);
+    press(&mut screen, Modifiers::NONE, Key::Escape);
+    assert_eq!(console(&screen).messages().count(), 0);
+    assert!(!console(&screen).tab_leaves());
+    // Nothing to close any more: the way out, until something is done in the console again.
+    press(&mut screen, Modifiers::NONE, Key::Escape);
+    assert!(console(&screen).tab_leaves());
+    screen.get_by_label("Pause").click();
+    screen.run_steps(2);
+    assert!(!console(&screen).tab_leaves());
+}
+
+#[test]
+fn the_sheet_of_keys_fits_and_lists_what_is_true_here() {
+    for size in [DESKTOP, PHONE, vec2(320.0, 420.0)] {
+        for page in [false, true] {
+            let mut screen = open(size, None, page);
+            press(&mut screen, Modifiers::NONE, Key::Questionmark);
+            screen.run_steps(10);
+            let shown = texts(&screen);
+            let window = screen.get_by_role_and_label(Role::Window, "Keyboard").rect();
+            let whole = Rect::from_min_size(Pos2::ZERO, size);
+            assert!(whole.contains_rect(window), "{window:?} in {size:?}");
+            for (text, in_page) in [
+                ("Ctrl+1 … Ctrl+7", false),
+                ("Ctrl+L", false),
+                ("1 … 7", true),
+                ("Esc, then Tab", true),
+            ] {
+                assert_eq!(shown.lines().any(|line| line == text), page == in_page, "{text}");
+            }
+            assert_eq!(screen.unnamed_widgets(), Vec::<String>::new());
+        }
+    }
+}
+
+#[test]
+fn a_page_leaves_the_browser_its_keys() {
+    let mut screen = open(DESKTOP, None, true);
+    press(&mut screen, Modifiers::COMMAND, Key::Num4);
+    assert_eq!(shown(&screen), "console", "Ctrl+4 is the browser's");
+    press(&mut screen, Modifiers::NONE, Key::Num2);
+    assert_eq!(shown(&screen), "block_diagram");
+    press(&mut screen, Modifiers::NONE, Key::Space);
+    press(&mut screen, Modifiers::SHIFT, Key::ArrowRight);
+    let playhead_s = |screen: &Screen<'_>| console(screen).session().playback().playhead_s;
+    let before_s = playhead_s(&screen);
+    press(&mut screen, Modifiers::ALT, Key::ArrowLeft);
+    assert_eq!(playhead_s(&screen), before_s, "Alt+Left is the browser's, in a window too");
+    press(&mut screen, Modifiers::NONE, Key::ArrowLeft);
+    assert!(playhead_s(&screen) < before_s);
+    // In a window digits alone do nothing.
+    let mut screen = open(DESKTOP, None, false);
+    press(&mut screen, Modifiers::NONE, Key::Num2);
+    assert_eq!(shown(&screen), "console");
+    press(&mut screen, Modifiers::COMMAND, Key::Num2);
+    assert_eq!(shown(&screen), "block_diagram");
+}
+
+#[test]
+fn space_plays_and_pauses_wherever_the_focus_is_but_in_a_text() {
+    let mut screen = open(DESKTOP, None, false);
+    let playing = |screen: &Screen<'_>| console(screen).session().playback().playing;
+    for (role, name) in
+        [(Role::Slider, "Target Ra"), (Role::Button, "Restart"), (Role::CheckBox, "Follow")]
+    {
+        screen.get_by_role_and_label(role, name).focus();
+        screen.run_steps(2);
+        let (before, follow) = (playing(&screen), console(&screen).session().playback().follow);
+        press(&mut screen, Modifiers::NONE, Key::Space);
+        assert_eq!(playing(&screen), !before, "{name}");
+        assert_eq!(console(&screen).session().playback().follow, follow, "and nothing else");
+    }
+    // A field that is being written in keeps it.
+    screen.get_by_role_and_label(Role::SpinButton, "Target Ra").focus();
+    screen.run_steps(2);
+    let before = playing(&screen);
+    press(&mut screen, Modifiers::NONE, Key::Space);
+    assert_eq!(playing(&screen), before);
+}
+
+#[test]
+fn tab_goes_on_from_the_number_that_was_ended_with_enter() {
+    let mut screen = open(DESKTOP, None, false);
+    press(&mut screen, Modifiers::NONE, Key::Space);
+    screen.get_by_role_and_label(Role::SpinButton, "Target Ra").focus();
+    screen.run_steps(2);
+    press(&mut screen, Modifiers::COMMAND, Key::A);
+    screen.event(Event::Text("0.6".to_owned()));
+    screen.run_steps(1);
+    press(&mut screen, Modifiers::NONE, Key::Enter);
+    assert_eq!(target_um(&screen), 0.6);
+    // The keys are the playhead's again.
+    press(&mut screen, Modifiers::NONE, Key::End);
+    assert!(console(&screen).session().playback().at_end);
+    press(&mut screen, Modifiers::NONE, Key::Tab);
+    let slider = screen.get_by_role_and_label(Role::Slider, "Target Ra");
+    assert!(slider.accesskit_node().is_focused(), "the slider below the number");
+}
+
+#[test]
+fn screens_without_the_run_have_no_transport_of_it_and_it_rests() {
+    for size in SIZES {
+        let mut screen = open(size, None, false);
+        for (title, timeline) in [
+            ("Block diagram", true),
+            ("Workpiece", true),
+            ("Plan", false),
+            ("Machine", true),
+            ("Compare", false),
+            ("Papers", false),
+        ] {
+            show(&mut screen, title);
+            let has = screen.query_by_role_and_label(Role::Slider, "Playhead").is_some();
+            assert_eq!(has, timeline, "{title}");
+            let before_s = console(&screen).session().playback().playhead_s;
+            screen.run_steps(5);
+            let moved = console(&screen).session().playback().playhead_s > before_s;
+            assert_eq!(moved, timeline, "{title}");
+            // Keys for what is not there do nothing.
+            press(&mut screen, Modifiers::NONE, Key::Space);
+            let playing = console(&screen).session().playback().playing;
+            assert_eq!(playing, !timeline, "{title}");
+            if timeline {
+                press(&mut screen, Modifiers::NONE, Key::Space);
+            }
+        }
+    }
+}
+
+#[test]
+fn no_plot_moves_when_the_run_before_a_change_comes_into_the_legend() {
+    for size in SIZES {
+        let mut screen = open(size, None, false);
+        screen.run_steps(20);
+        press(&mut screen, Modifiers::NONE, Key::Space);
+        let plot =
+            |screen: &Screen<'_>| screen.get_by_label("Roughness from 0.00 s to 20.00 s").rect();
+        let before = plot(&screen);
+        let entries = |screen: &Screen<'_>| screen.query_all_by_label("before").count();
+        assert_eq!(entries(&screen), 0);
+        let slider = rect_of(&screen, Role::Slider, "Target Ra");
+        screen.hover_at(slider.center());
+        screen.run_steps(1);
+        screen.drag_at(slider.center());
+        screen.run_steps(2);
+        screen.hover_at(slider.center() + vec2(30.0, 0.0));
+        screen.run_steps(2);
+        assert!(console(&screen).session().ghost().is_some() && entries(&screen) > 1);
+        assert_eq!(plot(&screen), before);
+        screen.drop_at(slider.center() + vec2(30.0, 0.0));
+        screen.run_steps(2);
+    }
+}
+
+/// A finger that goes from a place by a way, in ten frames, rests and is lifted.
+fn swipe(screen: &mut Screen<'_>, from: Pos2, way: Vec2) {
+    let mut finger = |at: Pos2, phase: TouchPhase| {
+        let (device_id, id) = (TouchDeviceId(1), TouchId(1));
+        let events = &mut screen.input_mut().events;
+        events.push(Event::Touch { device_id, id, phase, pos: at, force: None });
+        events.push(Event::PointerMoved(at));
+        if phase != TouchPhase::Move {
+            let pressed = phase == TouchPhase::Start;
+            let (button, modifiers) = (egui::PointerButton::Primary, Modifiers::NONE);
+            events.push(Event::PointerButton { pos: at, button, pressed, modifiers });
+        }
+        if phase == TouchPhase::End {
+            events.push(Event::PointerGone);
+        }
+        screen.run_steps(1);
+    };
+    finger(from, TouchPhase::Start);
+    for step in 1..=10 {
+        finger(from + way * (0.1 * step as f32), TouchPhase::Move);
+    }
+    for _ in 0..6 {
+        finger(from + way, TouchPhase::Move);
+    }
+    finger(from + way, TouchPhase::End);
+    screen.run_steps(20);
+}
+
+#[test]
+fn a_finger_that_begins_on_a_slider_or_field_scrolls_unless_it_goes_across() {
+    for role in [Role::Slider, Role::SpinButton] {
+        for way in [vec2(0.0, -180.0), vec2(15.0, -300.0), vec2(-10.0, -120.0)] {
+            let mut screen = open(PHONE, None, false);
+            press(&mut screen, Modifiers::NONE, Key::Space);
+            let before = rect_of(&screen, role, "Target Ra");
+            let target = target_um(&screen);
+            let plot = |screen: &Screen<'_>| {
+                screen.get_by_label("Roughness from 0.00 s to 20.00 s").rect().top()
+            };
+            let top = plot(&screen);
+            swipe(&mut screen, before.center(), way);
+            assert_eq!(target_um(&screen), target, "{role:?} {way:?}");
+            assert!(!console(&screen).session().can_undo());
+            // It stands above the plots, which are scrolled.
+            assert_eq!(rect_of(&screen, role, "Target Ra"), before);
+            assert!(plot(&screen) < top - 60.0, "scrolled: {top} to {}", plot(&screen));
+        }
+        // Among the settings it goes with them.
+        let mut screen = open(PHONE, None, false);
+        press(&mut screen, Modifiers::NONE, Key::Space);
+        for name in ["Settings", "More settings"] {
+            screen.get_by_label(name).click_accesskit();
+            screen.run_steps(12);
+        }
+        let before = rect_of(&screen, role, "Hardness");
+        swipe(&mut screen, before.center(), vec2(4.0, -150.0));
+        let after = rect_of(&screen, role, "Hardness");
+        assert!(after.top() < before.top() - 60.0, "{role:?} scrolled: {before:?} to {after:?}");
+        assert!(!console(&screen).session().can_undo());
+        let mut screen = open(PHONE, None, false);
+        press(&mut screen, Modifiers::NONE, Key::Space);
+        let rect = rect_of(&screen, role, "Target Ra");
+        let target = target_um(&screen);
+        // A tap is no drag.
+        swipe(&mut screen, rect.center() + vec2(30.0, 0.0), Vec2::ZERO);
+        assert_eq!(target_um(&screen), target, "{role:?}");
+        press(&mut screen, Modifiers::NONE, Key::Escape);
+        swipe(&mut screen, rect.center(), vec2(80.0, 10.0));
+        assert!(target_um(&screen) > target, "{role:?}");
+        assert_eq!(rect_of(&screen, role, "Target Ra").top(), rect.top());
+    }
+}
+
+#[test]
+#[expect(clippy::disallowed_methods, reason = "a test of times")]
+fn the_address_has_the_last_change_within_a_second_also_after_a_burst() {
+    let mut screen = open(DESKTOP, None, false);
+    press(&mut screen, Modifiers::NONE, Key::Space);
+    screen.get_by_role_and_label(Role::Slider, "Target Ra").set_value_accesskit(1.5);
+    screen.run_steps(2);
+    for key in [Key::Z, Key::Y, Key::Z, Key::Y, Key::Z] {
+        screen.key_press_modifiers(Modifiers::COMMAND, key);
+        screen.run_steps(1);
+    }
+    let state = |screen: &Screen<'_>| -> serde_json::Value {
+        serde_json::from_str(&console(screen).state_json()).unwrap()
+    };
+    let (start, mut frames) = (Instant::now(), 0);
+    while state(&screen)["address_is_current"] != true {
+        assert!(start.elapsed() < Duration::from_secs(1), "{frames} frames");
+        std::thread::sleep(Duration::from_millis(100));
+        screen.run_steps(1);
+        frames += 1;
+    }
+}
+
+#[test]
+fn a_link_that_cannot_be_copied_is_put_up_and_closed_by_escape() {
+    // What the browser answers where there is no clipboard.
+    use steadycut::app::command::{Command, ShellCommand};
+    for size in SIZES {
+        let mut screen = open(size, None, true);
+        let link = "https://example.org/#first-cut".to_owned();
+        let console = screen.state_mut().as_mut().unwrap();
+        console.push(Command::Shell(ShellCommand::ShowLink(link.clone())));
+        screen.run_steps(4);
+        assert!(texts(&screen).contains(&link), "{}", texts(&screen));
+        let window = screen.get_by_role_and_label(Role::Window, "Link to this state").rect();
+        assert!(Rect::from_min_size(pos2(0.0, 0.0), size).contains_rect(window));
+        press(&mut screen, Modifiers::NONE, Key::Escape);
+        press(&mut screen, Modifiers::NONE, Key::Escape);
+        assert!(!texts(&screen).contains(&link));
+    }
+}
