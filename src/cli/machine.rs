@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::Outcome;
 use super::machine_args::{MachineArgs, MachineModel, MachineWhat};
-use super::run::apply;
+use super::scenarios::apply;
 use super::{machine_stability, machine_wear};
 use crate::models::structure::FiveMass;
 use crate::models::structure::frf::{FrequencyResponse, frequencies_hz, gauss};

@@ -3,6 +3,7 @@
 pub mod args;
 mod check;
 mod combine;
+mod errata;
 mod files;
 mod force;
 mod identify;
@@ -21,6 +22,7 @@ mod progress;
 mod recommend;
 mod robust;
 mod run;
+mod scenarios;
 mod schedule;
 mod story;
 mod train;
@@ -115,7 +117,7 @@ pub fn console(
     open: impl FnOnce(Start) -> Result<(), String>,
 ) -> ExitCode {
     let loaded = match scenario {
-        Some(path) => run::load(&ScenarioPath::new(path)),
+        Some(path) => scenarios::load(&ScenarioPath::new(path)),
         None => presets::load(PRESETS[0].name).map(|s| (s, Edits::none())).map_err(Into::into),
     };
     let loaded = loaded.map_err(|error| error.to_string());

@@ -5,11 +5,11 @@ use std::process::ExitCode;
 
 use super::Outcome;
 use super::args::{ComparedPaper, PapersArgs};
+use super::errata::errata;
 use super::papers_2005;
 use super::papers_2019;
 use super::progress;
 use crate::run::job::Job;
-use crate::study::errata::Erratum;
 use crate::study::papers::{CellVerdict, PaperTable, TableJob};
 use crate::study::published::PaperId;
 use crate::study::train::data::NOTE;
@@ -114,17 +114,4 @@ fn print(out: &mut impl Write, id: PaperId, paper: &PaperTable) -> std::io::Resu
         writeln!(out, "{NOTE}")?;
     }
     errata(out, paper.errata)
-}
-
-/// The errata of a paper.
-pub(super) fn errata(out: &mut impl Write, errata: &[Erratum]) -> std::io::Result<()> {
-    writeln!(out, "\nerrata")?;
-    for erratum in errata {
-        writeln!(
-            out,
-            "{:>3}. {}\n     problem: {}\n     here: {}",
-            erratum.number, erratum.printed, erratum.problem, erratum.resolution
-        )?;
-    }
-    Ok(())
 }

@@ -7,7 +7,7 @@ use serde_json::json;
 
 use super::Outcome;
 use super::args::PapersArgs;
-use super::papers::errata;
+use super::errata::errata;
 use crate::study::errata_2019::MACHINE_2019;
 use crate::study::papers_2019::{NOT_REPRODUCED, REPRODUCED, measured, table};
 

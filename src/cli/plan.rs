@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::args::PlanArgs;
 use super::files::{InPath, report as report_to};
-use super::run::{apply, load};
+use super::scenarios::{apply, load};
 use super::{Outcome, progress};
 use crate::run::scenario_file;
 use crate::study::plan::PlanJob;

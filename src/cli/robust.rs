@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use serde_json::json;
 
 use super::args::RobustArgs;
-use super::run::{apply, load};
+use super::scenarios::{apply, load};
 use super::{Outcome, progress};
 use crate::study::robust::{DRAWN, LIMIT_KN, Percentiles, RobustFindings, Robustness};
 

@@ -6,20 +6,20 @@ use std::process::ExitCode;
 use serde::Serialize;
 
 use super::args::RunArgs;
-use super::files::{ScenarioPath, report};
-use super::{Outcome, profile, progress, story, unks};
-use crate::base::settings::SettingError;
+use super::files::report;
+use super::scenarios::{apply, load, load_networks};
+use super::{Outcome, profile, progress, story};
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::tool_path::ToolPath;
+use crate::run::constant_feed_twin;
 use crate::run::edits::Edits;
 use crate::run::job::Job;
 use crate::run::metrics::Metrics;
 use crate::run::one_run::{End, Run};
 use crate::run::revolution::RevolutionJob;
 use crate::run::run_to::RunTo;
-use crate::run::scenario::{Scenario, parse_value};
+use crate::run::scenario::Scenario;
 use crate::run::story::{Story, StoryEvent};
-use crate::run::{constant_feed_twin, presets, scenario_file};
 use crate::study::export::csv;
 
 /// The JSON object of a run; with `--story` also its events, as `story`.
@@ -51,30 +51,6 @@ impl<'a> Ended<'a> {
     }
 }
 
-/// Loads a preset or a scenario file.
-pub fn load(path: &ScenarioPath) -> Result<(Scenario, Edits), Box<dyn std::error::Error>> {
-    match path.source() {
-        Ok(file) => {
-            let read = scenario_file::parse(&file.text()?);
-            Ok(read.map_err(|error| format!("{file}: {error}"))?)
-        }
-        Err(name) => Ok((presets::load(name)?, Edits::none())),
-    }
-}
-
-/// Applies `--set path=value` arguments, all or none.
-pub fn apply(scenario: &mut Scenario, sets: &[String]) -> Result<(), SettingError> {
-    let mut changes = Vec::with_capacity(sets.len());
-    for set in sets {
-        let (path, value) = set.split_once('=').ok_or_else(|| SettingError::Format {
-            what: format!("--set {set}"),
-            problem: "expected PATH=VALUE, for example target.ra_um=0.6".to_owned(),
-        })?;
-        changes.push((path.to_owned(), parse_value(path, value)?));
-    }
-    scenario.set_all(&changes)
-}
-
 pub fn execute(args: &RunArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
     apply(&mut scenario, &args.set)?;
@@ -87,7 +63,7 @@ pub fn execute(args: &RunArgs) -> Outcome {
             )
             .into());
         }
-        unks::load_networks(&mut scenario, path)?;
+        load_networks(&mut scenario, path)?;
     }
     // Edits of the file must still fit the changed scenario.
     let (checked, unfit) = edits.fitted(&scenario);

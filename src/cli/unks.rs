@@ -6,16 +6,14 @@ use std::process::ExitCode;
 use serde_json::json;
 
 use super::args::UnksArgs;
-use super::files::{InPath, report as report_to};
-use super::run::{apply, load};
+use super::files::report as report_to;
+use super::scenarios::{apply, load, load_networks};
 use super::{Outcome, progress};
 use crate::base::settings::Value;
 use crate::base::units::percent_from_ratio;
-use crate::models::unks::{Stored, UnksStart};
+use crate::models::unks::UnksStart;
 use crate::run::scenario::Scenario;
-use crate::study::unks_passes::{
-    BETTER, Pass, Passes, PassesVerdict, REFERENCE, beginning_anew, beginning_with,
-};
+use crate::study::unks_passes::{BETTER, Pass, Passes, PassesVerdict, REFERENCE, beginning_anew};
 
 /// What the gain over the passes depends on, measured on Experiment 2 with seed 1 over draws 1 to 6.
 const FIRST_WEIGHTS: &str = "how much better depends on the random first weights, of which the first \
@@ -25,15 +23,6 @@ const FIRST_WEIGHTS: &str = "how much better depends on the random first weights
 /// What the figures depend on.
 const NOTE: &str = "the same part, noise and seed in every pass: what changes is learned; feedback \
                     is the mean of |u_fb| where the override is not at a limit";
-
-/// Puts the networks of a file into a scenario.
-pub fn load_networks(
-    scenario: &mut Scenario,
-    path: &InPath,
-) -> Result<(), Box<dyn std::error::Error>> {
-    let stored = Stored::parse(&path.text()?).map_err(|problem| format!("{path}: {problem}"))?;
-    Ok(scenario.set_all(&beginning_with(&stored))?)
-}
 
 fn prepare(args: &UnksArgs) -> Result<Scenario, Box<dyn std::error::Error>> {
     let (mut scenario, _) = load(&args.scenario)?;

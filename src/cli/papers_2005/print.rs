@@ -2,7 +2,7 @@
 
 use std::io::{Result, Write};
 
-use super::super::papers::errata;
+use super::super::errata::errata;
 use super::{Report, Step};
 use crate::study::compare::claims::ControlClaim;
 use crate::study::compare::outcome::Measure;

@@ -211,3 +211,40 @@ fn static_laws_come_to_rest_where_they_meet_the_plant() {
         }
     }
 }
+
+#[test]
+fn the_integral_part_of_p_winds_up_at_neither_limit() {
+    let mut scenario = load("table3-5").unwrap();
+    scenario
+        .change(|s| {
+            s.controller.kind = ControllerKind::Proportional;
+            (s.controller.proportional.kp, s.controller.proportional.ki) = (0.5, 0.05);
+        })
+        .unwrap();
+    let (programmed, limits) = (scenario.programmed(0), limits(&scenario, 0));
+    let [low, high] = limits.feed_mm_min;
+    for (y, at_limit) in [(2.0, low), (0.3, high)] {
+        let mut controller = Controller::new(&scenario.control_setup(), programmed);
+        let mut ask = |y: f64, feed_mm_min: f64| {
+            let applied = FeedSpeed { feed_mm_min, ..programmed };
+            let input = ControlInput {
+                force_measured_n: 180.0 * y,
+                force_ref_n: 180.0,
+                programmed,
+                applied,
+                limits,
+                models: &scenario.believed(),
+                cut: 0,
+                x_mm: 0.0,
+            };
+            controller.update(&input).request.feed_mm_min
+        };
+        (0..500).for_each(|_| {
+            ask(y, at_limit);
+        });
+        let after = ask(1.0, at_limit);
+        assert!(after > low && after < high, "y {y}: {after} mm/min of {low} to {high}");
+        let apart = (after - at_limit).abs() / programmed.feed_mm_min;
+        assert!(apart > 0.2, "y {y}: {after} mm/min, {at_limit} at the limit");
+    }
+}

@@ -112,3 +112,37 @@ fn an_edit_starts_a_new_settling_but_a_tolerance_does_not() {
     assert!((settling("plant.wear_factor", 1.1) - 0.5).abs() < 1e-9);
     assert!((settling("target.tolerance_percent", 5.0) - 2.5).abs() < 1e-9);
 }
+
+#[test]
+fn the_twenty_samples_stand_in_the_middles_of_their_twentieths() {
+    let recording = rows(1000, |t, row| row.force_n = 100.0 * (1.0 + 0.05 * t));
+    let squares = (1..=20).map(|k| {
+        let error = 0.05 * 10.0 * (f64::from(k) - 0.5) / 20.0;
+        error * error
+    });
+    let expected = (squares.sum::<f64>() / 20.0).sqrt();
+    let found = judge(&recording).normalized_standard_error_20.unwrap();
+    assert!((found / expected - 1.0).abs() < 0.005, "{found} {expected}");
+}
+
+#[test]
+fn the_worst_error_leaves_out_the_first_second_and_parts_are_of_the_steps() {
+    let recording = rows(1000, |t, row| {
+        row.force_n = if t < 0.5 {
+            150.0
+        } else if (4.0..5.0).contains(&t) {
+            88.0
+        } else {
+            100.0
+        };
+        if t > 8.001 {
+            row.state_flags = f64::from(flag::FEED_SATURATED);
+        } else if t > 7.001 {
+            row.state_flags = f64::from(flag::K4_OUTSIDE);
+        }
+    });
+    let m = judge(&recording);
+    assert!((m.force_worst_percent + 12.0).abs() < 1e-9, "{m:?}");
+    assert!((m.saturated_percent - 20.0).abs() < 0.11, "{m:?}");
+    assert!((m.outside_percent - 10.0).abs() < 0.11, "{m:?}");
+}

@@ -2,6 +2,7 @@
 
 use steadycut_core::base::settings::Value;
 use steadycut_core::blocks::control::ControllerKind;
+use steadycut_core::blocks::control::law::AtRest;
 use steadycut_core::blocks::control::mrac::Adapted;
 use steadycut_core::blocks::cutting::process::ForceModel;
 use steadycut_core::run::edits::{Edit, Edits};
@@ -9,14 +10,42 @@ use steadycut_core::run::one_run::{End, Run};
 use steadycut_core::run::presets::load;
 use steadycut_core::run::scenario::Scenario;
 
-/// The controllers whose state is set to the override that they find; P has an integral part here.
-const STATEFUL: [ControllerKind; 5] = [
-    ControllerKind::Tracking,
-    ControllerKind::Proportional,
-    ControllerKind::AdjustablePi,
-    ControllerKind::Mrac,
-    ControllerKind::Unks,
-];
+/// Goes at once where the part ahead allows, whatever was sent before: its state is a gain, not an override.
+const LOOKS_AHEAD: ControllerKind = ControllerKind::Preview;
+
+/// The controllers whose state is set to the override that they find, from the registry: all but the one that
+/// looks ahead and those that are static laws with these settings.
+fn stateful(scenario: &Scenario) -> Vec<ControllerKind> {
+    let mut found = Vec::new();
+    for kind in ControllerKind::ALL {
+        let chosen = scenario.with(|s| s.controller.kind = *kind).unwrap();
+        let is_static = chosen.controller.at_rest() == AtRest::WhereTheLawMeetsThePlant;
+        if !is_static && *kind != LOOKS_AHEAD {
+            found.push(*kind);
+        }
+    }
+    found
+}
+
+#[test]
+fn what_has_a_state_is_known_to_have_one() {
+    // P has an integral part here.
+    let found = stateful(&calm("table3-5", Adapted::Gain));
+    for kind in [ControllerKind::Proportional, ControllerKind::Mrac, ControllerKind::Unks] {
+        assert!(found.contains(&kind), "{kind:?}");
+    }
+    for kind in [ControllerKind::ConstantFeed, ControllerKind::Sdnrp, ControllerKind::Division] {
+        assert!(!found.contains(&kind), "{kind:?}");
+    }
+}
+
+#[test]
+fn what_looks_ahead_goes_at_once_where_the_part_allows() {
+    let mut scenario = calm("table3-5", Adapted::Gain);
+    scenario.change(|s| s.controller.kind = ControllerKind::ConstantFeed).unwrap();
+    let found = bump(&scenario, LOOKS_AHEAD, 4.0, &[]);
+    assert!(found > BUMP_PERCENT, "{found} percent: it belongs to the others now");
+}
 
 /// Most change of the feed override at the switch, percent.
 const BUMP_PERCENT: f64 = 0.5;
@@ -55,7 +84,7 @@ fn bump(scenario: &Scenario, to: ControllerKind, at_s: f64, edits: &[(f64, &str,
 
 fn switches_smoothly(scenario: &Scenario, at_s: f64, edits: &[(f64, &str, f64)]) {
     for from in ControllerKind::ALL {
-        for to in STATEFUL {
+        for to in stateful(scenario) {
             if *from == to {
                 continue;
             }
@@ -90,7 +119,7 @@ fn controllers_take_over_tooth_by_tooth_without_a_bump() {
     scenario.change(|s| s.run.record_every = s.run.steps_per_control).unwrap();
     for from in [ControllerKind::Division, ControllerKind::Unks] {
         scenario.change(|s| s.controller.kind = from).unwrap();
-        for to in STATEFUL.into_iter().filter(|to| *to != from) {
+        for to in stateful(&scenario).into_iter().filter(|to| *to != from) {
             let found = bump(&scenario, to, 4.0, &[]);
             // Here the override is rounded to whole percents.
             assert!(found <= 1.0 + 1e-9, "{from:?} to {to:?}: {found} percent");
@@ -119,8 +148,15 @@ fn freed(kind: ControllerKind) -> Scenario {
 #[test]
 fn nothing_winds_up_at_the_largest_override() {
     // Control periods until the force is back within 10 % for good.
-    const BACK: [usize; 5] = [20, 25, 10, 15, 10];
-    for (kind, limit) in STATEFUL.into_iter().zip(BACK) {
+    const BACK: usize = 25;
+    const SOONER: [(ControllerKind, usize); 4] = [
+        (ControllerKind::Tracking, 20),
+        (ControllerKind::AdjustablePi, 10),
+        (ControllerKind::Mrac, 15),
+        (ControllerKind::Unks, 10),
+    ];
+    for kind in stateful(&calm("experiment-2-neural", Adapted::Gain)) {
+        let limit = SOONER.iter().find(|(sooner, _)| *sooner == kind).map_or(BACK, |one| one.1);
         let run = Run::complete(&freed(kind), &Edits::none());
         let rows = run.recording().rows();
         let step = rows.iter().position(|row| row.axial_depth_mm == 4.0).unwrap();

@@ -4,7 +4,8 @@
 use serde::Serialize;
 
 /// A force beyond what is allowed, which has stopped the feed.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, thiserror::Error)]
+#[error("stopped at {time_s:.2} s, {position_mm:.1} mm: {force_n:.0} N, allowed {limit_n:.0} N")]
 pub struct Overload {
     /// The force, N.
     pub force_n: f64,
@@ -14,16 +15,6 @@ pub struct Overload {
     pub position_mm: f64,
     /// When, s.
     pub time_s: f64,
-}
-
-impl std::fmt::Display for Overload {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { force_n, limit_n, position_mm, time_s } = self;
-        write!(
-            f,
-            "stopped at {time_s:.2} s, {position_mm:.1} mm: {force_n:.0} N, allowed {limit_n:.0} N"
-        )
-    }
 }
 
 /// The guard with what it has met.

@@ -302,3 +302,41 @@ impl<L: ForceLaw> ControlLaw for ForceController<L> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blocks::control::{Belief, ControllerSettings};
+    use crate::models::feed_drive::FeedDriveKind;
+    use crate::models::part::ProgrammedPart;
+    use crate::models::tool::Tool;
+
+    #[test]
+    fn a_drive_lags_by_its_time_constant_and_half_a_period() {
+        // 1 / 14 s, and the middle of the period over which a command is held.
+        let lag = lag(&ExactDrive::new(FeedDriveKind::Eq3Of2007, 0.02));
+        assert!((lag - (1.0 / 14.0 / 0.02 + 0.5)).abs() < 0.05, "{lag}");
+    }
+
+    #[test]
+    fn the_dead_time_is_the_nearest_number_of_periods() {
+        let (settings, tool) = (ControllerSettings::default(), Tool::default());
+        for (dead_time_s, expected) in [(0.0, 0), (0.029, 1), (0.031, 2), (0.04, 2), (0.08, 4)] {
+            let belief = Belief { dead_time_s, ..Belief::default() };
+            let part = ProgrammedPart {
+                cuts: &[],
+                axial_depth_mm: 2.0,
+                radial_depth_mm: 3.0,
+                depth_steps: &[],
+            };
+            let setup = ControlSetup {
+                settings: &settings,
+                part,
+                tool: &tool,
+                belief: &belief,
+                period_s: 0.02,
+            };
+            assert_eq!(periods(&setup), expected, "{dead_time_s} s");
+        }
+    }
+}

@@ -99,3 +99,19 @@ impl SpeedSupervisor {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_speed_follows_taylor_within_its_limits_and_stays_in_the_last_minutes() {
+        let speed = adjusted(1.0, 1.0, [120.0, 100.0], 0.25).unwrap();
+        assert!((speed - math::pow(1.2, 0.25)).abs() < 1e-12, "{speed}");
+        let [low, high] = SPEED_RATIOS;
+        assert_eq!(adjusted(1.0, 1.0, [1e6, 100.0], 0.25), Some(high));
+        assert_eq!(adjusted(1.0, 1.0, [1e-6, 100.0], 0.25), Some(low));
+        assert_eq!(adjusted(90.0, 80.0, [1e6, 100.0], 0.25), Some(80.0 * high));
+        assert_eq!(adjusted(1.0, 1.0, [100.0, 0.99 * LAST_MIN], 0.25), None);
+    }
+}

@@ -73,6 +73,21 @@ mod tests {
     }
 
     #[test]
+    fn both_axes_have_noise_of_their_own() {
+        let mut window = PeakWindow::new(6.0, 1, 1);
+        let n = 20_000_u32;
+        let squares: Vec<f64> = (0..u64::from(n))
+            .map(|k| window.push(k, [0.0, 0.0]).measured_n)
+            .map(|measured_n| measured_n * measured_n)
+            .collect();
+        let mean = squares.iter().sum::<f64>() / f64::from(n);
+        let fourth = squares.iter().map(|square| square * square).sum::<f64>() / f64::from(n);
+        assert!((mean / 72.0 - 1.0).abs() < 0.03, "{mean}");
+        // Of two independent deviates the sum of squares is exponential; of one twice it would be 3.
+        assert!((fourth / (mean * mean) - 2.0).abs() < 0.1, "{}", fourth / (mean * mean));
+    }
+
+    #[test]
     fn noise_is_measured_but_not_true() {
         let mut window = PeakWindow::new(6.0, 1, 576);
         let last = (0..576).map(|k| window.push(k, [100.0, 0.0])).last().unwrap();

@@ -214,6 +214,26 @@ mod tests {
     }
 
     #[test]
+    fn the_sound_counts_once_it_has_settled_and_at_the_middle_of_its_second() {
+        let mut estimator = estimator();
+        estimator.setup.wear.time_scale = 60.0;
+        let observation = CutObservation {
+            dt_s: 0.5,
+            cut: CUT,
+            speed_rpm: 1592.0,
+            radial_depth_mm: 3.0,
+            sharp_force_n: 200.0,
+            sound_m_s: 1e-3,
+            in_cut: true,
+        };
+        let seen: Vec<Option<f64>> = (0..4)
+            .map(|_| estimator.observe(&observation).map(|prediction| prediction.age_min))
+            .collect();
+        // A minute of the tool in a second: the first one ends before the machine has settled.
+        assert_eq!(seen, [None, None, None, Some(1.5)]);
+    }
+
+    #[test]
     fn air_and_values_that_are_not_finite_are_not_observed() {
         let mut estimator = estimator();
         let air = CutObservation {

@@ -148,6 +148,17 @@ mod tests {
     }
 
     #[test]
+    fn vibration_along_the_surface_leaves_no_mark() {
+        let settings = ProfileSettings { normal_share: 0.0, ..ProfileSettings::default() };
+        let mut finish = Finish::new(&settings, Outline::ball(8.0), 2, 0.0);
+        for tooth in 1..=120 {
+            let tooth = f64::from(tooth);
+            finish.update(0.5, 0.1 * tooth, 1e-6 * math::sin(2.4 * tooth), true);
+        }
+        assert!(finish.measured_mm > 8.0 && finish.added_um().abs() < 1e-9, "{finish:?}");
+    }
+
+    #[test]
     fn the_air_leaves_nothing_and_neither_does_a_standing_tool() {
         let mut finish = cut(0.0, |tooth| 1e-3 * (tooth % 2.0));
         assert!(finish.added_um() > 0.0);

@@ -1,12 +1,15 @@
 //! The closed loop: every value that passes between blocks passes here. Read this first.
 //!
 //! ```text
-//!  target Ra ─▶ reference ─F_d─▶ controller ─▶ override ─▶ dead time ─▶ feed drive ──f_a─┐
-//!                 (K1)      ┌──▶ (K2, K3)      (percent)    (queue)    spindle drive ─n_a─┤
-//!                           │                                 cnc                         ▼
-//!                      force sensor ◀──F_dyn── dynamic component ◀──F── cutting process (K4)
-//!                                                    │                 depth, material, wear
-//!                                     Ra_dyn = K6(F_dyn)   Ra = K5(F)          plant
+//!  Ra_target ─▶ reference ─F_d─▶ controller ─feed %, spindle %─▶ override limits ─f_c, n_c─▶ dead time
+//!                 (K1)       ┌─▶ (K2, K3)                                                  (queue)
+//!                           F_m                                                     f_c, n_c delayed
+//!                            │                                                             ▼
+//!                       dynamometer                               A_D            feed drive, spindle drive
+//!                            ▲                                     ▼                       │
+//!                          F_dyn ◀── dynamic component ◀──F── cutting process ◀──f_a, n_a──┘
+//!                            ▼                           ▼        (K4)
+//!                     surface (K6) ─▶ Ra_dyn      surface (K5) ─▶ Ra
 //! ```
 //!
 //! The plant's force is a map, or simulated tooth by tooth; with `machine.coupled` the five-mass machine
@@ -50,18 +53,13 @@ use crate::blocks::sensing::force_sensor::ForceSensor;
 use crate::blocks::surface::produced::Surface;
 
 /// A value that stopped being finite: the run ends there, before anything spreads.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, thiserror::Error)]
+#[error("`{signal}` is not finite at tick {tick}: the run ends")]
 pub struct Fault {
     /// The signal.
     pub signal: &'static str,
     /// The tick at which it happened.
     pub tick: u64,
-}
-
-impl std::fmt::Display for Fault {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "`{}` is not finite at tick {}: the run ends", self.signal, self.tick)
-    }
 }
 
 /// The loop with all its blocks and their state.

@@ -38,4 +38,31 @@ mod tests {
         let documented = include_str!("../../lib.md");
         assert!(documented.contains(&figure), "lib.md is to show:\n{figure}");
     }
+
+    /// The figure at the head of the loop is drawn by hand: every box with its models and every wire stands in
+    /// it, and nothing else.
+    #[test]
+    fn the_figure_of_the_loop_has_every_box_wire_and_model_and_no_other() {
+        let source = include_str!("../closed_loop/mod.rs");
+        let mut rest = source.split("//! ```").nth(1).expect("the figure").to_owned();
+        rest = rest.replace("//!", "").replace("text\n", "");
+        let mut names: Vec<String> = BLOCKS.iter().map(|info| info.name.to_lowercase()).collect();
+        let models = BLOCKS.iter().flat_map(|info| info.models);
+        names.extend(models.map(|model| format!("K{model}")));
+        names.extend(super::super::WIRES.map(|wire| wire.plain_symbol().replace(" delayed", "")));
+        // The longer name first, since it may hold a shorter one.
+        names.sort_by_key(|name| std::cmp::Reverse(name.len()));
+        let mut gone = Vec::new();
+        for name in &names {
+            let once = gone.contains(name);
+            assert!(once || rest.contains(name), "{name} is not in the figure");
+            rest = rest.replace(name, "");
+            gone.push(name.clone());
+        }
+        for beside in ["delayed", "queue"] {
+            rest = rest.replace(beside, "");
+        }
+        let left: String = rest.chars().filter(|c| c.is_alphanumeric()).collect();
+        assert_eq!(left, "", "no box, wire or model");
+    }
 }
