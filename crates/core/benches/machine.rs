@@ -25,7 +25,6 @@ fn forces() -> [CutForce; 256] {
             stiffness_n_m: if inside { 1.5e6 } else { 0.0 },
             damping_n_s_m: if inside { 200.0 } else { 0.0 },
             delay_s: 0.018_85,
-            ..CutForce::default()
         };
     }
     forces

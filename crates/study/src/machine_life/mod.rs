@@ -28,6 +28,8 @@ use crate::run::scenario::Scenario;
 
 /// Step of the paper, s.
 pub const STEP_S: f64 = 1.0;
+/// The life that is solved for a tool that never wears out, since it cuts nothing, s: some 30 years.
+const LONGEST_S: f64 = 1e9;
 /// Most steps; a longer life is taken in longer ones.
 const STEPS_MAX: f64 = 100_000.0;
 
@@ -72,7 +74,7 @@ impl LifeJob {
     /// A life of `life_min`, not yet begun; in steps of a second, or longer ones beyond 100 000.
     #[must_use]
     pub fn new(model: MachineTrend, life_min: f64) -> Self {
-        let life_s = s_from_min(life_min).clamp(1.0, 1e9);
+        let life_s = s_from_min(life_min).min(LONGEST_S);
         let step_s = STEP_S * (life_s / STEPS_MAX).ceil().max(1.0);
         let steps = ((life_s / step_s).round() as usize).max(1);
         Self { model, step_s: life_s / steps as f64, steps, points: Vec::new() }

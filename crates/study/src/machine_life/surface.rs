@@ -23,7 +23,11 @@ pub fn marks(
     seed: u64,
 ) -> Vec<ProfileMark> {
     let random_m = model.life.random_ratio * model.at(x).vibration_rms_m;
-    let feed_mm = model.cut.feed_per_tooth_mm.max(1e-3);
+    let feed_mm = model.cut.feed_per_tooth_mm;
+    if feed_mm <= 0.0 {
+        // A tool that is not fed leaves no marks.
+        return Vec::new();
+    }
     let teeth = f64::from(model.tool.teeth);
     // Cusps beyond both ends too.
     let from_mm = -run_up_mm(settings) - 2.0 * teeth * feed_mm;
@@ -79,6 +83,24 @@ mod tests {
             let filtered = ratio(0.8, x);
             assert!((0.55..0.8).contains(&filtered), "x = {x}: {filtered}");
         }
+    }
+
+    #[test]
+    fn the_marks_stand_as_far_apart_as_the_feed_is_however_small_and_none_without() {
+        let mut model = model(&Scenario::default());
+        let settings = ProfileSettings::default();
+        for feed_mm in [0.1, 1e-3, 2e-4] {
+            model.cut.feed_per_tooth_mm = feed_mm;
+            let marks = marks(&model, &settings, 0.0, 0.5, 1);
+            let apart = marks.windows(2).all(|pair| {
+                let [a, b] = [pair[0].x_mm, pair[1].x_mm];
+                ((b - a) / feed_mm - 1.0).abs() < 1e-6
+            });
+            assert!(apart && marks.len() > 40, "{feed_mm}: {}", marks.len());
+        }
+        model.cut.feed_per_tooth_mm = 0.0;
+        assert!(marks(&model, &settings, 0.0, 0.5, 1).is_empty());
+        assert!(surface(&model, &settings, 0.0, 0.5, 1).is_none(), "no contact");
     }
 
     #[test]

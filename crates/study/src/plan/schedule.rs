@@ -120,6 +120,8 @@ impl Sizing {
             let workpiece = &mut settings.workpiece;
             workpiece.axial_depth_mm = place.axial_depth_mm;
             workpiece.radial_depth_mm = place.radial_depth_mm;
+            // A path has 1 mm at least; the optimum does not depend on the length, of which time and cost are
+            // shares of the same cut as programmed.
             workpiece.length_mm = section[0].max(1.0);
             workpiece.cuts.clear();
             workpiece.depth_steps.clear();

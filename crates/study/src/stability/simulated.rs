@@ -56,7 +56,6 @@ pub fn growth(
             stiffness_n_m: kappa * teeth,
             damping_n_s_m: 0.0,
             delay_s: period_s,
-            ..CutForce::default()
         };
         let x = response.update(&force).displacement_m;
         if x.abs() > GROWN_M || x.is_nan() {

@@ -124,7 +124,7 @@ impl Milling {
         factor: f64,
     ) -> Cutting {
         let turned = rev_s_from_rpm(speed_rpm) * self.setup.dt_s;
-        let teeth = self.setup.cutter.teeth as f64;
+        let teeth = self.sliced.teeth() as f64;
         let fed_mm = if speed_rpm > 0.0 { feed_mm_min / (teeth * speed_rpm) } else { 0.0 };
         let now = Stand { turns: self.turns, x_mm, force_n: self.last_n };
         let advances = self.surface.stand(&now, fed_mm, self.compliance_mm_n);

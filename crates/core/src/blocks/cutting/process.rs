@@ -8,7 +8,8 @@
 //! | tooth by tooth | that of the instant, its maximum held for a control period ([`super::milling`]) |
 //!
 //! What is one force to everything behind it stands in [`Force`]. The dynamic component multiplies the
-//! maximum of a map and every instant of the teeth: only a map's force is known without it.
+//! maximum of a map and every instant of the teeth: only a map's force is known without it. However large the
+//! noise, the size of a force is not negative.
 
 use super::force_model::law::ForceSetup;
 pub use super::force_model::{ForceModel, Process};

@@ -148,9 +148,9 @@ impl Coupled {
             stiffness_n_m: kappa,
             damping_n_s_m,
             delay_s: self.tooth_period_s(cut.speed_rpm),
-            left_by: LeftBy::default(),
         };
-        self.step(&cut_force, force_n, cut)
+        let motion = self.response.update(&cut_force);
+        self.follow(&motion, cut_force.static_n, force_n, cut)
     }
 
     /// One machine step with the force of an instant, tooth by tooth, in N; `height_mm` is that of the edges in
@@ -170,10 +170,10 @@ impl Coupled {
             stiffness_n_m: self.stiffness_per_mm * edges_mm,
             damping_n_s_m: self.damping_n_s_m * teeth,
             delay_s: self.tooth_period_s(cut.speed_rpm),
-            left_by: LeftBy::shares(height_mm),
         };
         let peak_n = force_n.max(self.peaks_n[1][1]);
-        self.step(&cut_force, peak_n, cut)
+        let motion = self.response.update_on(&cut_force, &LeftBy::shares(height_mm));
+        self.follow(&motion, force_n, peak_n, cut)
     }
 
     fn tooth_period_s(&self, speed_rpm: f64) -> f64 {
@@ -188,11 +188,10 @@ impl Coupled {
         speed_rpm >= SLOWEST_RPM && steps >= ModalResponse::FEWEST_STEPS
     }
 
+    /// What the machine did in a step that was driven by `static_n` of a peak force.
     #[inline]
-    fn step(&mut self, cut_force: &CutForce, peak_n: f64, cut: &CutState) -> Motion {
+    fn follow(&mut self, motion: &Motion, static_n: f64, peak_n: f64, cut: &CutState) -> Motion {
         let count = f64::from(self.engagement.teeth);
-        let static_n = cut_force.static_n;
-        let motion = self.response.update(cut_force);
         self.lost_contact |= motion.lost_contact && static_n > LOST_FRACTION * peak_n;
         let [with, without] = &mut self.peaks_n[0];
         *with = with.max(motion.force_n);
@@ -213,7 +212,7 @@ impl Coupled {
         }
         self.displacement_m = motion.displacement_m;
         self.sound.observe(motion.velocity_m_s);
-        motion
+        *motion
     }
 
     /// Turns of the spindle in a machine step at a speed in 1/min.

@@ -31,8 +31,6 @@ pub struct CutForce {
     pub damping_n_s_m: f64,
     /// Tooth period, s.
     pub delay_s: f64,
-    /// Which teeth have left the surface.
-    pub left_by: LeftBy,
 }
 
 /// Shares of the stiffness that cut the surface of the tooth before, of the second one before, ...; together 1.
@@ -225,15 +223,28 @@ impl ModalResponse {
         sum
     }
 
-    /// One step.
+    /// One step in which every tooth cuts the surface of the one before.
     #[inline]
     pub fn update(&mut self, cut: &CutForce) -> Motion {
         if cut.delay_s != self.delay_s {
             self.set_delay(cut.delay_s);
         }
+        self.step(cut, self.back(&self.tooth_before))
+    }
+
+    /// One step in which the teeth cut the surfaces of those that have left them.
+    #[inline]
+    pub fn update_on(&mut self, cut: &CutForce, left_by: &LeftBy) -> Motion {
+        if cut.delay_s != self.delay_s {
+            self.set_delay(cut.delay_s);
+        }
+        self.step(cut, self.surface_before(left_by))
+    }
+
+    #[inline]
+    fn step(&mut self, cut: &CutForce, before: f64) -> Motion {
         let CutForce { static_n, stiffness_n_m: kappa, damping_n_s_m: damping, .. } = *cut;
         let d1 = self.feedthrough_m_n + self.d1_modes;
-        let before = self.surface_before(&cut.left_by);
         let (free, free_velocity) = (self.c1.times(&self.q), self.cv.times(&self.q));
         let wanted = (static_n - kappa * (free - before) - damping * free_velocity)
             / (1.0 + kappa * d1 + damping * self.dv);

@@ -22,7 +22,7 @@ impl Dynamometer {
         self.deviation_n = deviation_n;
     }
 
-    /// The reading in N of a force in N, reading number `sample`; never negative.
+    /// The reading in N of a force in N, reading number `sample`: the size of a force, so never negative.
     #[must_use]
     pub fn read(&self, force_n: f64, sample: u64) -> f64 {
         math::positive(force_n + self.deviation_n * self.stream.normal(sample))

@@ -20,7 +20,8 @@ use super::tool::Outline;
 crate::settings! {
     /// The roughness profile and how it is filtered.
     pub struct ProfileSettings {
-        /// Cut-off of the filter against short waves.
+        /// Cut-off of the filter against short waves. What vibration adds to Ra in the running cut is filtered
+        /// at 50 um, finer than teeth stand apart, and the profile has at most 8000 points per long cut-off.
         short_um: f64 = 2.5, [0.5, 25.0], "um", live, "Short-wave cut-off";
         /// Cut-off of the filter against long waves, one sampling length; five are evaluated. 0.25 mm
         /// for Ra up to 0.1 um, 0.8 mm up to 2 um, 2.5 mm up to 10 um.

@@ -89,6 +89,7 @@ impl Machine {
                     let position_mm = self.position_mm + advance_mm * f64::from(step);
                     mark(&ToothPlace { turns, position_mm, displacement_m, in_cut });
                 }
+                // A tooth out of contact carries no force, and none below that.
                 force.dynamic_n = math::positive(force.dynamic_n + self.coupled.added_force_n());
             }
             // The same direction with another size.
