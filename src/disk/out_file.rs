@@ -16,15 +16,17 @@ pub struct OutFile {
 }
 
 enum Sink {
-    /// A file that takes its place at its end.
-    File {
-        growing: BufWriter<Growing>,
-        place: PathBuf,
-        before: Option<Metadata>,
-    },
+    File(Box<Beside>),
     /// A device or a pipe.
     Stream(BufWriter<File>),
     Stdout(BufWriter<Stdout>),
+}
+
+/// A file that takes its place at its end.
+struct Beside {
+    growing: BufWriter<Growing>,
+    place: PathBuf,
+    before: Option<Metadata>,
 }
 
 /// Why a file was not written.
@@ -65,7 +67,7 @@ impl OutFile {
         let begun = || match Place::of(path)? {
             Place::File { path: place, before } => {
                 let growing = BufWriter::new(Growing::beside(&place)?);
-                Ok(Sink::File { growing, place, before })
+                Ok(Sink::File(Box::new(Beside { growing, place, before })))
             }
             Place::Stream(path) => {
                 let stream = OpenOptions::new().write(true).open(path)?;
@@ -108,9 +110,9 @@ impl OutFile {
     /// It cannot be written to its end, or not be put there.
     pub fn keep(self) -> Result<(), WriteError> {
         let done = match self.to {
-            Sink::File { growing, place, before } => {
-                let whole = growing.into_inner().map_err(IntoInnerError::into_error);
-                whole.and_then(|whole| whole.put(&place, before.as_ref()))
+            Sink::File(file) => {
+                let whole = file.growing.into_inner().map_err(IntoInnerError::into_error);
+                whole.and_then(|whole| whole.put(&file.place, file.before.as_ref()))
             }
             Sink::Stream(mut stream) => stream.flush(),
             Sink::Stdout(mut stdout) => stdout.flush(),
@@ -131,7 +133,7 @@ impl OutFile {
 impl Write for OutFile {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         match &mut self.to {
-            Sink::File { growing, .. } => growing.write(bytes),
+            Sink::File(file) => file.growing.write(bytes),
             Sink::Stream(stream) => stream.write(bytes),
             Sink::Stdout(stdout) => stdout.write(bytes),
         }
@@ -139,7 +141,7 @@ impl Write for OutFile {
 
     fn flush(&mut self) -> std::io::Result<()> {
         match &mut self.to {
-            Sink::File { growing, .. } => growing.flush(),
+            Sink::File(file) => file.growing.flush(),
             Sink::Stream(stream) => stream.flush(),
             Sink::Stdout(stdout) => stdout.flush(),
         }

@@ -103,6 +103,24 @@ fn pure_layers_have_no_clock_thread_file_or_environment() {
     }
 }
 
+/// Files are read and written in one place, which loses none of them.
+#[test]
+fn nothing_but_the_disk_opens_a_file() {
+    let opens =
+        ["fs::{", "fs::File", "OpenOptions", "fs::read", "fs::write", "fs::copy", "fs::rename"];
+    let opens = |file: &PathBuf| {
+        let code = code(file);
+        let program = code.split("#[cfg(test)]").next().unwrap_or_default();
+        opens.iter().any(|name| program.contains(name))
+    };
+    for (layer, may) in [("cli", false), ("app", false), ("disk", true)] {
+        let mut files = Vec::new();
+        sources(&folder(layer), &mut files);
+        let found: Vec<&PathBuf> = files.iter().filter(|file| opens(file)).collect();
+        assert_eq!(!found.is_empty(), may, "{layer}: {found:?}");
+    }
+}
+
 /// A search for a public type finds one: no two modules have one of the same name. The loudspeaker is
 /// another one on each platform, so its name is the platform's choice.
 #[test]

@@ -66,7 +66,8 @@ fn utf_8(bytes: &[u8]) -> Result<String, String> {
 fn unmarked_utf_16(bytes: &[u8]) -> Option<&'static str> {
     let looked_at = &bytes[..bytes.len().min(LOOKED_AT) / 2 * 2];
     let zeros = |from: usize| looked_at.iter().skip(from).step_by(2).filter(|x| **x == 0).count();
-    let many = looked_at.len().div_ceil(4).max(1);
+    // Of the bytes at every second place, most.
+    let many = looked_at.len() / 4 + 1;
     match [zeros(0), zeros(1)] {
         [0, odd] if odd >= many => Some("little"),
         [even, 0] if even >= many => Some("big"),
@@ -81,7 +82,26 @@ fn line(bytes: &[u8], at: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+
+    proptest! {
+        #[test]
+        fn any_bytes_are_read_or_named(bytes in proptest::collection::vec(any::<u8>(), 0..64)) {
+            if let Err(problem) = decode(&bytes) {
+                prop_assert!(problem.starts_with("it is "), "{}", problem);
+            }
+        }
+
+        #[test]
+        fn any_text_is_read_as_it_was_written(text in r"\PC{0,40}") {
+            let marked = format!("\u{feff}{text}");
+            prop_assert_eq!(decode(marked.as_bytes()), Ok(text.clone()));
+            prop_assert_eq!(decode(&utf_16(&marked, u16::to_le_bytes)), Ok(text.clone()));
+            prop_assert_eq!(decode(&utf_16(&marked, u16::to_be_bytes)), Ok(text));
+        }
+    }
 
     /// A text as UTF-16.
     fn utf_16(text: &str, unit: fn(u16) -> [u8; 2]) -> Vec<u8> {
