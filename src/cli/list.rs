@@ -17,7 +17,7 @@ use crate::models::feed_drive::FeedDriveKind;
 use crate::models::genetic::{Calibration, ModelSet};
 use crate::models::tool::ShippedTool;
 use crate::run::end::EndId;
-use crate::run::presets::{self, PRESETS};
+use crate::run::presets::{self, PRESETS, PresetGroup};
 use crate::run::scenario::{COMPANIONS, RULES, table};
 
 const CHOICES: &[(&str, &[Choice])] = &[
@@ -37,14 +37,21 @@ pub fn execute(args: &ListArgs) -> Outcome {
     }
     let mut described = Vec::new();
     for preset in PRESETS {
-        described.push((preset.name, presets::load(preset.name)?.info.description.clone()));
+        described.push((preset, presets::load(preset.name)?.info.description.clone()));
     }
     let mut out = std::io::stdout().lock();
     if args.json {
         let mut object = serde_json::Map::new();
         let list: Vec<_> = described
             .iter()
-            .map(|(name, description)| json!({"name": name, "description": description}))
+            .map(|(preset, description)| {
+                json!({
+                    "name": preset.name,
+                    "title": preset.title,
+                    "group": preset.group,
+                    "description": description,
+                })
+            })
             .collect();
         object.insert("presets".to_owned(), list.into());
         for (name, options) in CHOICES {
@@ -69,9 +76,11 @@ pub fn execute(args: &ListArgs) -> Outcome {
         writeln!(out, "{}", serde_json::to_string_pretty(&object)?)?;
         return Ok(ExitCode::SUCCESS);
     }
-    writeln!(out, "presets")?;
-    for (name, description) in described {
-        writeln!(out, "  {name:<18}{description}")?;
+    for (i, group) in PresetGroup::ALL.iter().enumerate() {
+        writeln!(out, "{}presets: {}", if i == 0 { "" } else { "\n" }, group.label())?;
+        for (preset, description) in described.iter().filter(|(preset, _)| preset.group == *group) {
+            writeln!(out, "  {:<21}{}\n{:23}{description}", preset.name, preset.title, "")?;
+        }
     }
     for (name, options) in CHOICES {
         writeln!(out, "\n{name}")?;

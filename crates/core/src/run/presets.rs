@@ -1,65 +1,99 @@
-//! The shipped scenarios. A new one is a file in `assets/scenarios` and a line here.
+//! The shipped scenarios. A new one is a file in `assets/scenarios` and a line here, with its
+//! group and title.
 
 use super::scenario::Scenario;
 use super::scenario_file;
 use crate::base::settings::SettingError;
 
-/// A shipped scenario: its name and its TOML text.
+crate::choice! {
+    /// Groups of the shipped scenarios, in the order in which they are shown.
+    pub enum PresetGroup {
+        /// The first ones to open.
+        Start = "start", "Start here";
+        /// Table 3 of the 2007 paper.
+        Sdnrp2007 = "sdnrp_2007", "SDNRP 2007";
+        /// The 2013 control strategy.
+        Strategy2013 = "strategy_2013", "Control strategy 2013";
+        /// The 2005 combined system.
+        Combined2005 = "combined_2005", "Combined system 2005";
+        /// The 2019 machine model.
+        Machine2019 = "machine_2019", "Machine model 2019";
+    }
+}
+
+/// A shipped scenario.
 #[derive(Clone, Copy, Debug)]
 pub struct Preset {
     /// Name, as on the command line.
     pub name: &'static str,
+    /// Where it belongs.
+    pub group: PresetGroup,
+    /// What it shows, in a few words.
+    pub title: &'static str,
     /// The scenario file's text.
     pub text: &'static str,
 }
 
 macro_rules! presets {
-    ($($name:literal),+ $(,)?) => {
+    ($($name:literal, $group:ident, $title:literal;)+) => {
         /// All shipped scenarios, the console's first one first.
         pub const PRESETS: &[Preset] = &[
             $( Preset {
                 name: $name,
+                group: PresetGroup::$group,
+                title: $title,
                 text: include_str!(concat!("../../../../assets/scenarios/", $name, ".toml")),
             }, )+
         ];
     };
 }
 
-presets![
-    "first-cut",
-    "table3-1",
-    "table3-2",
-    "table3-3",
-    "table3-4",
-    "table3-5",
-    "table3-6",
-    "table3-7",
-    "table3-8",
-    "table3-9",
-    "table3-10",
-    "strategy-2013",
-    "strategy-table1-1",
-    "strategy-table1-2",
-    "strategy-table1-3",
-    "strategy-table1-4",
-    "strategy-table1-5",
-    "strategy-table1-6",
-    "strategy-table1-7",
-    "strategy-table1-8",
-    "experiment-1",
-    "experiment-2",
-    "table3-5-noise",
-    "depth-step",
-    "material-change",
-    "experiment-2-per-cut",
-    "combined-2005",
-    "experiment-2-neural",
-    "experiment-1-sl",
-    "tool-life",
-    "machine-dynamics",
-    "chatter",
-    "machine-life",
-];
+presets! {
+    "first-cut", Start, "Drag the target roughness";
+    "table3-1", Sdnrp2007, "Table 3, simulation 1";
+    "table3-2", Sdnrp2007, "Table 3, simulation 2";
+    "table3-3", Sdnrp2007, "Table 3, simulation 3";
+    "table3-4", Sdnrp2007, "Table 3, simulation 4";
+    "table3-5", Sdnrp2007, "Table 3, simulation 5";
+    "table3-6", Sdnrp2007, "Table 3, simulation 6";
+    "table3-7", Sdnrp2007, "Table 3, simulation 7";
+    "table3-8", Sdnrp2007, "Table 3, simulation 8";
+    "table3-9", Sdnrp2007, "Table 3, simulation 9";
+    "table3-10", Sdnrp2007, "Table 3, simulation 10";
+    "strategy-2013", Strategy2013, "Plan, program, hold: the whole strategy";
+    "strategy-table1-1", Strategy2013, "Table 1, simulation 1";
+    "strategy-table1-2", Strategy2013, "Table 1, simulation 2";
+    "strategy-table1-3", Strategy2013, "Table 1, simulation 3";
+    "strategy-table1-4", Strategy2013, "Table 1, simulation 4";
+    "strategy-table1-5", Strategy2013, "Table 1, simulation 5";
+    "strategy-table1-6", Strategy2013, "Table 1, simulation 6";
+    "strategy-table1-7", Strategy2013, "Table 1, simulation 7";
+    "strategy-table1-8", Strategy2013, "Table 1, simulation 8";
+    "experiment-1", Combined2005, "Experiment 1: two depth steps";
+    "experiment-2", Combined2005, "Experiment 2: five cuts";
+    "table3-5-noise", Start, "Noise in the force and in the sensor";
+    "depth-step", Start, "A deeper stretch of the part";
+    "material-change", Start, "Another material than the model knows";
+    "experiment-2-per-cut", Combined2005, "Experiment 2, a planned feed for every cut";
+    "combined-2005", Combined2005, "Recommended, planned, controlled";
+    "experiment-2-neural", Combined2005, "Experiment 2, force from the neural model";
+    "experiment-1-sl", Combined2005, "Experiment 1 with the Slovene text's figures";
+    "tool-life", Start, "A tool wears through its life";
+    "machine-dynamics", Machine2019, "The cut shakes the machine";
+    "chatter", Machine2019, "A deeper stretch brings chatter";
+    "machine-life", Machine2019, "Wear, sound and roughness over a tool's life";
+}
+
+/// The scenarios of a group, in their order.
+pub fn of_group(group: PresetGroup) -> impl Iterator<Item = &'static Preset> {
+    PRESETS.iter().filter(move |preset| preset.group == group)
+}
+
+/// The title of the shipped scenario with this name.
+#[must_use]
+pub fn title(name: &str) -> Option<&'static str> {
+    PRESETS.iter().find(|preset| preset.name == name).map(|preset| preset.title)
+}
 
 /// The scenario of a preset.
 ///
@@ -82,4 +116,22 @@ pub fn load(name: &str) -> Result<Scenario, SettingError> {
         }
     })?;
     scenario_file::parse(preset.text).map(|(scenario, _)| scenario)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_and_titles_are_told_apart_and_no_group_is_empty() {
+        for (i, one) in PRESETS.iter().enumerate() {
+            for other in &PRESETS[..i] {
+                assert!(one.name != other.name && one.title != other.title, "{}", one.name);
+            }
+            assert!(one.title.len() <= 48, "`{}` is cut off in a list", one.title);
+        }
+        assert!(PresetGroup::ALL.iter().all(|group| of_group(*group).count() > 0));
+        assert_eq!(title("chatter"), Some("A deeper stretch brings chatter"));
+        assert_eq!(title("not shipped"), None);
+    }
 }

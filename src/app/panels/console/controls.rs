@@ -10,9 +10,8 @@ use crate::app::theme::Palette;
 use crate::app::widgets::setting::{Size, setting};
 use crate::app::widgets::target::target as target_of;
 use crate::blocks::control::ControllerKind;
-use crate::run::presets::PRESETS;
+use crate::run::presets::{self, PresetGroup};
 use crate::run::scenario::table;
-use crate::study::published::PaperId;
 
 /// Largest height of the list of scenarios, points.
 const PRESETS_HEIGHT: f32 = 420.0;
@@ -22,24 +21,24 @@ const FIRST: [&str; 5] =
 /// Shown with the first ones, by a widget of its own.
 const TARGET: &str = "target.ra_um";
 
-/// Groups below the fold, with their titles, around those of the controllers.
+/// Groups below the fold, with their titles, around those of the controllers: what is asked for most first.
 const BEFORE: &[(&str, &str)] = &[("target", "Target")];
 const AFTER: &[(&str, &str)] = &[
+    ("workpiece", "Workpiece"),
+    ("program", "NC program"),
+    ("cnc", "CNC and dead time"),
     ("belief", "What the controller believes"),
-    ("plant", "Plant"),
     ("noise", "Noise"),
+    ("plant", "Plant"),
+    ("tool", "Cutter"),
+    ("wear", "Wear over the tool's life"),
     ("feed_drive", "Feed drive"),
     ("spindle_drive", "Spindle drive"),
-    ("cnc", "CNC"),
-    ("program", "NC program"),
-    ("tool", "Cutter"),
-    ("workpiece", "Workpiece"),
     ("machine", "Machine"),
-    ("run", "Run"),
-    ("plan", "Off-line plan"),
-    ("wear", "Wear over the tool's life"),
     ("life", "Sound and tool life"),
     ("profile", "Roughness profile"),
+    ("plan", "Off-line plan"),
+    ("run", "Run"),
     ("", "Name"),
 ];
 
@@ -106,40 +105,25 @@ pub fn more(ui: &mut Ui, view: &View<'_>, windows: &mut Windows, commands: &mut 
     });
 }
 
-/// The shipped scenarios by group: first those of no paper's table, then the tables'.
-fn preset_groups() -> Vec<(&'static str, Vec<&'static str>)> {
-    let of_paper: Vec<(&str, Vec<String>)> = PaperId::ALL
-        .iter()
-        .map(|paper| {
-            (paper.label(), paper.rows().iter().map(|row| paper.preset(row.sim)).collect())
-        })
-        .collect();
-    let group = |wanted: &dyn Fn(&str) -> bool| {
-        PRESETS.iter().map(|preset| preset.name).filter(|name| wanted(name)).collect()
-    };
-    let has = |names: &[String], name: &str| names.iter().any(|other| other == name);
-    let mut groups =
-        vec![("Scenarios", group(&|name| !of_paper.iter().any(|(_, names)| has(names, name))))];
-    groups.extend(of_paper.iter().map(|(title, names)| (*title, group(&|name| has(names, name)))));
-    groups
-}
-
 /// The choice of a shipped scenario, and what the present one is about.
-pub fn presets(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+pub fn scenarios(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     let info = &view.session.scenario().info;
     let width = ui.available_width();
+    let shown = presets::title(&info.name).unwrap_or(&info.name);
     let response = ComboBox::from_id_salt("preset")
         .width(width)
         .truncate()
-        .selected_text(format!("Scenario: {}", info.name))
+        .selected_text(format!("Scenario: {shown}"))
         .height(PRESETS_HEIGHT)
         .show_ui(ui, |ui| {
-            for (title, names) in preset_groups() {
-                ui.label(RichText::new(title).small().color(Palette::at(ui).weak));
-                for name in names {
-                    if ui.selectable_label(name == info.name, name).clicked() {
-                        commands
-                            .push(Command::Session(SessionCommand::LoadPreset(name.to_owned())));
+            for group in PresetGroup::ALL {
+                ui.label(RichText::new(group.label()).small().color(Palette::at(ui).weak));
+                for preset in presets::of_group(*group) {
+                    let help = format!("{}: steadycut run {0}", preset.name);
+                    let choice = ui.selectable_label(preset.name == info.name, preset.title);
+                    if choice.on_hover_text(help).clicked() {
+                        let load = SessionCommand::LoadPreset(preset.name.to_owned());
+                        commands.push(Command::Session(load));
                     }
                 }
             }
@@ -164,17 +148,5 @@ mod tests {
                 || groups().any(|(group, _)| group == param.group);
             assert!(placed, "no group of controls shows `{}`", param.path);
         }
-    }
-
-    #[test]
-    fn every_preset_stands_in_one_group_and_no_group_is_empty() {
-        let groups = preset_groups();
-        assert_eq!(groups.len(), 1 + PaperId::ALL.len());
-        assert!(groups.iter().all(|(title, names)| !names.is_empty() && !title.is_empty()));
-        let mut names: Vec<&str> = groups.into_iter().flat_map(|(_, names)| names).collect();
-        let mut all: Vec<&str> = PRESETS.iter().map(|preset| preset.name).collect();
-        names.sort_unstable();
-        all.sort_unstable();
-        assert_eq!(names, all);
     }
 }

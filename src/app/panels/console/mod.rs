@@ -159,7 +159,7 @@ impl Panel for ConsolePanel {
 impl ConsolePanel {
     fn wide(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         scaffold::controls(ui, "controls", |ui| {
-            controls::presets(ui, view, commands);
+            controls::scenarios(ui, view, commands);
             ui.add_space(6.0);
             controls::first(ui, view, commands);
             ui.add_space(6.0);
@@ -184,7 +184,7 @@ impl ConsolePanel {
             let most = 0.6 * ui.available_height();
             CollapsingHeader::new("Settings").show_unindented(ui, |ui| {
                 ScrollArea::vertical().max_height(most).id_salt("settings").show(ui, |ui| {
-                    controls::presets(ui, view, commands);
+                    controls::scenarios(ui, view, commands);
                     controls::first_but_target(ui, view, commands);
                     controls::more(ui, view, &mut self.windows, commands);
                 });
