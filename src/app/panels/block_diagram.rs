@@ -75,7 +75,7 @@ impl Panel for BlockDiagramPanel {
             if learns && self.watching {
                 self.learning.show(ui, view, commands);
             } else {
-                self.screen(ui, view);
+                self.screen(ui, view, commands);
             }
         });
     }
@@ -91,7 +91,7 @@ impl BlockDiagramPanel {
         });
     }
 
-    fn screen(&mut self, ui: &mut egui::Ui, view: &View<'_>) {
+    fn screen(&mut self, ui: &mut egui::Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let now = Now::of(view.session);
         let area = ui.available_rect_before_wrap();
         let details = (area.height() * DETAILS_FRACTION).clamp(DETAILS_HEIGHT.0, DETAILS_HEIGHT.1);
@@ -99,7 +99,7 @@ impl BlockDiagramPanel {
         let above = Rect::from_min_max(area.min, pos2(area.right(), split - GAP));
         let below = Rect::from_min_max(pos2(area.left(), split), area.max);
         ui.scope_builder(UiBuilder::new().max_rect(above), |ui| self.diagram(ui, view, &now));
-        ui.scope_builder(UiBuilder::new().max_rect(below), |ui| self.details(ui, view, &now));
+        ui.scope_builder(UiBuilder::new().max_rect(below), |ui| self.details(ui, view, &now, commands));
     }
 
     fn diagram(&mut self, ui: &mut egui::Ui, view: &View<'_>, now: &Now<'_>) {
@@ -119,17 +119,23 @@ impl BlockDiagramPanel {
         (self.wire, self.last) = (wire, Last::Wire);
     }
 
-    fn details(&mut self, ui: &mut egui::Ui, view: &View<'_>, now: &Now<'_>) {
+    fn details(
+        &mut self,
+        ui: &mut egui::Ui,
+        view: &View<'_>,
+        now: &Now<'_>,
+        commands: &mut Vec<Command>,
+    ) {
         if view.narrow {
             ScrollArea::vertical().id_salt("details").auto_shrink(false).show(ui, |ui| match self
                 .last
             {
                 Last::Wire => {
                     self.plot(ui, view, now);
-                    self.card(ui, now);
+                    self.card(ui, now, commands);
                 }
                 Last::Block => {
-                    self.card(ui, now);
+                    self.card(ui, now, commands);
                     self.plot(ui, view, now);
                 }
             });
@@ -140,7 +146,7 @@ impl BlockDiagramPanel {
             ScrollArea::vertical()
                 .id_salt("card")
                 .auto_shrink(false)
-                .show(right, |ui| ui.vertical(|ui| self.card(ui, now)));
+                .show(right, |ui| ui.vertical(|ui| self.card(ui, now, commands)));
         });
     }
 
@@ -149,8 +155,8 @@ impl BlockDiagramPanel {
         signal_plot::show(ui, view.session, now, self.wire, height);
     }
 
-    fn card(&mut self, ui: &mut egui::Ui, now: &Now<'_>) {
-        if let Some(wire) = card_view::show(ui, self.block, now, &mut self.explain) {
+    fn card(&mut self, ui: &mut egui::Ui, now: &Now<'_>, commands: &mut Vec<Command>) {
+        if let Some(wire) = card_view::show(ui, self.block, now, &mut self.explain, commands) {
             self.show_wire(wire);
         }
     }

@@ -3,17 +3,26 @@
 use egui::{Color32, Label, Response, RichText, Role, Sense, Stroke, Ui, Vec2, WidgetInfo};
 
 use super::moment::Now;
+use crate::app::command::Command;
 use crate::app::panels::equation_cards::formula::typeset;
 use crate::app::panels::equation_cards::{Block, Live, live};
 use crate::app::theme::{self, Palette};
+use crate::app::widgets::setting::{Size, setting};
 use crate::run::diagram::{WIRES, Wire};
 use crate::run::signals::signal;
 
 const FORMULA: f32 = 14.0;
 const NOTE: f32 = 11.5;
 
-/// Shows the card of `block`; gives back a signal that was asked to be plotted.
-pub fn show(ui: &mut Ui, block: Block, now: &Now<'_>, explain: &mut bool) -> Option<Wire> {
+/// Shows the card of `block`, with the editors of its settings; gives back a signal that was asked to be
+/// plotted.
+pub fn show(
+    ui: &mut Ui,
+    block: Block,
+    now: &Now<'_>,
+    explain: &mut bool,
+    commands: &mut Vec<Command>,
+) -> Option<Wire> {
     let palette = Palette::at(ui);
     let info = block.info();
     theme::card(palette)
@@ -33,6 +42,10 @@ pub fn show(ui: &mut Ui, block: Block, now: &Now<'_>, explain: &mut bool) -> Opt
                 ui.label(info.meaning);
             }
             let asked = signals(ui, &block.signals(now.moment.scenario));
+            section(ui, "Set here");
+            for path in block.settings(now.moment.scenario) {
+                setting(ui, path, now.moment.scenario, Size::Small, commands);
+            }
             section(ui, "As printed");
             for printed in block.printed(now.moment.scenario) {
                 formula(ui, printed.formula, palette.text);

@@ -11,7 +11,7 @@ pub mod wires;
 pub use names::{Names, Using};
 pub use wires::{WIRES, Wire};
 
-use super::scenario::Scenario;
+use super::scenario::{Scenario, table};
 use super::signals::flag;
 
 /// A box of the block diagram, in signal order.
@@ -141,7 +141,7 @@ pub const BLOCKS: &[BlockInfo] = &[
                   is one command under way; its height shows its size against the others.",
         own: &[],
         of_machine: &[],
-        settings: &["cnc.dead_time_s"],
+        settings: &["cnc.dead_time_s", "belief.dead_time_s"],
         lamps: &[],
     },
     BlockInfo {
@@ -249,6 +249,13 @@ impl Block {
         WIRES.into_iter().filter(move |wire| wire.from == Some(self))
     }
 
+    /// Paths of the settings to look at: those of its box; of the controller also those of the kind in charge.
+    pub fn settings(self, scenario: &Scenario) -> impl Iterator<Item = &'static str> {
+        let group = (self == Self::Controller).then(|| scenario.controller.kind.group());
+        let of_kind = table().iter().filter(move |param| group == Some(param.group));
+        self.info().settings.iter().copied().chain(of_kind.map(|param| param.path.as_str()))
+    }
+
     /// Ids of the signals to look at: those that enter it, its own, and those that leave it, each once.
     #[must_use]
     pub fn signals(self, scenario: &Scenario) -> Vec<&'static str> {
@@ -284,6 +291,15 @@ mod tests {
             assert!(info.block.inputs().next().is_some(), "nothing enters {}", info.name);
             assert!(info.block.outputs().next().is_some(), "nothing leaves {}", info.name);
         }
+    }
+
+    #[test]
+    fn the_controllers_box_shows_what_the_kind_in_charge_is_tuned_with() {
+        let scenario = crate::run::presets::load("table3-5").unwrap();
+        let found: Vec<&str> = Block::Controller.settings(&scenario).collect();
+        assert_eq!(found, ["controller.kind", "controller.sdnrp.kp"]);
+        let found: Vec<&str> = Block::DeadTime.settings(&scenario).collect();
+        assert_eq!(found, ["cnc.dead_time_s", "belief.dead_time_s"]);
     }
 
     #[test]
