@@ -51,6 +51,7 @@ pub fn show(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &
             } else {
                 help(ui, commands);
                 theme_button(ui, commands);
+                find(ui, view, commands);
                 ui.separator();
                 file_buttons(ui, view, commands);
                 ui.separator();
@@ -112,10 +113,20 @@ fn menu(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
             undo_buttons(ui, view, commands);
             theme_button(ui, commands);
             help(ui, commands);
+            find(ui, view, commands);
         });
         ui.separator();
         file_buttons(ui, view, commands);
     });
+}
+
+fn find(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+    let command = Command::Shell(ShellCommand::ShowSearch(true));
+    let keys = shortcuts::hint(ui.ctx(), view.place, &command);
+    let help = format!("Find a setting, scenario, screen, command or word{keys}");
+    if ui.button("Find").on_hover_text(help).clicked() {
+        commands.push(command);
+    }
 }
 
 fn help(ui: &mut Ui, commands: &mut Vec<Command>) {

@@ -118,9 +118,11 @@ pub enum ShellCommand {
     Theme(egui::ThemePreference),
     /// Shows or hides the sheet of shortcuts.
     ShowShortcuts(bool),
+    /// Opens or closes the search.
+    ShowSearch(bool),
     /// Removes the message with this number from the screen; it stays in the list.
     Dismiss(u64),
-    /// Closes what lies on top: sheet, link, or the newest message.
+    /// Closes what lies on top: search, sheet, link, or the newest message.
     CloseTopmost,
     /// Puts a link up, for copying it by hand.
     ShowLink(String),

@@ -34,6 +34,7 @@ impl Console {
             }
             ShellCommand::Theme(preference) => ctx.set_theme(preference),
             ShellCommand::ShowShortcuts(show) => self.shortcuts = show,
+            ShellCommand::ShowSearch(show) => self.search.show_it(show),
             ShellCommand::Dismiss(number) => self.messages.dismiss(number),
             ShellCommand::ShowLink(link) => self.link = Some(link),
             ShellCommand::CloseTopmost => self.close_topmost(),
@@ -41,7 +42,9 @@ impl Console {
     }
 
     fn close_topmost(&mut self) {
-        if self.link.take().is_none() && !std::mem::take(&mut self.shortcuts) {
+        if self.search.is_open() {
+            self.search.show_it(false);
+        } else if self.link.take().is_none() && !std::mem::take(&mut self.shortcuts) {
             self.messages.dismiss_newest();
         }
     }

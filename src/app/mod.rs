@@ -8,6 +8,7 @@ pub mod cut;
 mod execute;
 mod files;
 pub mod format;
+mod glossary;
 pub mod history;
 pub mod jobs;
 mod link;
@@ -17,6 +18,7 @@ mod native;
 pub mod panels;
 pub mod playback;
 pub mod scene;
+mod search;
 pub mod session;
 pub mod shortcuts;
 mod speaker;
@@ -38,6 +40,7 @@ use jobs::Jobs;
 use link::{Address, Due};
 use messages::Messages;
 use panels::{Panel, View, panels};
+use search::Search;
 use session::Session;
 use shortcuts::{Place, Reach};
 use widgets::{focus, scaffold, setting};
@@ -56,6 +59,7 @@ pub struct Console {
     messages: Messages,
     /// Whether the sheet of keys is shown.
     shortcuts: bool,
+    search: Search,
     /// A link that is put up for copying.
     link: Option<String>,
     address: Address,
@@ -105,6 +109,7 @@ impl Console {
             place: Place::HERE,
             messages: Messages::default(),
             shortcuts: false,
+            search: Search::default(),
             link: None,
             address: Address::default(),
             had_focus: false,
@@ -180,6 +185,7 @@ impl Console {
         if let Some(link) = self.link.take() {
             self.link = link::show(&ctx, &link).then_some(link);
         }
+        glossary::explain(&ctx);
         let acted = !commands.is_empty();
         for command in commands {
             self.execute(command, &ctx);
@@ -202,7 +208,7 @@ impl Console {
         if !escaped || egui::Popup::is_any_open(ctx) {
             return;
         }
-        let over = self.shortcuts || self.link.is_some();
+        let over = self.shortcuts || self.search.is_open() || self.link.is_some();
         if over || (!self.had_focus && self.messages().next().is_some()) {
             ctx.input_mut(|input| input.consume_key(egui::Modifiers::NONE, egui::Key::Escape));
             commands.push(Command::Shell(ShellCommand::CloseTopmost));
@@ -248,6 +254,7 @@ impl Console {
             self.panels[self.shown].ui(ui, &view, commands);
         });
         self.messages.show(ui.ctx(), middle, self.session.notices(), commands);
+        self.search.ui(ui.ctx(), &view, &tabs, commands);
     }
 
     /// Scenario and edits as the part of a link after `#`.

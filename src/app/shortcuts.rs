@@ -107,6 +107,12 @@ fn table(place: Place) -> Vec<Shortcut> {
         shortcut(ctrl | shift, Key::Z, "Redo", Command::Session(SessionCommand::Redo)),
         shortcut(ctrl, Key::Z, "Undo", Command::Session(SessionCommand::Undo)),
         shortcut(ctrl, Key::Y, "Redo", Command::Session(SessionCommand::Redo)),
+        shortcut(
+            none,
+            Key::Slash,
+            "Find a setting, scenario, screen, command or word",
+            Command::Shell(ShellCommand::ShowSearch(true)),
+        ),
         shortcut(ctrl, Key::O, "Open a scenario file", Command::File(FileCommand::Open)),
         shortcut(
             ctrl,
@@ -149,6 +155,17 @@ pub fn screen_key(order: usize, place: Place) -> Option<KeyboardShortcut> {
 pub fn hint(ctx: &Context, place: Place, command: &Command) -> String {
     let keys = table(place).into_iter().find(|shortcut| shortcut.command == *command);
     keys.map_or(String::new(), |found| format!(" ({})", ctx.format_shortcut(&found.keys)))
+}
+
+/// The commands that have a key, each once, with what they do.
+pub fn commands(place: Place) -> Vec<(&'static str, Command)> {
+    let mut all: Vec<(&'static str, Command)> = Vec::new();
+    for Shortcut { doing, command, .. } in table(place) {
+        if all.iter().all(|(_, other)| *other != command) {
+            all.push((doing, command));
+        }
+    }
+    all
 }
 
 /// The commands of the keys pressed in this frame. A text that is being written has all keys; what belongs

@@ -2,6 +2,7 @@
 
 mod compare;
 mod drawn;
+mod finding;
 mod jobs;
 mod learning;
 mod machine;

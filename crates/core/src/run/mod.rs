@@ -11,6 +11,7 @@ pub mod digest;
 pub mod edits;
 pub mod end;
 pub mod explanation;
+pub mod glossary;
 pub mod job;
 pub mod metrics;
 pub mod one_run;

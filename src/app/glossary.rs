@@ -1,0 +1,157 @@
+//! Explains the words and symbols where they stand: a pointer that rests on a text, a finger that stays on it,
+//! or a widget that the keyboard has come to shows what its abbreviations mean ([`crate::run::glossary`]).
+//!
+//! Texts are found among what is drawn, so that plots, cards and tables need do nothing for it.
+
+use egui::epaint::{ClippedShape, TextShape};
+use egui::{Area, Context, Frame, Id, LayerId, Order, Pos2, Rect, RichText, Shape, Vec2};
+
+use crate::run::glossary::{Term, terms_in};
+
+/// Rest of a pointer before it is answered, s.
+const REST_S: f32 = 0.7;
+/// A finger must stay for this long, s.
+const PRESS_S: f64 = 0.6;
+/// Terms explained at once, at most.
+const MOST: usize = 4;
+/// Width of an explanation, points.
+const WIDTH: f32 = 320.0;
+
+/// A text on the screen.
+struct Found {
+    text: String,
+    rect: Rect,
+}
+
+/// The texts of a shape and of those in it.
+fn texts(shape: &Shape, see: &mut dyn FnMut(&TextShape)) {
+    match shape {
+        Shape::Text(text) => see(text),
+        Shape::Vec(shapes) => shapes.iter().for_each(|shape| texts(shape, see)),
+        Shape::Noop
+        | Shape::Circle(_)
+        | Shape::Ellipse(_)
+        | Shape::LineSegment { .. }
+        | Shape::Path(_)
+        | Shape::Rect(_)
+        | Shape::Band(_)
+        | Shape::Mesh(_)
+        | Shape::QuadraticBezier(_)
+        | Shape::CubicBezier(_)
+        | Shape::Callback(_) => {}
+    }
+}
+
+/// The texts of a layer that touch a place.
+fn at(ctx: &Context, layer: LayerId, place: Rect) -> Vec<Found> {
+    let mut found = Vec::new();
+    ctx.graphics(|graphics| {
+        let Some(list) = graphics.get(layer) else { return };
+        for ClippedShape { clip_rect, shape, .. } in list.all_entries() {
+            if !clip_rect.intersects(place) {
+                continue;
+            }
+            texts(shape, &mut |text| {
+                let rect = text.visual_bounding_rect();
+                if rect.intersects(place) {
+                    found.push(Found { text: line_at(text, place.center()), rect });
+                }
+            });
+        }
+    });
+    found
+}
+
+/// The line of a text at a height; all of it where it is not in it.
+fn line_at(text: &TextShape, place: Pos2) -> String {
+    let galley = &text.galley;
+    let here = place - text.pos.to_vec2();
+    let row = galley.rows.iter().find(|row| (row.min_y()..=row.max_y()).contains(&here.y));
+    row.map_or_else(|| galley.text().to_owned(), |row| row.text())
+}
+
+/// What is asked about: where, in which layer.
+fn asked(ctx: &Context) -> Option<(LayerId, Rect)> {
+    let touch = |place: Pos2| Rect::from_center_size(place, Vec2::splat(2.0));
+    let (pointer, rests, pressed_s, down, dragged) = ctx.input(|input| {
+        let pointer = &input.pointer;
+        let pressed_s = pointer.press_start_time().map(|since| input.time - since);
+        (
+            pointer.latest_pos(),
+            pointer.time_since_last_movement(),
+            pressed_s,
+            pointer.any_down(),
+            pointer.is_decidedly_dragging(),
+        )
+    });
+    if let Some(place) = pointer
+        && !dragged
+    {
+        let long_press = down && ctx.input(|input| input.any_touches());
+        let asks = if down {
+            long_press && pressed_s.is_some_and(|pressed_s| pressed_s >= PRESS_S)
+        } else {
+            rests >= REST_S
+        };
+        if asks {
+            return Some((ctx.layer_id_at(place)?, touch(place)));
+        }
+    }
+    // The keyboard: a pointer that moves wins.
+    let focused = ctx.memory(|memory| memory.focused()).filter(|_| rests >= REST_S)?;
+    let response = ctx.read_response(focused)?;
+    Some((response.layer_id, response.rect))
+}
+
+/// Shows the explanation of what is asked about, if it holds any of the glossary's terms; to be called when
+/// everything else of a frame is drawn.
+pub fn explain(ctx: &Context) {
+    let Some((layer, place)) = asked(ctx).filter(|(layer, _)| layer.order != Order::Tooltip) else {
+        // A pointer that has just come to rest is looked at once it has rested.
+        if ctx.input(|input| input.pointer.time_since_last_movement()) < REST_S {
+            ctx.request_repaint_after_secs(REST_S);
+        }
+        return;
+    };
+    let mut terms: Vec<&'static Term> = Vec::new();
+    let mut rect = Rect::NOTHING;
+    for found in at(ctx, layer, place) {
+        for term in terms_in(&found.text) {
+            rect = rect.union(found.rect);
+            if !terms.contains(&term) {
+                terms.push(term);
+            }
+        }
+    }
+    if terms.is_empty() {
+        return;
+    }
+    terms.truncate(MOST);
+    show(ctx, rect.intersect(place.expand(40.0)), &terms);
+}
+
+fn show(ctx: &Context, rect: Rect, terms: &[&'static Term]) {
+    let screen = ctx.content_rect();
+    // Above the text: below it the tooltips of widgets come, and a finger covers it.
+    let above = rect.top() - screen.top() > 120.0;
+    let (pivot, at) = if above {
+        (egui::Align2::LEFT_BOTTOM, rect.left_top() - Vec2::new(0.0, 6.0))
+    } else {
+        (egui::Align2::LEFT_TOP, rect.left_bottom() + Vec2::new(0.0, 6.0))
+    };
+    Area::new(Id::unique("glossary"))
+        .order(Order::Tooltip)
+        .pivot(pivot)
+        .fixed_pos(at)
+        .constrain_to(screen)
+        .interactable(false)
+        .show(ctx, |ui| {
+            Frame::popup(ui.style()).show(ui, |ui| {
+                ui.set_max_width(WIDTH.min(screen.width() - 24.0));
+                for term in terms {
+                    ui.label(RichText::new(term.spellings.join(", ")).strong());
+                    ui.label(term.meaning);
+                }
+            });
+        });
+}

@@ -1,0 +1,147 @@
+//! What is looked for is found: search from any screen, settings in the diagram's cards, words explained where
+//! they stand.
+
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers, Vec2, vec2};
+use egui_kittest::kittest::{NodeT, Queryable};
+use steadycut::base::settings::Value;
+use steadycut::run::glossary::{GLOSSARY, terms_in};
+use steadycut::run::scenario::Scenario;
+
+use crate::screen::{Screen, open, texts};
+
+const DESKTOP: Vec2 = vec2(1280.0, 800.0);
+const PHONE: Vec2 = vec2(390.0, 844.0);
+
+fn current<'a>(screen: &'a Screen<'_>) -> &'a Scenario {
+    screen.state().as_ref().expect("made in the first frame").session().current()
+}
+
+fn shown(screen: &Screen<'_>) -> String {
+    let state = screen.state().as_ref().unwrap().state_json();
+    serde_json::from_str::<serde_json::Value>(&state).unwrap()["screen"]
+        .as_str()
+        .unwrap()
+        .to_owned()
+}
+
+fn find(screen: &mut Screen<'_>, words: &str) {
+    screen.key_press(Key::Slash);
+    screen.run_steps(3);
+    screen.event(Event::Text(words.to_owned()));
+    screen.run_steps(3);
+}
+
+#[test]
+fn a_word_finds_a_setting_which_is_set_there_and_then() {
+    for size in [DESKTOP, PHONE] {
+        let mut screen = open("first-cut", size, "Compare", &[]);
+        find(&mut screen, "assumed by");
+        assert!(texts(&screen).contains("Nothing has these words"), "{}", texts(&screen));
+        screen.key_press(Key::Escape);
+        screen.run_steps(3);
+        assert!(
+            screen.query_by_role_and_label(Role::TextInput, "Find").is_none(),
+            "Escape closes it"
+        );
+        find(&mut screen, "cnc.dead");
+        let before = current(&screen).cnc.dead_time_s;
+        let field = screen.get_by_role_and_label(Role::SpinButton, "Dead time");
+        let inside = field.rect();
+        assert!(screen.ctx.content_rect().contains_rect(inside), "{inside:?}");
+        field.focus();
+        screen.run_steps(2);
+        screen.key_press_modifiers(Modifiers::NONE, Key::ArrowUp);
+        screen.run_steps(3);
+        assert!(current(&screen).cnc.dead_time_s > before, "{before}");
+    }
+}
+
+#[test]
+fn scenarios_screens_and_words_are_found_too() {
+    let mut screen = open("first-cut", DESKTOP, "Compare", &[]);
+    find(&mut screen, "chatter");
+    screen.key_press(Key::Enter);
+    screen.run_steps(3);
+    assert_eq!(current(&screen).info.name, "chatter", "Enter takes the best");
+    find(&mut screen, "workpiece");
+    screen.get_by_role_and_label(Role::Button, "screen: Workpiece").click();
+    screen.run_steps(3);
+    assert_eq!(shown(&screen), "workpiece");
+    assert!(screen.query_by_role_and_label(Role::TextInput, "Find").is_none(), "it is closed");
+    find(&mut screen, "nsn");
+    assert!(
+        texts(&screen).contains("Normalised standard error of the force"),
+        "{}",
+        texts(&screen)
+    );
+}
+
+#[test]
+fn the_card_of_a_box_sets_what_it_shows() {
+    for size in [DESKTOP, PHONE] {
+        let kind = Value::Text("sdnrp".to_owned());
+        let mut screen = open("first-cut", size, "Block diagram", &[("controller.kind", kind)]);
+        screen.get_by_role_and_label(Role::Button, "Controller K2, K3").click();
+        screen.run_steps(3);
+        let before = current(&screen).controller.sdnrp.kp;
+        screen.get_by_role_and_label(Role::SpinButton, "Gain Kp").focus();
+        screen.run_steps(2);
+        screen.key_press(Key::ArrowUp);
+        screen.run_steps(3);
+        assert!(current(&screen).controller.sdnrp.kp > before, "{before}");
+    }
+}
+
+/// The meaning of a term, if it is on the screen.
+fn explained(screen: &Screen<'_>, word: &str) -> bool {
+    let meaning = terms_in(word).next().expect("in the glossary").meaning;
+    screen.query_by_label(meaning).is_some()
+}
+
+#[test]
+fn a_pointer_that_rests_on_a_word_is_told_what_it_means() {
+    let mut screen = open("first-cut", DESKTOP, "Console", &[]);
+    assert!(!explained(&screen, "in tolerance"));
+    let place = screen.get_by_label_contains("Ra in tolerance").rect().center();
+    screen.event(Event::PointerMoved(place));
+    screen.run_steps(4);
+    assert!(!explained(&screen, "in tolerance"), "not at once: it would be in the way");
+    screen.run_steps(16);
+    assert!(explained(&screen, "in tolerance"));
+    screen.event(Event::PointerMoved(place + vec2(0.0, 300.0)));
+    screen.run_steps(3);
+    assert!(!explained(&screen, "in tolerance"));
+}
+
+/// Words that everybody here knows, names, and what stands in files.
+const PLAIN: &[&str] = &["SteadyCut", "OK", "ISO", "OUTSIDE", "MHz"];
+
+/// Whether a word looks like an abbreviation or a symbol: two capitals, or a capital with a figure.
+fn is_short(word: &str) -> bool {
+    let capitals = word.chars().filter(char::is_ascii_uppercase).count();
+    let figures = word.chars().filter(char::is_ascii_digit).count();
+    word.len() <= 8
+        && word.starts_with(|c: char| c.is_ascii_uppercase())
+        && (capitals >= 2 || (capitals == 1 && word.len() == 2 && figures == 1))
+}
+
+#[test]
+fn every_abbreviation_on_the_screens_is_in_the_glossary() {
+    let mut missing: Vec<String> = Vec::new();
+    for preset in ["first-cut", "chatter", "experiment-2"] {
+        for title in
+            ["Console", "Block diagram", "Workpiece", "Plan", "Machine", "Compare", "Papers"]
+        {
+            let screen = open(preset, DESKTOP, title, &[]);
+            for word in texts(&screen).split(|c: char| !c.is_alphanumeric() && c != '_') {
+                let known = PLAIN.contains(&word) || terms_in(word).next().is_some();
+                if is_short(word) && !known && !missing.iter().any(|m| m.starts_with(word)) {
+                    missing.push(format!("{word} ({title})"));
+                }
+            }
+        }
+    }
+    assert!(missing.is_empty(), "nowhere explained: {missing:?}");
+    assert!(is_short("SDNRP") && is_short("K1") && !is_short("Ra now") && !GLOSSARY.is_empty());
+}
