@@ -49,7 +49,7 @@ pub struct ForceMoment<'a> {
 
 /// A force model. One file each; those that are a function of feed, speed and engagement implement
 /// [`MapLaw`](super::map::MapLaw) and have this from [`Mapped`](super::map::Mapped).
-pub trait ForceLaw: Clone + std::fmt::Debug {
+pub trait ForceModelLaw: Clone + std::fmt::Debug {
     /// What it is, with its source, in a sentence or two.
     const ABOUT: &'static str;
     /// Whether the force is a function of feed, speed and engagement that gives the largest force of a

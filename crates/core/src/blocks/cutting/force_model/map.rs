@@ -5,7 +5,7 @@
 //! | one path | the map where the tool is |
 //! | several cuts | the same where the cutter meets their sections ([`contact`]), with air between them |
 
-use super::law::{ForceLaw, ForceMoment, ForceSetup};
+use super::law::{ForceModelLaw, ForceMoment, ForceSetup};
 use crate::base::equation::Live;
 use crate::base::math;
 use crate::blocks::cutting::contact;
@@ -18,13 +18,13 @@ use crate::models::neural_force::NeuralKind;
 use crate::models::printed::Printed;
 use crate::models::tool::{Outline, Tool};
 
-/// A map of the force; see [`ForceLaw`] for what is not said here.
+/// A map of the force; see [`ForceModelLaw`] for what is not said here.
 pub trait MapLaw: Clone + std::fmt::Debug {
-    /// See [`ForceLaw::ABOUT`].
+    /// See [`ForceModelLaw::ABOUT`].
     const ABOUT: &'static str;
-    /// See [`ForceLaw::NETWORK`].
+    /// See [`ForceModelLaw::NETWORK`].
     const NETWORK: Option<NeuralKind> = None;
-    /// See [`ForceLaw::FORMULA`].
+    /// See [`ForceModelLaw::FORMULA`].
     const FORMULA: bool = false;
 
     /// The map of a plant with a tool at a radial depth of cut in mm.
@@ -40,15 +40,15 @@ pub trait MapLaw: Clone + std::fmt::Debug {
         life_factor: f64,
     ) -> Valued;
 
-    /// See [`ForceLaw::short_name`].
+    /// See [`ForceModelLaw::short_name`].
     #[must_use]
     fn short_name(set: ModelSet) -> String;
 
-    /// See [`ForceLaw::printed`].
+    /// See [`ForceModelLaw::printed`].
     #[must_use]
     fn printed(set: ModelSet) -> &'static [Printed];
 
-    /// See [`ForceLaw::explain`].
+    /// See [`ForceModelLaw::explain`].
     #[must_use]
     fn explain(moment: &ForceMoment) -> Vec<Live>;
 }
@@ -66,7 +66,7 @@ pub(super) fn engaged(place: &Engagement) -> bool {
     place.axial_depth_mm > 0.0 && place.radial_depth_mm > 0.0
 }
 
-impl<M: MapLaw> ForceLaw for Mapped<M> {
+impl<M: MapLaw> ForceModelLaw for Mapped<M> {
     const ABOUT: &'static str = M::ABOUT;
     const MAP: bool = true;
     const NETWORK: Option<NeuralKind> = M::NETWORK;

@@ -1,7 +1,7 @@
 //! The mechanistic model of the end mill, tooth by tooth: the milling simulator of 2005
 //! ([`crate::blocks::cutting::milling`]), and the largest force of every control period.
 
-use super::law::{ForceLaw, ForceMoment, ForceSetup};
+use super::law::{ForceModelLaw, ForceMoment, ForceSetup};
 use crate::base::equation::{Live, number};
 use crate::base::math;
 use crate::base::units::mm_from_um;
@@ -67,7 +67,7 @@ fn milling_setup(plant: &PlantSettings, tool: &Tool, dt_s: f64) -> MillingSetup 
     }
 }
 
-impl ForceLaw for Mechanistic {
+impl ForceModelLaw for Mechanistic {
     const ABOUT: &'static str = "The mechanistic model of the end mill, tooth by tooth (2005 milling \
                                  simulator); wants plant steps of some 30 us.";
     const MAP: bool = false;

@@ -2,7 +2,7 @@
 //! around it.
 //!
 //! A force model is one file here and one line in the list below (CONTRIBUTING.md shows how). Its file says
-//! all that the program knows of it ([`law::ForceLaw`]): its kind, the force, the steps that it needs, and its
+//! all that the program knows of it ([`law::ForceModelLaw`]): its kind, the force, the steps that it needs, and its
 //! equations in words.
 
 #[macro_use]
@@ -21,7 +21,7 @@ use crate::models::Valued;
 use crate::models::genetic::ModelSet;
 use crate::models::neural_force::NeuralKind;
 use crate::models::printed::Printed;
-use law::{ForceLaw, ForceMoment, ForceSetup};
+use law::{ForceModelLaw, ForceMoment, ForceSetup};
 
 // Module, type, id in files and on the command line, name for people; in the order of files and lists.
 force_models! {

@@ -29,7 +29,7 @@ const PRINTED: &[Printed] = &[Printed::new(
 )];
 
 /// A network that gives a force: which one it is.
-pub trait Network: Clone + std::fmt::Debug {
+pub trait MappedNetwork: Clone + std::fmt::Debug {
     /// See [`MapLaw::ABOUT`].
     const ABOUT: &'static str;
     /// The shipped network.
@@ -40,7 +40,7 @@ pub trait Network: Clone + std::fmt::Debug {
 #[derive(Clone, Copy, Debug)]
 pub struct Improved;
 
-impl Network for Improved {
+impl MappedNetwork for Improved {
     const ABOUT: &'static str = "The 8-15-3 network trained for accuracy.";
     const KIND: NeuralKind = NeuralKind::Improved;
 }
@@ -57,7 +57,7 @@ pub struct NetworkMap<N> {
     network: std::marker::PhantomData<N>,
 }
 
-impl<N: Network> MapLaw for NetworkMap<N> {
+impl<N: MappedNetwork> MapLaw for NetworkMap<N> {
     const ABOUT: &'static str = N::ABOUT;
     const NETWORK: Option<NeuralKind> = Some(N::KIND);
 

@@ -16,7 +16,7 @@ macro_rules! force_models {
         }
 
         crate::choice!(@options ForceModel {
-            $( $name = $id, $label, <$module::$name as ForceLaw>::ABOUT; )+
+            $( $name = $id, $label, <$module::$name as ForceModelLaw>::ABOUT; )+
         });
 
         impl ForceModel {
@@ -24,51 +24,51 @@ macro_rules! force_models {
             /// of a revolution at once.
             #[must_use]
             pub fn is_map(self) -> bool {
-                match self { $( Self::$name => <$module::$name as ForceLaw>::MAP, )+ }
+                match self { $( Self::$name => <$module::$name as ForceModelLaw>::MAP, )+ }
             }
 
             /// Whether the force is the formula of a published model set, K4 or M4: what the tables of
             /// the papers were made with.
             #[must_use]
             pub fn is_formula(self) -> bool {
-                match self { $( Self::$name => <$module::$name as ForceLaw>::FORMULA, )+ }
+                match self { $( Self::$name => <$module::$name as ForceModelLaw>::FORMULA, )+ }
             }
 
             /// The network; `None` for the other force models.
             #[must_use]
             pub fn network(self) -> Option<NeuralKind> {
-                match self { $( Self::$name => <$module::$name as ForceLaw>::NETWORK, )+ }
+                match self { $( Self::$name => <$module::$name as ForceModelLaw>::NETWORK, )+ }
             }
 
             /// Longest plant step in s with which the force can be simulated; infinite for a map.
             #[must_use]
             pub fn longest_step_s(self) -> f64 {
-                match self { $( Self::$name => <$module::$name as ForceLaw>::LONGEST_STEP_S, )+ }
+                match self { $( Self::$name => <$module::$name as ForceModelLaw>::LONGEST_STEP_S, )+ }
             }
 
             /// The model set that was identified on this very force; `None` where the controller's
             /// models are those of the plant's own set.
             #[must_use]
             pub fn identified_set(self) -> Option<ModelSet> {
-                match self { $( Self::$name => <$module::$name as ForceLaw>::IDENTIFIED_SET, )+ }
+                match self { $( Self::$name => <$module::$name as ForceModelLaw>::IDENTIFIED_SET, )+ }
             }
 
             /// What it is called beside K1..K6 or M1..M6, where the formula is that of `set`.
             #[must_use]
             pub fn short_name(self, set: ModelSet) -> String {
-                match self { $( Self::$name => <$module::$name as ForceLaw>::short_name(set), )+ }
+                match self { $( Self::$name => <$module::$name as ForceModelLaw>::short_name(set), )+ }
             }
 
             /// Its equations as printed, where the formula is that of `set`.
             #[must_use]
             pub fn printed(self, set: ModelSet) -> &'static [Printed] {
-                match self { $( Self::$name => <$module::$name as ForceLaw>::printed(set), )+ }
+                match self { $( Self::$name => <$module::$name as ForceModelLaw>::printed(set), )+ }
             }
 
             /// Its equations with the values of a moment.
             #[must_use]
             pub fn explain(self, moment: &ForceMoment) -> Vec<Live> {
-                match self { $( Self::$name => <$module::$name as ForceLaw>::explain(moment), )+ }
+                match self { $( Self::$name => <$module::$name as ForceModelLaw>::explain(moment), )+ }
             }
 
             /// Of a map, the force in N at feed in mm/min, speed in 1/min and an engagement; none of a
@@ -83,7 +83,7 @@ macro_rules! force_models {
             ) -> Option<Valued> {
                 match self { $(
                     Self::$name => {
-                        <$module::$name as ForceLaw>::at(setup, feed_mm_min, speed_rpm, place)
+                        <$module::$name as ForceModelLaw>::at(setup, feed_mm_min, speed_rpm, place)
                     }
                 )+ }
             }
@@ -101,7 +101,7 @@ macro_rules! force_models {
             pub fn of(setup: &ForceSetup) -> Self {
                 match setup.plant.force_model { $(
                     ForceModel::$name => {
-                        Self::$name(Box::new(<$module::$name as ForceLaw>::new(setup)))
+                        Self::$name(Box::new(<$module::$name as ForceModelLaw>::new(setup)))
                     }
                 )+ }
             }
