@@ -3,7 +3,7 @@
 
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Vec2, vec2};
-use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::kittest::Queryable;
 use steadycut::base::settings::Value;
 use steadycut::run::glossary::{GLOSSARY, terms_in};
 use steadycut::run::scenario::Scenario;

@@ -111,11 +111,11 @@ fn speaks_of(set: &str, named: &str) -> bool {
         companions
             .any(|companion| companion.brings == path || group(companion.brings) == group(path))
     };
-    let joined = |path: &&str| *path == set || brings(path);
+    let joined = |path: &str| path == set || brings(path);
     named == set
         || RULES
             .iter()
-            .any(|rule| rule.paths[0] == named && rule.paths.iter().any(|path| joined(&path)))
+            .any(|rule| rule.paths[0] == named && rule.paths.iter().any(|path| joined(path)))
 }
 
 #[test]

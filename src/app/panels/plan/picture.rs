@@ -137,8 +137,8 @@ impl Picture {
         // Graphics that were lost took the texture with them; its name is of this image alone.
         let there = |texture: &TextureHandle| {
             let textures = ctx.tex_manager();
-            let known = textures.read().meta(texture.id()).is_some_and(|meta| meta.name == NAME);
-            known
+            let textures = textures.read();
+            textures.meta(texture.id()).is_some_and(|meta| meta.name == NAME)
         };
         match &self.texture {
             Some((drawn, texture)) if *drawn == dark && there(texture) => texture.id(),

@@ -92,7 +92,7 @@ impl SurfaceLeft {
             self.written += 1;
         }
         let mut advances = [[0.0; 2]; MAX_TEETH];
-        for k in 0..self.teeth {
+        for (k, advance) in advances[..self.teeth].iter_mut().enumerate() {
             let Stand { x_mm, force_n: [x, y], .. } = self.at(k, now);
             let bent = |force: f64, before: f64| compliance_mm_n * (force - before);
             let [x, y] = [bent(now.force_n[0], x), bent(now.force_n[1], y)];
@@ -101,7 +101,7 @@ impl SurfaceLeft {
                 true => feed_per_tooth_mm,
                 false => self.last_turn_mm,
             };
-            advances[k] = [fed_mm + x, y];
+            *advance = [fed_mm + x, y];
         }
         advances
     }

@@ -151,7 +151,7 @@ mod tests {
 
     /// A resonance of damping ratio `damping` at a period of 1.2 s, driven by noise.
     fn noisy(seed: u64, damping: f64) -> Vec<f64> {
-        let mut noise = Stream::new(seed, "story");
+        let noise = Stream::new(seed, "story");
         let (rate, step) = (TAU / 1.2, 0.002);
         let (mut x, mut v) = (0.0, 0.0);
         let mut driven = 0.0;
