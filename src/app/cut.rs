@@ -1,10 +1,12 @@
-//! A run with the min-max pyramids of its signals and what its networks learned, kept in step.
+//! A run with the min-max pyramids of its signals, what its networks learned and what happens in it,
+//! kept in step.
 
 use super::history::LearningHistory;
 use super::trace::Traces;
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
 use crate::run::scenario::Scenario;
+use crate::run::story::Scan;
 
 /// A run and what is drawn of it.
 #[derive(Clone, Debug)]
@@ -12,6 +14,7 @@ pub struct Cut {
     run: Run,
     traces: Traces,
     learning: LearningHistory,
+    scan: Scan,
 }
 
 /// What a run was before a change: drawn from the change on.
@@ -30,7 +33,7 @@ impl Cut {
         let run = Run::new(scenario, edits);
         let traces = Traces::new(run.recording().row_s());
         let learning = LearningHistory::new(&run);
-        let mut cut = Self { run, traces, learning };
+        let mut cut = Self { run, traces, learning, scan: Scan::default() };
         cut.advance(0);
         cut
     }
@@ -41,7 +44,9 @@ impl Cut {
             *self = Self::new(scenario, edits);
         } else if let Some(from_s) = first_difference(self.run.edits(), edits) {
             self.run.branch(from_s, edits);
-            self.traces.truncate(self.run.recording().rows().len());
+            let kept = self.run.recording().rows().len();
+            self.traces.truncate(kept);
+            self.scan.truncate(kept);
             self.learning.truncate(&self.run);
             self.advance(0);
         }
@@ -57,6 +62,7 @@ impl Cut {
             left -= slice;
         }
         self.traces.extend(self.run.recording().rows());
+        self.scan.extend(self.run.recording().rows());
     }
 
     /// The run.
@@ -69,6 +75,12 @@ impl Cut {
     #[must_use]
     pub fn traces(&self) -> &Traces {
         &self.traces
+    }
+
+    /// What happens in it, as its story is told from.
+    #[must_use]
+    pub fn scan(&self) -> &Scan {
+        &self.scan
     }
 
     /// What its networks learned.

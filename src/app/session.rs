@@ -16,6 +16,7 @@ use crate::run::edits::{Edits, Unfit};
 use crate::run::one_run::End;
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
+use crate::run::story::Story;
 
 /// Ticks that each run is simulated by in one frame: some milliseconds of work.
 const TICKS_PER_FRAME: u64 = 60_000;
@@ -65,10 +66,13 @@ pub struct Session {
     comparison: Comparison,
     compared: Compared,
     since_comparison_s: f64,
+    story: Story,
+    told: Compared,
     changes: u64,
 }
 
-/// What a comparison was made of: number of changes, rows revealed, rows of the twin.
+/// What a comparison or a story was made of: number of changes, rows (of a comparison those revealed),
+/// rows of the twin.
 type Compared = (u64, usize, usize);
 
 impl Session {
@@ -96,10 +100,13 @@ impl Session {
             comparison,
             compared: (0, 1, 0),
             since_comparison_s: 0.0,
+            story: Story::default(),
+            told: (0, 0, 0),
             changes: 0,
         };
         session.report(&unfit);
         session.refresh();
+        session.tell();
         session
     }
 
@@ -149,6 +156,13 @@ impl Session {
     #[must_use]
     pub fn comparison(&self) -> &Comparison {
         &self.comparison
+    }
+
+    /// What happens in the whole run as far as it is simulated, in sentences; as old as
+    /// [`Self::comparison`].
+    #[must_use]
+    pub fn story(&self) -> &Story {
+        &self.story
     }
 
     /// The messages so far, the newest last; old ones are forgotten at last.
@@ -294,5 +308,17 @@ impl Session {
         self.compared = self.to_compare();
         let rows = self.revealed().len();
         self.comparison = twin::compare(self.chosen.run(), rows, self.twin.run());
+        self.tell();
+    }
+
+    /// Tells the story anew where the runs are others or longer than when it was told.
+    fn tell(&mut self) {
+        let rows = |cut: &Cut| cut.run().recording().rows().len();
+        let now = (self.changes, rows(&self.chosen), rows(&self.twin));
+        if self.told != now {
+            self.told = now;
+            let twin = Some(self.twin.run());
+            self.story = Story::told(self.chosen.run(), self.chosen.scan(), twin);
+        }
     }
 }

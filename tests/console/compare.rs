@@ -70,6 +70,8 @@ fn the_open_scenario_is_compared_and_the_table_fills() {
         let shown = texts(&screen);
         assert!(shown.contains("2 of 2 not finished"), "two seconds are too short: {shown}");
         assert!(shown.contains('±') && !shown.contains("No values yet"), "{shown}");
+        // A time or a low force is no victory outside the tolerance.
+        assert!(shown.contains("the tolerance on 90 % of the length"), "{shown}");
         assert!(shown.contains("Box plots of Nsn, 18 of 18 runs"), "{shown}");
         click(&mut screen, "Spread of Largest force");
         assert!(texts(&screen).contains("Box plots of Largest force [kN]"));
@@ -94,6 +96,13 @@ fn who_takes_part_can_be_chosen_and_a_run_loaded() {
         screen.run_steps(2);
     }
     assert!(screen.query_by_label("Load UNKS").is_none());
+    // The two of the first screen can take part.
+    for name in ["SDNRP", "Tracking"] {
+        assert!(screen.query_by_label(&format!("Load {name}")).is_none());
+        screen.get_by_role_and_label(Role::Button, name).click();
+        screen.run_steps(2);
+        assert!(screen.query_by_label(&format!("Load {name}")).is_some(), "{name}");
+    }
     click(&mut screen, "Load Adjustable PI");
     let session = console(&screen).session();
     assert_eq!(session.scenario().controller.kind, ControllerKind::AdjustablePi);

@@ -1,6 +1,7 @@
 //! Tests of the console, in one program: it links the graphics once.
 
 mod compare;
+mod conclusions;
 mod drawn;
 mod finding;
 mod jobs;

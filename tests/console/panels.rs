@@ -112,7 +112,9 @@ fn it_opens_cutting_and_the_produced_ra_follows_the_target() {
     let target = target_um(&window);
     assert!(target > 1.1 * target_before, "{target}");
     assert!(!console(&window).session().edits().list().is_empty());
-    window.run_steps(100);
+    // Before the part gets deeper, after 46 mm.
+    window.run_steps(50);
+    assert!(console(&window).session().row().position_mm < 46.0);
     let ra = ra_um(&window);
     assert!((ra - target).abs() < 0.1 * target, "target {target}, produced {ra}");
     // What was done live replays to the same bits.

@@ -16,7 +16,7 @@ use super::plot::{near, still, tick};
 use super::zoom::{by_touch, zoom};
 use crate::run::signals::SIGNALS;
 pub use content::{Axes, Chart, ChartCurve};
-use content::{GHOST, TWIN, index};
+use content::{GHOST, TWIN, TWIN_HELP, index};
 use curves::{band, fit_values, lines};
 use reading::reading;
 
@@ -107,6 +107,7 @@ fn legend_row(
             let key = (chart.id, name);
             let hidden = axes.hidden.contains(&key);
             let response = legend::entry(ui, name, look, hidden);
+            let response = if name == TWIN { response.on_hover_text(TWIN_HELP) } else { response };
             if response.clicked() && !axes.hidden.remove(&key) {
                 axes.hidden.insert(key);
             }

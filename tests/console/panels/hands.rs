@@ -154,5 +154,5 @@ fn the_present_values_stand_beside_their_charts() {
     window.get_by_label(&format!("Ra at the playhead: {:.3} µm", row.ra_um));
     window.get_by_label(&format!("Maximum force at the playhead: {:.1} N", row.force_n));
     window.get_by_label(&format!("Feed at the playhead: {:.0} mm/min", row.feed_mm_min));
-    window.get_by_label(&format!("target {:.3} µm", row.ra_target_um));
+    window.get_by_label(&format!("within target {:.3} µm", row.ra_target_um));
 }

@@ -89,6 +89,17 @@ pub const BEYOND: &[Method] = &[
     },
 ];
 
+/// The controllers of the papers of 2007 and 2013, which set feed and speed by what Ra wants; Table 1 of
+/// 2005 does not know them.
+pub const ROUGHNESS: &[Method] = &[
+    Method { id: "sdnrp", name: "SDNRP", apply: |s| s.controller.kind = ControllerKind::Sdnrp },
+    Method {
+        id: "tracking",
+        name: "Tracking",
+        apply: |s| s.controller.kind = ControllerKind::Tracking,
+    },
+];
+
 /// Sets a dead time in s that the controllers know.
 pub fn set_dead_time(settings: &mut Settings, dead_time_s: f64) {
     (settings.cnc.dead_time_s, settings.belief.dead_time_s) = (dead_time_s, dead_time_s);

@@ -50,6 +50,16 @@ impl Measure {
         }
     }
 
+    /// Whether it counts only for who holds the tolerance: a short time, a low force or a quiet override
+    /// outside it is no gain, and what stands at its limit most is held easily in the rest.
+    #[must_use]
+    pub fn needs_tolerance(self) -> bool {
+        match self {
+            Self::Nsn | Self::Nsn20 | Self::InTolerance => false,
+            Self::Time | Self::Force | Self::Held | Self::Recovery | Self::Travel => true,
+        }
+    }
+
     /// Whether a larger value is the better one.
     #[must_use]
     pub fn more_is_better(self) -> bool {

@@ -9,7 +9,7 @@ use crate::blocks::cutting::material::Material;
 use crate::run::job::Progress;
 use crate::run::scenario::Scenario;
 use crate::study::compare::contest::{ContestJob, ContestSoFar};
-use crate::study::compare::entrants::{BEYOND, Entrant, Method, TABLE_1};
+use crate::study::compare::entrants::{BEYOND, Entrant, Method, ROUGHNESS, TABLE_1};
 use crate::study::compare::entrants::{experiment_2, experiment_2_per_cut, on, set_dead_time};
 use crate::study::compare::load_step::{self, Transient};
 use crate::study::compare::robustness::{self, RobustnessRow};
@@ -76,14 +76,16 @@ pub struct ContestSetup {
 
 /// Everybody who can take part.
 pub fn methods() -> impl Iterator<Item = &'static Method> {
-    TABLE_1.iter().chain(BEYOND)
+    TABLE_1.iter().chain(BEYOND).chain(ROUGHNESS)
 }
 
 impl Default for ContestSetup {
     fn default() -> Self {
         let (part, dead_time, stock) =
             (ContestPart::Experiment2, ContestDeadTime::AsIs, Stock::AsIs);
-        Self { part, dead_time, stock, chosen: methods().map(|_| true).collect() }
+        // Those of Ra have no place in the part of 2005 until they are asked for.
+        let chosen = methods().map(|method| ROUGHNESS.iter().all(|other| other.id != method.id));
+        Self { part, dead_time, stock, chosen: chosen.collect() }
     }
 }
 

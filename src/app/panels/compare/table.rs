@@ -46,10 +46,19 @@ pub fn printed_of(name: &str, belongs: bool) -> Option<&'static Table1Printed> {
     table_1::printed_of(name).filter(|_| belongs)
 }
 
-/// The best mean of a measure where there is anything to compare.
+/// Fraction of the length in tolerance from which on it counts as held, percent, as on the console.
+const HELD_PERCENT: f64 = 90.0;
+
+/// Whether it holds the tolerance in the mean over its seeds.
+fn holds(one: &Compared) -> bool {
+    one.get(Measure::InTolerance).is_some_and(|spread| spread.mean >= HELD_PERCENT)
+}
+
+/// The best mean of a measure where there is anything to compare: of what is no gain outside the
+/// tolerance, among those that hold it.
 fn best(compared: &[Compared], measure: Measure) -> Option<f64> {
-    let means: Vec<f64> =
-        compared.iter().filter_map(|one| one.get(measure)).map(|s| s.mean).collect();
+    let ranked = compared.iter().filter(|one| !measure.needs_tolerance() || holds(one));
+    let means: Vec<f64> = ranked.filter_map(|one| one.get(measure)).map(|s| s.mean).collect();
     let pick = if measure.more_is_better() { f64::max } else { f64::min };
     (means.len() > 1).then(|| means.into_iter().reduce(pick)).flatten()
 }
@@ -80,7 +89,8 @@ fn figure(
         let off = format::deviation(100.0 * (spread.mean / printed - 1.0));
         format!("{}, {off}", as_printed(measure, printed))
     });
-    let is_best = best(all, measure) == Some(spread.mean);
+    let ranked = !measure.needs_tolerance() || holds(one);
+    let is_best = ranked && best(all, measure) == Some(spread.mean);
     Figure { mean: value(measure, spread.mean), deviation, printed, is_best }
 }
 
@@ -167,6 +177,27 @@ pub fn table(
     });
     let text = "Mean and standard deviation over the seeds; the best of a column in green.";
     ui.label(RichText::new(text).size(NOTE).color(palette.weak));
+    ui.label(RichText::new(ranking(compared)).size(NOTE).color(palette.weak));
+}
+
+/// Who is ranked by more than the errors, in words.
+fn ranking(compared: &[Compared]) -> String {
+    let holding: Vec<&str> =
+        compared.iter().filter(|one| holds(one)).map(|one| one.name.as_str()).collect();
+    let named: Vec<String> =
+        Measure::ALL.iter().filter(|m| m.needs_tolerance()).map(|m| m.label().to_owned()).collect();
+    let columns = named.join(", ");
+    match holding[..] {
+        [] => format!(
+            "Nobody holds the tolerance on {HELD_PERCENT} % of the length: {columns} have no best, \
+             since they are no gain outside it."
+        ),
+        [..] => format!(
+            "{columns} are ranked among those that hold the tolerance on {HELD_PERCENT} % of the \
+             length: {}.",
+            holding.join(", ")
+        ),
+    }
 }
 
 fn doc(measure: Measure) -> String {
@@ -211,4 +242,5 @@ pub fn cards(
             });
         });
     }
+    ui.label(RichText::new(ranking(compared)).size(NOTE).color(palette.weak));
 }

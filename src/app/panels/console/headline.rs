@@ -10,6 +10,7 @@ use crate::base::units::ratio_from_percent;
 use crate::blocks::reference::Reference;
 use crate::run::metrics::Metrics;
 use crate::run::signals::{Row, flag};
+use crate::run::story::produced_ra_um;
 
 /// One number of the comparison.
 struct Item {
@@ -43,20 +44,10 @@ fn items(view: &View<'_>, palette: &Palette) -> [Item; 5] {
         format!("{twin} {value}")
     };
     let Comparison { chosen, twin, .. } = view.session.comparison();
-    [
-        match view.session.current().target.reference {
-            Reference::Ra => ra_now(view, palette, &twin_has),
-            Reference::Force => force_now(view, palette, &twin_has),
-        },
-        in_tolerance(
-            chosen,
-            view.session.current().target.reference,
-            palette,
-            twin_has(share_of(twin.in_tolerance_percent)),
-        ),
-        worst_force(chosen, palette, twin_has(signed(worst(twin)))),
-        time_of_cut(view, palette),
-        Item {
+    let reference = view.session.current().target.reference;
+    // Where Ra is held, the force is the means: how far it strays says nothing about the surface.
+    let last = match reference {
+        Reference::Ra => Item {
             title: "Metal removed",
             help: "Axial depth times radial depth, summed over the path.".to_owned(),
             value: format::quantity(chosen.metal_removed_cm3, "cm^3"),
@@ -66,23 +57,33 @@ fn items(view: &View<'_>, palette: &Palette) -> [Item; 5] {
                 twin_has(format::quantity(twin.metal_removed_cm3, "cm^3")),
             ],
         },
+        Reference::Force => worst_force(chosen, palette, twin_has(signed(worst(twin)))),
+    };
+    [
+        match reference {
+            Reference::Ra => ra_now(view, palette, &twin_has),
+            Reference::Force => force_now(view, palette, &twin_has),
+        },
+        in_tolerance(chosen, reference, palette, twin_has(share_of(twin.in_tolerance_percent))),
+        answer(view, palette),
+        time_of_cut(view, palette),
+        last,
     ]
 }
 
 fn ra_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> String) -> Item {
     let (now, twin) = (view.session.row(), &view.session.comparison().twin_now);
     let target = &view.session.current().target;
-    let tolerance_um = ratio_from_percent(target.tolerance_percent) * now.ra_target_um;
-    // In the air no surface is produced.
-    let ra = |row: &Row| (!row.has(flag::AIR)).then_some(row.ra_um);
-    // Where the model ends at zero, zero is no roughness.
-    let ended = |row: &Row| row.has(flag::K5_OUTSIDE) && row.ra_um == 0.0;
-    let text = |row: &Row| match ra(row) {
-        Some(_) if ended(row) => "outside model".to_owned(),
+    // The target as it is set now: that of the row is one control period or an undo behind.
+    let (target_um, tolerance) = (target.ra_um, ratio_from_percent(target.tolerance_percent));
+    let text = |row: &Row| match produced_ra_um(row) {
         Some(ra_um) => format::quantity(ra_um, "um"),
-        None => "-".to_owned(),
+        None if row.has(flag::AIR) => "-".to_owned(),
+        None => "outside model".to_owned(),
     };
-    let inside = |ra_um: f64| (ra_um - now.ra_target_um).abs() <= tolerance_um;
+    let ra = produced_ra_um(now);
+    let side = ra.map(|ra_um| side(ra_um, target_um, tolerance));
+    let target_text = format::quantity(target_um, "um");
     Item {
         title: "Ra now",
         help: format!(
@@ -90,11 +91,74 @@ fn ra_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> Strin
             target.tolerance_percent
         ),
         value: text(now),
-        color: judged(palette, ra(now).is_some_and(inside), ra(now).is_some()),
+        color: judged(palette, side == Some(WITHIN), side.is_some_and(|side| side != WITHIN)),
         below: [
-            format!("target {}", format::quantity(now.ra_target_um, "um")),
+            match side {
+                Some(side) => format!("{side} target {target_text}"),
+                None => format!("target {target_text}"),
+            },
             twin_has(text(twin)),
         ],
+    }
+}
+
+/// The word for a value within the tolerance of its target.
+const WITHIN: &str = "within";
+
+/// On which side of its target's tolerance a value lies: a word, since colours alone tell not everybody.
+fn side(value: f64, target: f64, tolerance: f64) -> &'static str {
+    match (value - target) / target {
+        off if off > tolerance => "above",
+        off if off < -tolerance => "below",
+        _ => WITHIN,
+    }
+}
+
+/// How the loop answers to the last change before the playhead: the error that remains, settling and
+/// overshoot, or that it is unstable.
+fn answer(view: &View<'_>, palette: &Palette) -> Item {
+    let session = view.session;
+    let found = session.story().response_at(session.row().time_s + 1e-9);
+    let tolerance = session.current().target.tolerance_percent;
+    let none = || ("-".to_owned(), palette.text, ["".to_owned(), "".to_owned()]);
+    let (value, color, below) = found.map_or_else(none, |(_, response)| {
+        let settled = match (response.settling_time_s, response.at_rest_after_s) {
+            (Some(s), _) => format!("settles in {}", format::quantity(s, "s")),
+            (None, Some(s)) => format!("at rest after {}", format::quantity(s, "s")),
+            (None, None) => "does not come to rest".to_owned(),
+        };
+        let overshoot = format!("overshoot {}", format::quantity(response.overshoot_percent, "%"));
+        match (response.oscillation, response.remaining_error_percent) {
+            (Some(swing), _) => {
+                let period = format::quantity(swing.period_s, "s");
+                let force = format::quantity(swing.force_percent, "%");
+                let below = [format!("force ±{force}"), format!("period {period}, no rest")];
+                ("unstable".to_owned(), palette.bad, below)
+            }
+            (None, Some(error)) => {
+                let inside = error.abs() <= tolerance;
+                let word = match (inside, view.narrow) {
+                    (true, false) => "within",
+                    (false, false) => "outside",
+                    (true, true) => "in",
+                    (false, true) => "out",
+                };
+                let value = format!("{} {word}", format::deviation(error));
+                (value, judged(palette, inside, !inside), [settled, overshoot])
+            }
+            (None, None) => ("not at rest".to_owned(), palette.text, [settled, overshoot]),
+        }
+    });
+    Item {
+        title: "Remaining error",
+        help: "The steady-state error: how far Ra, or the force where a force is held, comes to rest \
+               from its target after the last step, whether that is within the tolerance; the settling \
+               time (within 2 % for good) and the overshoot of the force. Unstable: feed and force \
+               swing without dying down."
+            .to_owned(),
+        value,
+        color,
+        below,
     }
 }
 
@@ -104,6 +168,8 @@ fn force_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> St
     let percent = view.session.current().target.tolerance_percent;
     let tolerance_n = ratio_from_percent(percent) * now.force_ref_n;
     let inside = (now.force_n - now.force_ref_n).abs() <= tolerance_n;
+    let side = side(now.force_n, now.force_ref_n, ratio_from_percent(percent));
+    let side = if now.has(flag::AIR) { "in the air," } else { side };
     let force = |row: &Row| format::quantity(row.force_n, "N");
     Item {
         title: "Force now",
@@ -113,7 +179,7 @@ fn force_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> St
         value: force(now),
         color: judged(palette, inside, !now.has(flag::AIR)),
         below: [
-            format!("reference {}", format::quantity(now.force_ref_n, "N")),
+            format!("{side} reference {}", format::quantity(now.force_ref_n, "N")),
             twin_has(force(twin)),
         ],
     }
@@ -147,12 +213,13 @@ fn in_tolerance(chosen: &Metrics, reference: Reference, palette: &Palette, twin:
 fn worst_force(chosen: &Metrics, palette: &Palette, twin: String) -> Item {
     let size = worst(chosen).map(f64::abs);
     let [good, bad] = FORCE_LEVELS;
+    let color = judged(palette, size.is_some_and(|x| x <= good), size.is_some_and(|x| x > bad));
     Item {
         title: "Worst force deviation",
         help: "Largest deviation of the force from the desired force after the first second."
             .to_owned(),
         value: signed(worst(chosen)),
-        color: judged(palette, size.is_some_and(|x| x <= good), size.is_some_and(|x| x > bad)),
+        color,
         below: ["from desired force".to_owned(), twin],
     }
 }
@@ -163,22 +230,35 @@ fn time_of_cut(view: &View<'_>, palette: &Palette) -> Item {
     let size_s = format::quantity(time_saved_s.abs(), "s");
     let percent =
         if twin.time_of_cut_s > 0.0 { 100.0 * time_saved_s / twin.time_of_cut_s } else { 0.0 };
-    let compared = match percent {
-        even if even.abs() < 0.5 => "as long as constant feed".to_owned(),
-        saved if saved > 0.0 => format!("{saved:.0} % shorter than constant feed"),
-        lost => format!("{:.0} % longer than constant feed", -lost),
-    };
-    let below = match compared.split_once(" than ") {
-        // Where it is narrow, the sentence takes both lines.
-        Some((start, rest)) if view.narrow => [format!("{start} than"), rest.to_owned()],
-        _ => [compared, format!("{size_s} {saved} on the same path")],
+    let holds = |of: &Metrics| of.in_tolerance_percent.unwrap_or(0.0) >= TOLERANCE_LEVELS[0];
+    let below = if holds(chosen) && holds(twin) {
+        let compared = match percent {
+            even if even.abs() < 0.5 => "as long as constant feed".to_owned(),
+            saved if saved > 0.0 => format!("{saved:.0} % shorter than constant feed"),
+            lost => format!("{:.0} % longer than constant feed", -lost),
+        };
+        match compared.split_once(" than ") {
+            // Where it is narrow, the sentence takes both lines.
+            Some((start, rest)) if view.narrow => [format!("{start} than"), rest.to_owned()],
+            _ => [compared, format!("{size_s} {saved} on the same path")],
+        }
+    } else {
+        // A time is no victory where the tolerance is broken, by either.
+        let who = if holds(chosen) { "constant feed" } else { "this cut" };
+        let share = if holds(chosen) { twin } else { chosen }.in_tolerance_percent;
+        [
+            format!("constant feed {}", format::time(twin.time_of_cut_s)),
+            format!("not compared: {who} {} held", share_of(share)),
+        ]
     };
     Item {
         title: "Time of cut",
         help: format!(
             "Time since the start of the cut. Constant feed takes {} for the same length of \
-             path: {size_s} {saved}.",
-            format::time(twin.time_of_cut_s)
+             path: {size_s} {saved}. Times are compared only where both hold the tolerance on at least \
+             {} % of the length: a faster cut outside it is no gain.",
+            format::time(twin.time_of_cut_s),
+            TOLERANCE_LEVELS[0]
         ),
         value: format::time(chosen.time_of_cut_s),
         color: palette.text,

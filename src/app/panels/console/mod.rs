@@ -4,6 +4,7 @@ mod bands;
 mod controls;
 mod headline;
 mod revolution;
+mod story;
 mod workpiece;
 
 use egui::{CentralPanel, CollapsingHeader, ScrollArea, Ui};
@@ -119,10 +120,8 @@ fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
                 },
             )
         },
-        Chart {
-            include: &[0.0],
-            ..chart("depth", "Depth of cut", const { &[main("axial_depth_mm")] })
-        },
+        // From the data alone: a step of a tenth of the depth must be seen.
+        chart("depth", "Depth of cut", const { &[main("axial_depth_mm")] }),
     ]
 }
 
@@ -168,7 +167,8 @@ impl ConsolePanel {
         scaffold::middle(ui, |ui| {
             headline::show(ui, view);
             ui.add_space(2.0);
-            self.plots(ui, view, columns(ui), false);
+            story::show(ui, view, commands);
+            self.plots(ui, view, columns(ui), false, commands);
         });
     }
 
@@ -189,17 +189,27 @@ impl ConsolePanel {
                     controls::more(ui, view, &mut self.windows, commands);
                 });
             });
-            self.plots(ui, view, columns(ui), low);
+            self.plots(ui, view, columns(ui), low, commands);
         });
     }
 
     /// The charts in columns, and the bands below them; scrolled where they do not fit.
-    fn plots(&mut self, ui: &mut Ui, view: &View<'_>, columns: usize, with_headline: bool) {
+    fn plots(
+        &mut self,
+        ui: &mut Ui,
+        view: &View<'_>,
+        columns: usize,
+        with_headline: bool,
+        commands: &mut Vec<Command>,
+    ) {
         let charts = charts(view);
         let rows = charts.len() / columns;
         scaffold::column(ui, "plots").show(ui, |ui| {
             if with_headline {
                 headline::show(ui, view);
+            }
+            if view.narrow {
+                story::show(ui, view, commands);
             }
             // Room for the last label of each time axis.
             let gap = egui::vec2(18.0, ui.spacing().item_spacing.y);

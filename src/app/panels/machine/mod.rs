@@ -106,7 +106,7 @@ impl MachinePanel {
                 false
             }
             Part::Stability => {
-                self.stability.follow(scenario, view.jobs);
+                self.stability.follow(view.session, view.jobs);
                 false
             }
         };

@@ -1,15 +1,20 @@
-//! The stability chart: the depth at which the cut chatters over the speed, and where the present
-//! cut stands in it.
+//! The stability chart: the depth at which the cut chatters over the speed, and where the cuts of the
+//! run stand in it. The verdict is on the whole run: after a deep part has chattered, a shallow one at the
+//! playhead makes no stable run of it.
+
+mod whole_run;
 
 use std::sync::Arc;
 
 use egui::{ProgressBar, RichText, Role, Sense, Ui, WidgetInfo};
 use egui_plot::MarkerShape;
 
+use self::whole_run::{CutOfRun, deepest};
 use super::plot::{Figure, Marks, PlotCurve};
 use crate::app::command::{Command, SessionCommand};
 use crate::app::format;
 use crate::app::jobs::{Jobs, Work};
+use crate::app::session::Session;
 use crate::app::theme::{self, Look, Palette};
 use crate::base::math::{extent, limit};
 use crate::base::settings::Value;
@@ -51,8 +56,19 @@ struct Charted {
     settings: (MachineSettings, Tool, Workpiece),
     /// The chart, or why there is none.
     chart: Result<Chart, String>,
-    /// The cut that was judged last, with its multiplier.
+    /// The present cut that was judged last, with its multiplier.
     judged: Option<(Operating, f64)>,
+    /// The deepest cuts of the run, each with its multiplier once it is judged.
+    of_run: Vec<(CutOfRun, Option<f64>)>,
+}
+
+impl Charted {
+    /// The cut of the run that a disturbance grows most in, once all are judged.
+    fn worst(&self) -> Option<(CutOfRun, f64)> {
+        let judged: Option<Vec<(CutOfRun, f64)>> =
+            self.of_run.iter().map(|(cut, grown)| grown.map(|grown| (*cut, grown))).collect();
+        judged?.into_iter().max_by(|a, b| a.1.total_cmp(&b.1))
+    }
 }
 
 /// A chart on its way.
@@ -77,12 +93,24 @@ fn begin(scenario: &Scenario, jobs: &Jobs) -> Result<Chart, String> {
 
 impl StabilityView {
     /// Keeps up with the scenario.
-    pub fn follow(&mut self, scenario: &Scenario, jobs: &Jobs) {
+    pub fn follow(&mut self, session: &Session, jobs: &Jobs) {
+        let scenario = session.current();
         let settings =
             (scenario.machine.clone(), scenario.tool.clone(), scenario.workpiece.clone());
         if self.charted.as_ref().is_none_or(|charted| charted.settings != settings) {
             let chart = begin(scenario, jobs);
-            self.charted = Some(Charted { settings, chart, judged: None });
+            self.charted = Some(Charted { settings, chart, judged: None, of_run: Vec::new() });
+        }
+        if let Some(Charted { chart: Ok(chart), of_run, .. }) = &mut self.charted {
+            let cuts = deepest(session);
+            let alike = |(known, _): &(CutOfRun, _), cut: &CutOfRun| !far(known.at, cut.at);
+            if cuts.len() != of_run.len() || !of_run.iter().zip(&cuts).all(|(a, b)| alike(a, b)) {
+                *of_run = cuts.into_iter().map(|cut| (cut, None)).collect();
+            }
+            // One a frame: each is a moment's work.
+            if let Some((cut, grown)) = of_run.iter_mut().find(|(_, grown)| grown.is_none()) {
+                *grown = Some(multiplier(&chart.cut, cut.at.speed_rpm, cut.at.depth_mm));
+            }
         }
         if let Some(Charted { chart: Ok(chart), .. }) = &mut self.charted {
             chart.points = chart.work.partial();
@@ -116,8 +144,15 @@ impl StabilityView {
             charted.judged = Some((now, grown));
         }
         let grown = charted.judged.map(|(_, grown)| grown).filter(|_| cuts);
-        verdict(ui, now, grown, chart);
-        let figure = figure(chart, now, grown, palette);
+        let worst = charted.worst();
+        if charted.of_run.iter().any(|(_, grown)| grown.is_none()) {
+            ui.ctx().request_repaint();
+        }
+        verdict(ui, worst, chart);
+        present(ui, now, grown);
+        let cut = format!("Charted: {}.", chart.cut.engagement_text());
+        ui.label(RichText::new(cut).small().color(palette.weak));
+        let figure = figure(chart, now, grown, worst, palette);
         figure.legend(ui);
         if !chart.work.is_over() {
             let share = chart.work.progress().share() as f32;
@@ -165,22 +200,24 @@ fn quality(ui: &mut Ui, now: f64, commands: &mut Vec<Command>) {
     });
 }
 
-fn verdict(ui: &mut Ui, now: Operating, grown: Option<f64>, chart: &Chart) {
+/// The verdict on the whole run: on its cut that is nearest to chatter.
+fn verdict(ui: &mut Ui, worst: Option<(CutOfRun, f64)>, chart: &Chart) {
     let palette = Palette::at(ui);
-    let at = format!(
-        "{} and {} deep",
-        format::quantity(now.speed_rpm, "1/min"),
-        format::quantity(now.depth_mm, "mm")
-    );
-    let (text, color) = match grown {
-        None => ("No cut now".to_owned(), palette.weak),
-        Some(grown) if grown > 1.0 => {
-            (format!("Chatter at {at}: a disturbance grows ×{grown:.2} per tooth"), palette.bad)
+    let (text, color) = match worst {
+        None => ("The cuts of this run are being judged".to_owned(), palette.weak),
+        Some((cut, grown)) => {
+            let [from, to] = cut.from_to_mm.map(|mm| format::quantity(mm, "mm"));
+            let at = format!("{}, from {from} to {to} of the path", place(cut.at));
+            if grown > 1.0 {
+                (format!("Chatter at {at}: a disturbance grows ×{grown:.2} per tooth"), palette.bad)
+            } else {
+                let text = format!(
+                    "Stable at {at}, the cut of this run nearest to chatter: a disturbance \
+                     shrinks to ×{grown:.2} per tooth"
+                );
+                (text, palette.good)
+            }
         }
-        Some(grown) => (
-            format!("Stable at {at}: a disturbance shrinks to ×{grown:.2} per tooth"),
-            palette.good,
-        ),
     };
     ui.horizontal_wrapped(|ui| {
         let label = ui.label(RichText::new(&text).strong().color(color));
@@ -195,11 +232,36 @@ fn verdict(ui: &mut Ui, now: Operating, grown: Option<f64>, chart: &Chart) {
         };
         ui.label(RichText::new(text).color(palette.weak));
     });
-    let cut = format!("Charted: {}.", chart.cut.engagement_text());
-    ui.label(RichText::new(cut).small().color(palette.weak));
 }
 
-fn figure(chart: &Chart, now: Operating, grown: Option<f64>, palette: &Palette) -> Figure {
+fn place(at: Operating) -> String {
+    let [speed, depth] =
+        [format::quantity(at.speed_rpm, "1/min"), format::quantity(at.depth_mm, "mm")];
+    format!("{speed} and {depth} deep")
+}
+
+/// The cut at the playhead, below the verdict.
+fn present(ui: &mut Ui, now: Operating, grown: Option<f64>) {
+    let palette = Palette::at(ui);
+    let (text, color) = match grown {
+        None => ("At the playhead: no cut.".to_owned(), palette.weak),
+        Some(grown) if grown > 1.0 => {
+            (format!("At the playhead, {}: chatter, ×{grown:.2}.", place(now)), palette.bad)
+        }
+        Some(grown) => {
+            (format!("At the playhead, {}: no chatter, ×{grown:.2}.", place(now)), palette.weak)
+        }
+    };
+    ui.label(RichText::new(text).color(color));
+}
+
+fn figure(
+    chart: &Chart,
+    now: Operating,
+    grown: Option<f64>,
+    worst: Option<(CutOfRun, f64)>,
+    palette: &Palette,
+) -> Figure {
     let [from_rpm, to_rpm] = SPEEDS_RPM;
     let across = [from_rpm.min(now.speed_rpm), to_rpm.max(now.speed_rpm)];
     let across = if grown.is_some() { across } else { SPEEDS_RPM };
@@ -221,9 +283,20 @@ fn figure(chart: &Chart, now: Operating, grown: Option<f64>, palette: &Palette) 
     let found = chart.points.iter().filter_map(|point| point.interrupted_mm);
     let [_, highest] = extent(found);
     let highest = limit(highest, 1.2 * any_speed_mm, SHOWN * any_speed_mm);
-    let highest = highest.max(1.3 * now.depth_mm);
+    let deepest_mm = worst.map_or(0.0, |(cut, _)| cut.at.depth_mm);
+    let highest = highest.max(1.3 * now.depth_mm.max(deepest_mm));
     let highest = if highest.is_finite() { 1.05 * highest } else { 10.0 };
     figure.up = [-0.03 * highest, highest];
+    if let Some((cut, grown)) = worst {
+        let color = if grown > 1.0 { palette.bad } else { palette.good };
+        figure.marks.push(Marks {
+            name: "nearest to chatter in the run",
+            at: vec![[cut.at.speed_rpm, cut.at.depth_mm]],
+            shape: MarkerShape::Cross,
+            color,
+            radius: 7.0,
+        });
+    }
     if let Some(grown) = grown {
         let color = if grown > 1.0 { palette.bad } else { palette.good };
         figure.marks.push(Marks {

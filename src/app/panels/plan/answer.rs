@@ -66,7 +66,8 @@ pub fn show(ui: &mut Ui, found: &Found, scenario: &Scenario, commands: &mut Vec<
         let button = Button::new("Use as programmed values");
         let response = ui.add_enabled(obstacle.is_none(), button).on_hover_text(
             "Programs this feed and speed, keeps all else, and cuts from the start on the \
-             console. One step of undo.",
+             console. Constant feed is then this feed; a controller that sets the feed by its own models \
+             goes to the same feed as before. One step of undo.",
         );
         if response.clicked() {
             use_it(optimum, commands);

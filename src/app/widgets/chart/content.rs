@@ -57,6 +57,10 @@ pub struct Axes {
 
 /// The legend's name of the twin.
 pub(super) const TWIN: &str = "constant feed";
+/// What the twin's line is, where it is hovered.
+pub(super) const TWIN_HELP: &str = "The same part cut at the programmed feed, without a controller, at the \
+    same time. It moves at another feed, so it comes to each place of the part, and to its steps, \
+    earlier or later than the cut.";
 /// The legend's name of the run before the last change.
 pub(super) const GHOST: &str = "before";
 

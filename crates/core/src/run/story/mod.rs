@@ -43,6 +43,9 @@ pub use scan::{RowSpan, Scan};
 
 use super::one_run::Run;
 
+/// What times may be off by, having been summed or written in decimals, s.
+const HAIR_S: f64 = 1e-6;
+
 /// What an event is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -132,11 +135,69 @@ impl Story {
         begun.filter_map(|event| event.response().map(|response| (event, response))).last()
     }
 
-    /// The event to speak of at a time in s: the one that began last, changes before what follows
-    /// from them.
+    /// The change that a time in s stands behind: the last start, step, contact, air or end before it.
     #[must_use]
-    pub fn at(&self, time_s: f64) -> Option<&StoryEvent> {
-        self.events.iter().take_while(|event| event.from_s <= time_s).last()
+    pub fn change_at(&self, time_s: f64) -> Option<&StoryEvent> {
+        let begun = self.events.iter().take_while(|event| event.from_s <= time_s);
+        begun.filter(|event| event.id.is_change()).last()
+    }
+
+    /// What lasts at a time in s and matters most: an instability before chatter, that before a limit,
+    /// then a dead time, a model outside its range, wear.
+    #[must_use]
+    pub fn lasting_at(&self, time_s: f64) -> Option<&StoryEvent> {
+        let lasting = self.events.iter().filter(|event| {
+            let now = (event.from_s..=event.to_s + HAIR_S).contains(&time_s);
+            now && !event.id.is_change()
+        });
+        lasting.min_by_key(|event| event.id.rank())
+    }
+}
+
+impl EventKind {
+    /// Its name for people.
+    #[must_use]
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Start => "Start",
+            Self::Contact => "Contact",
+            Self::Air => "Air",
+            Self::DepthStep => "Depth step",
+            Self::TargetChange => "Target",
+            Self::SettingChange => "Setting",
+            Self::DeadTime => "First answer",
+            Self::Saturation => "At a limit",
+            Self::OutsideModel => "Outside model",
+            Self::Chatter => "Chatter",
+            Self::Wear => "Wear",
+            Self::LimitCycle => "Unstable",
+            Self::End => "End",
+        }
+    }
+
+    /// Whether a new stretch of the run begins with it.
+    #[must_use]
+    pub fn is_change(self) -> bool {
+        self.rank() == 0
+    }
+
+    /// What matters more of what lasts at the same time has the lower number; 0 for changes.
+    fn rank(self) -> u8 {
+        match self {
+            Self::Start
+            | Self::Contact
+            | Self::Air
+            | Self::DepthStep
+            | Self::TargetChange
+            | Self::SettingChange
+            | Self::End => 0,
+            Self::LimitCycle => 1,
+            Self::Chatter => 2,
+            Self::Saturation => 3,
+            Self::DeadTime => 4,
+            Self::OutsideModel => 5,
+            Self::Wear => 6,
+        }
     }
 }
 

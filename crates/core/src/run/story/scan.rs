@@ -92,7 +92,8 @@ impl Scan {
     }
 
     /// Where the depth differs from that of the row before.
-    pub(super) fn depth(&self) -> &[RowSpan] {
+    #[must_use]
+    pub fn depth(&self) -> &[RowSpan] {
         &self.depth
     }
 
