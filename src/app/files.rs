@@ -168,7 +168,8 @@ impl Files {
     pub fn copy(&self, ctx: &egui::Context, link: String) {
         let answer = self.answer(ctx);
         spawn(async move {
-            answer.send(match super::web::copy(&link).await {
+            let copied = super::web::copy(&link).await;
+            answer.send(match copied {
                 Ok(()) => Command::notify(
                     "The link is in the clipboard: it opens this scenario with its edits."
                         .to_owned(),

@@ -121,7 +121,10 @@ pub fn button(ui: &mut Ui, notices: &[Notice]) {
     let response = icon::button(ui, Icon::Message, "Messages", help, true);
     egui::Popup::menu(&response)
         .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside)
-        .show(|ui| list(ui, notices));
+        .show(|ui| {
+            // A menu spreads the words of a line over its width.
+            ui.with_layout(Layout::top_down(Align::Min), |ui| list(ui, notices));
+        });
 }
 
 /// All messages, the newest first.

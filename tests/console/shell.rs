@@ -4,14 +4,16 @@ use std::time::{Duration, Instant};
 
 use egui::accesskit::Role;
 use egui::{
-    Event, Key, Modifiers, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2, pos2, vec2,
+    Event, Key, Modifiers, Pos2, Rect, Theme, TouchDeviceId, TouchId, TouchPhase, Vec2, pos2, vec2,
 };
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::{Harness, HarnessBuilder, SnapshotOptions, SnapshotResults};
 use steadycut::app::Console;
+use steadycut::app::command::{Command, ShellCommand};
 use steadycut::run::edits::Edits;
 use steadycut::run::{Start, presets};
 
+use crate::drawn;
 use crate::screen::{Screen, show, sliced, texts};
 
 const DESKTOP: Vec2 = vec2(1280.0, 800.0);
@@ -20,8 +22,16 @@ const SIZES: [Vec2; 2] = [DESKTOP, PHONE];
 
 /// The console, with a message at its start, in a window or with the keys of a page.
 fn open<'a>(size: Vec2, notice: Option<&str>, page: bool) -> Screen<'a> {
+    built(Harness::builder().with_size(size).with_step_dt(0.05), notice, page)
+}
+
+fn built<'a>(
+    builder: HarnessBuilder<Option<Console>>,
+    notice: Option<&str>,
+    page: bool,
+) -> Screen<'a> {
     let notice = notice.map(str::to_owned);
-    let mut screen = Harness::builder().with_size(size).with_step_dt(0.05).build_ui_state(
+    let mut screen = builder.build_ui_state(
         move |ui, console: &mut Option<Console>| {
             let console = console.get_or_insert_with(|| {
                 let scenario = presets::load("first-cut").expect("shipped");
@@ -349,7 +359,6 @@ fn the_address_has_the_last_change_within_a_second_also_after_a_burst() {
 #[test]
 fn a_link_that_cannot_be_copied_is_put_up_and_closed_by_escape() {
     // What the browser answers where there is no clipboard.
-    use steadycut::app::command::{Command, ShellCommand};
     for size in SIZES {
         let mut screen = open(size, None, true);
         let link = "https://example.org/#first-cut".to_owned();
@@ -362,5 +371,40 @@ fn a_link_that_cannot_be_copied_is_put_up_and_closed_by_escape() {
         press(&mut screen, Modifiers::NONE, Key::Escape);
         press(&mut screen, Modifiers::NONE, Key::Escape);
         assert!(!texts(&screen).contains(&link));
+    }
+}
+
+/// Pictures of what lies over the screens. `UPDATE_SNAPSHOTS=1` renews them.
+#[test]
+fn what_lies_over_the_screens_looks_as_its_pictures() {
+    if !drawn::in_software() {
+        return;
+    }
+    const SAID: &str = "The link was not used, first-cut is open instead. `target.ra_um` cannot be \
+                        99: allowed is a number from 0.05 to 4 um";
+    let mut results = SnapshotResults::new();
+    for (size, theme, look) in
+        [(DESKTOP, Theme::Light, "desktop-light"), (PHONE, Theme::Dark, "phone-dark")]
+    {
+        let builder = Harness::builder().with_size(size).with_step_dt(0.05);
+        let builder = builder.with_theme(theme).wgpu();
+        let mut screen = built(builder, Some(SAID), size == PHONE);
+        press(&mut screen, Modifiers::NONE, Key::Space);
+        let mut picture = |screen: &mut Screen<'_>, name: &str| {
+            screen.run_steps(20);
+            let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(40);
+            results.add(screen.try_snapshot_options(format!("{name}-{look}"), &options));
+        };
+        picture(&mut screen, "message");
+        press(&mut screen, Modifiers::NONE, Key::Escape);
+        screen.get_by_role_and_label(Role::Button, "Messages").click();
+        picture(&mut screen, "messages");
+        press(&mut screen, Modifiers::NONE, Key::Escape);
+        press(&mut screen, Modifiers::NONE, Key::Questionmark);
+        picture(&mut screen, "keys");
+        press(&mut screen, Modifiers::NONE, Key::Escape);
+        let link = format!("https://example.org/steadycut/#z={}", "Qx7".repeat(60));
+        console(&screen).push(Command::Shell(ShellCommand::ShowLink(link)));
+        picture(&mut screen, "link");
     }
 }

@@ -46,6 +46,7 @@ pub fn sheet(ctx: &Context, reach: &Reach<'_>, open: &mut bool) {
         .open(open)
         .collapsible(false)
         .resizable(false)
+        .default_size(size)
         .anchor(Align2::CENTER_CENTER, Vec2::ZERO)
         .show(ctx, |ui| {
             ui.set_width(size.x);
