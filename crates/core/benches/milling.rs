@@ -65,8 +65,8 @@ mod baseline {
         let (mut cell, mut here) = (0_u64, field.normal(0));
         let mut next = field_pole * here + field_drive * field.normal(1);
 
-        let mut peak =
-            PeakWindow::new(scenario.noise.sensor_deviation_n(), scenario.run.seed, steps);
+        let sensor_n = scenario.noise.sensor_deviation_n();
+        let mut peak = PeakWindow::new(sensor_n, scenario.run.seed, steps, dt);
         let mut queue = vec![programmed; scenario.ticks(scenario.cnc.dead_time_s) as usize];
         let mut head = 0;
         // Place and last forces of every sample; before the first one a steady feed without force.

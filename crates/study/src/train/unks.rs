@@ -93,7 +93,7 @@ fn excited(number: u64, setup: &MillingSetup, force_ref_n: f64, draws: &mut Draw
     let seed = SEED.wrapping_mul(1000).wrapping_add(number as u32);
     let tool = Tool::default();
     let mut field = DynamicForce::new(&noise, tool.teeth, seed, setup.dt_s);
-    let mut window = PeakWindow::new(noise.sensor_deviation_n(), seed, SAMPLES);
+    let mut window = PeakWindow::new(noise.sensor_deviation_n(), seed, SAMPLES, setup.dt_s);
     let mut milling = Milling::new(setup, cut.depth_max_mm());
     let drive = ExactDrive::new(FeedDriveKind::SecondOrder2013, setup.dt_s);
     let speed_rpm = tool.speed_rpm(80.0);

@@ -5,7 +5,9 @@
 //! ```text
 //! F_dyn = F (1 + level (band b(t) + ripple sin(theta) + inhomogeneity w(x)))
 //! b      band-limited noise of unit variance: first-order low pass minus its own low pass
-//! theta  tooth-passing angle, theta' = 2 pi z n / 60, z teeth
+//! theta  tooth-passing angle, theta' = 2 pi z n / 60, z teeth; where a step is longer than a third of a
+//!        tooth's period it cannot show the ripple's course, and theta is drawn evenly for each step: mean and
+//!        deviation stay those of the ripple
 //! w      field of unit variance along the path ([`super::field`]): a property of the workpiece, the
 //!        same for every controller
 //! ```
@@ -38,10 +40,15 @@ crate::settings! {
     }
 }
 
+/// Most of a tooth's period in a step that still shows the ripple's course: from three samples a period on,
+/// mean and deviation of a sine are those of its samples; two may all fall on its zeros.
+const RESOLVED: f64 = 1.0 / 3.0;
+
 /// The dynamic component with its state.
 #[derive(Clone, Debug)]
 pub struct DynamicForce {
     band: Stream,
+    ripple: Stream,
     field: MaterialField,
     teeth: f64,
     // Coefficients.
@@ -77,9 +84,10 @@ impl DynamicForce {
     #[must_use]
     pub fn new(settings: &NoiseSettings, teeth: u32, seed: u32, dt_s: f64) -> Self {
         let band = Stream::new(u64::from(seed), "noise.band");
-        let phase = Stream::new(u64::from(seed), "noise.ripple");
+        let ripple = Stream::new(u64::from(seed), "noise.ripple");
         let mut this = Self {
             band,
+            ripple,
             teeth: f64::from(teeth),
             field: MaterialField::new(seed, settings.correlation_mm),
             pole_high: 0.0,
@@ -91,7 +99,7 @@ impl DynamicForce {
             turn_per_rpm: 0.0,
             fast: band.normal(u64::MAX),
             slow: 0.0,
-            turn: phase.uniform(0),
+            turn: ripple.uniform(0),
         };
         this.reconfigure(settings, dt_s);
         this
@@ -121,11 +129,13 @@ impl DynamicForce {
         self.fast = self.pole_high * self.fast + self.drive_high * self.band.normal(tick);
         self.slow += self.share_low * (self.fast - self.slow);
 
-        self.turn += speed_rpm * self.turn_per_rpm;
+        let advance = speed_rpm * self.turn_per_rpm;
+        self.turn += advance;
         self.turn -= self.turn.floor();
+        let turn = if advance <= RESOLVED { self.turn } else { self.ripple.uniform(tick) };
 
         1.0 + self.band_gain * (self.fast - self.slow)
-            + self.ripple_gain * math::sin(TAU * self.turn)
+            + self.ripple_gain * math::sin(TAU * turn)
             + self.field_gain * self.field.at(position_mm)
     }
 }
@@ -133,6 +143,7 @@ impl DynamicForce {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::stats;
 
     fn only(band: f64, ripple: f64, inhomogeneity: f64) -> NoiseSettings {
         NoiseSettings {
@@ -162,6 +173,29 @@ mod tests {
         // Linear interpolation between cells takes a little variance; few independent lengths.
         assert!((deviation(&only(0.0, 0.0, 2.0)) - 0.02).abs() < 2e-3);
         assert_eq!(deviation(&NoiseSettings::default()), 0.0, "level 0 is silence");
+    }
+
+    #[test]
+    fn each_source_keeps_mean_and_size_at_any_step() {
+        let sizes = [
+            (only(2.0, 0.0, 0.0), 0.02),
+            (only(0.0, 1.5, 0.0), 0.015 / 2.0_f64.sqrt()),
+            (only(0.0, 0.0, 2.0), 0.02),
+        ];
+        // At 1500 1/min two teeth pass in 20 ms, and so once, twice, a half or a whole number of times a step.
+        for dt_s in [3.472e-5, 1e-3, 4e-3, 5e-3, 1e-2, 2e-2, 4e-2, 0.1] {
+            for (settings, size) in &sizes {
+                let mut source = DynamicForce::new(settings, 2, 3, dt_s);
+                // As much way for each step: the field belongs to it.
+                let found: Vec<f64> =
+                    (0..200_000).map(|k| source.update(k, k as f64 * 0.1, 1500.0)).collect();
+                let mean = stats::mean(found.iter().copied()).unwrap();
+                let deviation = stats::deviation(&found).unwrap();
+                // Band noise at the finest step is seen for seven seconds only.
+                assert!((mean - 1.0).abs() < 1.2e-3, "{dt_s} s: mean {mean}");
+                assert!((deviation / size - 1.0).abs() < 0.05, "{dt_s} s: {deviation}, {size}");
+            }
+        }
     }
 
     #[test]

@@ -36,16 +36,18 @@ pub struct SensorSetup {
     /// Seed of the noise.
     pub seed: u32,
     /// Plant steps in a control period.
-    pub samples: u64,
+    pub steps: u64,
+    /// Plant step, s.
+    pub dt_s: f64,
 }
 
 impl ForceSensor {
     /// The sensor before anything is measured.
     #[must_use]
     pub fn new(setup: &SensorSetup) -> Self {
-        let SensorSetup { by_instants, deviation_n, seed, samples } = *setup;
+        let SensorSetup { by_instants, deviation_n, seed, steps, dt_s } = *setup;
         if by_instants {
-            let window = Box::new(PeakWindow::new(deviation_n, seed, samples));
+            let window = Box::new(PeakWindow::new(deviation_n, seed, steps, dt_s));
             Self::PeakHold { window, held_n: 0.0 }
         } else {
             let dynamometer = Dynamometer::new(deviation_n, seed);

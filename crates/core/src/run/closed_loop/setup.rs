@@ -101,7 +101,8 @@ fn sensor(scenario: &Scenario) -> SensorSetup {
         by_instants: scenario.plant.force_model.tooth_by_tooth(),
         deviation_n: scenario.noise.sensor_deviation_n(),
         seed: scenario.run.seed,
-        samples: u64::from(scenario.run.steps_per_control),
+        steps: u64::from(scenario.run.steps_per_control),
+        dt_s: scenario.dt_s(),
     }
 }
 
