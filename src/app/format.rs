@@ -1,6 +1,7 @@
 //! How numbers, units and times are written for people: the one place for number formats.
 
 use crate::base::math::{ln, pow};
+use crate::run::signals::{Row, flag};
 
 /// A unit for people: the tables write it in plain letters.
 #[must_use]
@@ -99,6 +100,12 @@ pub fn time_of(time_s: f64, length_s: f64) -> String {
     } else {
         format!("{} / {length}", time(time_s))
     }
+}
+
+/// What stands in the place of a value that a row has none of.
+#[must_use]
+pub fn none(row: &Row) -> &'static str {
+    if row.has(flag::AIR) { "no contact" } else { "outside model" }
 }
 
 #[cfg(test)]

@@ -32,6 +32,7 @@ pub mod widgets;
 
 use egui::{CentralPanel, Frame, Margin, Panel as SidePanel, Ui};
 
+use crate::run::signals::signal;
 use crate::run::{Start, scenario_link};
 use bar::Tab;
 use command::{Command, ShellCommand};
@@ -295,7 +296,7 @@ impl Console {
             "playing": playback.playing,
             "playhead_s": playback.playhead_s,
             "target_ra_um": self.session.current().target.ra_um,
-            "ra_um": self.session.row().ra_um,
+            "ra_um": signal("ra_um").and_then(|signal| (signal.value)(self.session.row())),
             "screen": self.panels[self.shown].id(),
             "screens": screens,
             "link": self.link,

@@ -79,7 +79,7 @@ fn state(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let color = match end {
             End::PathDone => palette.good,
             End::TimeLimit => palette.warn,
-            End::Overload(_) | End::Fault(_) | End::Refused(_) => palette.bad,
+            End::Overload(_) | End::Crash(_) | End::Fault(_) | End::Refused(_) => palette.bad,
         };
         // Whole, on the next line where this one has no room for it.
         let text = RichText::new(end.to_string()).color(color).strong();

@@ -1,7 +1,7 @@
 //! Min-max pyramids of the recorded signals: what a plot draws of an hour at 1 kHz. The extremes
 //! of every bucket are exact, so that no force peak is lost.
 
-use crate::run::signals::{Row, SIGNALS};
+use crate::run::signals::{Row, SIGNALS, flag};
 
 /// Rows in a bucket of the first level.
 const FIRST: usize = 8;
@@ -55,17 +55,29 @@ impl Trace {
 }
 
 /// The extremes of all signals over some rows. Row by row, all signals at once: memory is read in
-/// its order, and the comparisons need no branches. Recorded values are never NaN.
+/// its order, and the comparisons need no branches: what a row has no value of is NaN and compares as neither.
 fn extremes(rows: &[Row]) -> [MinMax; Row::LEN] {
     let mut least = [f64::INFINITY; Row::LEN];
     let mut most = [f64::NEG_INFINITY; Row::LEN];
     for row in rows {
-        for ((value, least), most) in row.values().into_iter().zip(&mut least).zip(&mut most) {
+        for ((value, least), most) in drawn(row).into_iter().zip(&mut least).zip(&mut most) {
             *least = if value < *least { value } else { *least };
             *most = if value > *most { value } else { *most };
         }
     }
     std::array::from_fn(|i| [least[i], most[i]])
+}
+
+/// All values of a row, NaN where it has none.
+fn drawn(row: &Row) -> [f64; Row::LEN] {
+    let mut values = row.values();
+    // Only without a chip, or outside a model, is there a signal without a value.
+    if row.has(flag::AIR | flag::OUTSIDE) {
+        for (value, signal) in values.iter_mut().zip(SIGNALS) {
+            *value = (signal.value)(row).unwrap_or(f64::NAN);
+        }
+    }
+    values
 }
 
 /// Rows whose state flags are joined into one.
@@ -121,8 +133,8 @@ impl Traces {
         &self.flags
     }
 
-    /// The points of a signal (its index in the table of signals) between two times, at most some
-    /// `8 * buckets` of them, and never beyond row number `end`. `rows` gives single values where
+    /// The points of a signal (its index in the table of signals) between two times, NaN where it has no
+    /// value, at most some `8 * buckets` of them, and never beyond row number `end`. `rows` gives single values where
     /// a bucket is too coarse; without it the first level is the finest.
     #[must_use]
     pub fn points(
@@ -158,15 +170,18 @@ impl Traces {
                 let start_s = (bucket * size) as f64 * self.row_s;
                 let half_s = 0.5 * size as f64 * self.row_s;
                 let [min, max] = level[bucket];
+                let [min, max] = if min > max { [f64::NAN; 2] } else { [min, max] };
                 points.extend([[start_s, min], [start_s + half_s, max]]);
             }
             first = full.end * size;
         }
         if let Some(rows) = rows {
-            let get = SIGNALS[signal].get;
+            let value = SIGNALS[signal].value;
             let times = (first..last).map(|i| i as f64 * self.row_s);
             let known = rows.get(first..last).unwrap_or(&[]);
-            points.extend(times.zip(known).map(|(time_s, row)| [time_s, get(row)]));
+            points.extend(
+                times.zip(known).map(|(time_s, row)| [time_s, value(row).unwrap_or(f64::NAN)]),
+            );
         }
         points
     }
@@ -201,6 +216,26 @@ mod tests {
                 let exact = values.fold(NOTHING, |m, x| join(m, &[x, x]));
                 assert_eq!(*extremes, exact);
             }
+        }
+    }
+
+    #[test]
+    fn what_has_no_value_is_no_point_at_any_distance() {
+        let ra = SIGNALS.iter().position(|signal| signal.id == "ra_um").unwrap();
+        let air = f64::from(flag::AIR);
+        let row = |i: usize| match i {
+            40_000..80_000 => Row { state_flags: air, ..Row::default() },
+            _ => Row { ra_um: 0.8, ..Row::default() },
+        };
+        let rows: Vec<Row> = (0..120_000).map(row).collect();
+        let mut traces = Traces::new(0.001);
+        traces.extend(&rows);
+        for (range, buckets) in [([0.0, 120.0], 300), ([39.9, 40.1], 300), ([0.0, 120.0], 40)] {
+            let points = traces.points(ra, range, usize::MAX, buckets, Some(&rows));
+            assert!(points.iter().all(|[_, y]| *y == 0.8 || y.is_nan()));
+            assert!(points.iter().any(|[_, y]| y.is_nan()));
+            let middle = points.iter().filter(|[t, _]| (45.0..75.0).contains(t));
+            assert!(middle.into_iter().all(|[_, y]| y.is_nan()));
         }
     }
 

@@ -167,21 +167,26 @@ fn print_metrics(
     let settled =
         m.settling_time_s.map_or("not settled".to_owned(), |time_s| format!("{time_s:.3} s"));
     let tolerance = scenario.target.tolerance_percent;
+    // With a force and without roughness its model has ended.
+    let ra_shown = |value: Option<f64>, text: &dyn Fn(f64) -> String| match m.force_final_n {
+        Some(_) => value.map_or("outside model".to_owned(), text),
+        None => shown(value, text),
+    };
     let lines = [
-        ("Ra produced", format!("{:.4} um", m.ra_final_um)),
-        ("  deviation", format!("{:+.2} % of {target} um", m.ra_deviation_percent)),
+        ("Ra produced", ra_shown(m.ra_final_um, &|x| format!("{x:.4} um"))),
+        ("  deviation", ra_shown(m.ra_deviation_percent, &|x| format!("{x:+.2} % of {target} um"))),
         (
             "  in tolerance",
             shown(m.in_tolerance_percent, &|x| format!("{x:.1} % of length (+-{tolerance} %)")),
         ),
-        ("force", format!("{:.2} N", m.force_final_n)),
-        ("  deviation", format!("{:+.2} %", m.force_deviation_percent)),
-        ("  worst after 1 s", format!("{:+.2} %", m.force_worst_percent)),
+        ("force", shown(m.force_final_n, &|x| format!("{x:.2} N"))),
+        ("  deviation", shown(m.force_deviation_percent, &|x| format!("{x:+.2} %"))),
+        ("  worst after 1 s", shown(m.force_worst_percent, &|x| format!("{x:+.2} %"))),
         ("  largest", format!("{:.2} N", m.max_force_n)),
         ("  normalised std. error", shown(m.normalized_standard_error, &|x| format!("{x:.4}"))),
         ("  over 20 samples", shown(m.normalized_standard_error_20, &|x| format!("{x:.4}"))),
         ("  settling", settled),
-        ("  overshoot", format!("{:.2} %", m.overshoot_percent)),
+        ("  overshoot", shown(m.overshoot_percent, &|x| format!("{x:.2} %"))),
         ("feed", format!("{:.2} mm/min", m.feed_final_mm_min)),
         ("spindle speed", format!("{:.1} 1/min", m.spindle_final_rpm)),
         ("time of cut", format!("{:.3} s", m.time_of_cut_s)),

@@ -170,7 +170,7 @@ impl Combined {
     #[must_use]
     pub fn adjusted(&self) -> Option<Adjusted> {
         let recording = self.run.as_ref()?.recording();
-        let samples = recording.rows().iter().step_by(recording.control_stride());
+        let samples = recording.samples(usize::MAX);
         Adjusted::of(&samples.filter(|row| !row.has(flag::AIR)).collect::<Vec<&Row>>())
     }
 

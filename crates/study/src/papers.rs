@@ -137,6 +137,11 @@ fn cell(printed: f64, reference: f64, reproduced: f64, within: impl Fn(f64, f64)
     Cell { printed, reference, reproduced, residual, residual_percent, verdict }
 }
 
+/// A final value for a cell: not a number without contact, which meets no band and is null in JSON.
+fn final_or_none(value: Option<f64>) -> f64 {
+    value.unwrap_or(f64::NAN)
+}
+
 fn given(printed: f64, used: f64) -> Cell {
     Cell { verdict: CellVerdict::Given, ..cell(printed, printed, used, |_, _| true) }
 }
@@ -209,7 +214,7 @@ fn judge(paper: PaperId, printed: &TableRow, force_model: ForceModel, run: &Run)
         force_final_n: cell(
             printed.force_final_n,
             printed.force_reference_n(),
-            metrics.force_final_n,
+            final_or_none(metrics.force_final_n),
             |_, percent| percent.abs() <= bands.force_percent,
         ),
         feed_final_mm_min: judged(
@@ -225,14 +230,14 @@ fn judge(paper: PaperId, printed: &TableRow, force_model: ForceModel, run: &Run)
         ra_produced_um: cell(
             printed.ra_produced_um,
             printed.ra_produced_um,
-            metrics.ra_final_um,
+            final_or_none(metrics.ra_final_um),
             |residual, _| residual.abs() <= bands.ra_um,
         ),
         out_of_range: states_at_the_end(run),
         ra_deviation_printed_percent: percent_from_ratio(
             printed.ra_produced_um / printed.ra_desired_um - 1.0,
         ),
-        ra_deviation_reproduced_percent: metrics.ra_deviation_percent,
+        ra_deviation_reproduced_percent: final_or_none(metrics.ra_deviation_percent),
         note: (paper == PaperId::Sdnrp2007 && printed.sim == 10).then_some(NOTE_SIM_10),
     };
     if !force_model.is_formula() {
@@ -254,8 +259,10 @@ fn states_at_the_end(run: &Run) -> Vec<&'static str> {
     if high - low > 0.01 * high {
         names.push("not_at_rest");
     }
-    if let Some(End::Fault(fault)) = run.end() {
-        names.push(fault.signal);
+    match run.end() {
+        Some(End::Fault(fault)) => names.push(fault.signal),
+        Some(End::Crash(_)) => names.push("crash"),
+        Some(End::PathDone | End::TimeLimit | End::Overload(_) | End::Refused(_)) | None => {}
     }
     names
 }

@@ -45,6 +45,13 @@ pub fn tick(mark: GridMark) -> String {
     format!("{:.decimals$}", mark.value + 0.0)
 }
 
+/// The pieces of a curve between the gaps in it, where its values are NaN.
+#[must_use]
+pub fn pieces(points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
+    let pieces = points.split(|[_, y]| y.is_nan());
+    pieces.filter(|piece| !piece.is_empty()).map(<[_]>::to_vec).collect()
+}
+
 /// The named curve that the pointer is near to, and its nearest point; `None` where it is near to none.
 #[must_use]
 pub fn near<'a>(hover: &HoverPosition<'a>) -> Option<(&'a str, PlotPoint)> {

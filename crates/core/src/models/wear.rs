@@ -149,13 +149,27 @@ impl WearSettings {
         let speed = math::positive(cut.cutting_speed_m_min) / self.taylor_speed_m_min;
         let feed = math::positive(cut.feed_per_tooth_mm) / self.reference_feed_mm;
         let depth = math::positive(cut.axial_depth_mm) / self.reference_depth_mm;
-        if speed * feed * depth == 0.0 {
+        if [speed, feed, depth].contains(&0.0) {
             return f64::INFINITY;
         }
+        let factors = [
+            math::pow(speed, -1.0 / self.taylor_exponent),
+            math::pow(feed, -self.feed_exponent),
+            math::pow(depth, -self.depth_exponent),
+        ];
+        let [by_speed, by_feed, by_depth] = factors;
+        let life_min = self.taylor_life_min * by_speed * by_feed * by_depth;
+        // As a spindle comes to rest the feed per tooth grows without bound while the speed vanishes: one
+        // factor is then infinite and another nothing, and only their logarithms can be set off.
+        if life_min.is_finite() && life_min > 0.0 {
+            return life_min;
+        }
         self.taylor_life_min
-            * math::pow(speed, -1.0 / self.taylor_exponent)
-            * math::pow(feed, -self.feed_exponent)
-            * math::pow(depth, -self.depth_exponent)
+            * math::exp(
+                -math::ln(speed) / self.taylor_exponent
+                    - self.feed_exponent * math::ln(feed)
+                    - self.depth_exponent * math::ln(depth),
+            )
     }
 
     /// Life T in min of this very tool at `cut`.

@@ -4,11 +4,11 @@
 //! digits, over these bytes and no others: row by row in the order of recording, in a row the
 //! signals in the order of [`super::signals::SIGNALS`], every value as the eight bytes of its binary64 form, least
 //! significant byte first. A CSV file of the run holds the same values in the same order, each in a
-//! form that reads back to the same bits, so anybody can check a digest, for example in Python:
+//! form that reads back to the same bits; an empty cell, where there is no value, counts as 0. So anybody can check a digest, for example in Python:
 //!
 //! ```text
 //! import numpy, xxhash          # steadycut run table3-5 --out run.csv
-//! rows = numpy.loadtxt("run.csv", delimiter=",", skiprows=1)
+//! rows = numpy.genfromtxt("run.csv", delimiter=",", skip_header=1, filling_values=0)
 //! print(xxhash.xxh3_64_hexdigest(rows.astype("<f8").tobytes()))
 //! ```
 

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::closed_loop::Fault;
 use crate::base::settings::SettingError;
 use crate::blocks::cnc::overload::Overload;
+use crate::blocks::cutting::crash::Crash;
 
 crate::choice! {
     /// The ids of [`End`].
@@ -15,6 +16,9 @@ crate::choice! {
         TimeLimit = "time_limit", "Cut finished: time limit";
         /// Too large a force stopped the feed; its details are force_n, limit_n, position_mm, time_s.
         Overload = "overload", "Stopped by an overload";
+        /// The tool was fed into the work without cutting its way; its details are feed_mm_min, speed_rpm,
+        /// radius_mm, position_mm, time_s.
+        Crash = "crash", "Ended by a crash";
         /// A signal stopped being finite; its details are signal, tick.
         Fault = "fault", "Ended by a fault";
         /// An edit does not fit the scenario; its details are path, value, allowed.
@@ -33,6 +37,8 @@ pub enum End {
     TimeLimit,
     /// An overload stopped the feed.
     Overload(Overload),
+    /// The tool was fed into the work without cutting its way.
+    Crash(Crash),
     /// A signal stopped being finite.
     Fault(Fault),
     /// An edit does not fit the scenario: it was pushed to the edits of another one.
@@ -47,6 +53,7 @@ impl End {
             Self::PathDone => EndId::PathDone,
             Self::TimeLimit => EndId::TimeLimit,
             Self::Overload(_) => EndId::Overload,
+            Self::Crash(_) => EndId::Crash,
             Self::Fault(_) => EndId::Fault,
             Self::Refused(_) => EndId::Refused,
         }
@@ -56,7 +63,7 @@ impl End {
     #[must_use]
     pub fn failed(&self) -> bool {
         match self {
-            Self::PathDone | Self::TimeLimit | Self::Overload(_) => false,
+            Self::PathDone | Self::TimeLimit | Self::Overload(_) | Self::Crash(_) => false,
             Self::Fault(_) | Self::Refused(_) => true,
         }
     }
@@ -68,6 +75,7 @@ impl std::fmt::Display for End {
         match self {
             Self::PathDone | Self::TimeLimit => f.write_str(self.id().label()),
             Self::Overload(stop) => write!(f, "The machine {stop}"),
+            Self::Crash(crash) => write!(f, "The tool {crash}"),
             Self::Fault(fault) => fault.fmt(f),
             Self::Refused(refused) => refused.fmt(f),
         }
@@ -83,10 +91,19 @@ mod tests {
         let overload =
             Overload { force_n: 2100.0, limit_n: 2000.0, position_mm: 12.0, time_s: 1.5 };
         let [path, value, allowed] = ["target.ra_um", "9 um", "less"].map(str::to_owned);
-        let all: [(End, &[&str]); 5] = [
+        let crash = Crash {
+            feed_mm_min: 430.0,
+            speed_rpm: 9.0,
+            radius_mm: 8.0,
+            position_mm: 12.0,
+            time_s: 1.5,
+        };
+        let of_crash = ["feed_mm_min", "position_mm", "radius_mm", "speed_rpm", "time_s"];
+        let all: [(End, &[&str]); 6] = [
             (End::PathDone, &[]),
             (End::TimeLimit, &[]),
             (End::Overload(overload), &["force_n", "limit_n", "position_mm", "time_s"]),
+            (End::Crash(crash), &of_crash),
             (End::Fault(Fault { signal: "force_n", tick: 7 }), &["signal", "tick"]),
             (
                 End::Refused(SettingError::Refused { path, value, allowed }),

@@ -1,23 +1,21 @@
 //! A run that can be advanced in slices, rewound and branched; slicing never changes its bits.
 
-use super::closed_loop::ClosedLoop;
+use super::closed_loop::{ClosedLoop, Halt};
 use super::edits::Edits;
 pub use super::end::End;
 use super::job::{Budget, Job, Progress};
-use super::metrics::{self, Metrics};
+use super::metrics::{self, Judged, Metrics, Tally};
 use super::recording::Recording;
 use super::scenario::Scenario;
 use crate::base::math::limit;
 use crate::base::settings::SettingError;
 use crate::blocks::cutting::tool_path::ToolPath;
+use crate::models::feed_speed::STANDSTILL_MM_MIN;
 
 /// Ticks between snapshots at first: the most that a rewind has to repeat.
 const SNAPSHOT_TICKS: u64 = 10_000;
 /// Most snapshots that are kept; with more, every other one goes and the distance doubles.
 const MAX_SNAPSHOTS: usize = 128;
-
-/// Feed at which a stopped drive counts as standing, mm/min.
-const STANDSTILL_MM_MIN: f64 = 0.5;
 
 #[derive(Clone, Debug)]
 struct State {
@@ -25,6 +23,8 @@ struct State {
     /// The scenario with all edits up to now.
     scenario: Scenario,
     next_edit: usize,
+    /// What metrics are made of, where not every plant step is recorded.
+    tally: Option<Tally>,
 }
 
 impl State {
@@ -32,25 +32,36 @@ impl State {
     #[inline]
     fn step(&mut self, edits: &Edits, edit_ticks: &[u64]) -> Result<(), End> {
         let tick = self.closed_loop.tick();
+        let mut edited = false;
         if edit_ticks.get(self.next_edit).is_some_and(|at| *at <= tick) {
-            self.apply_edits(tick, edits, edit_ticks).map_err(End::Refused)?;
+            edited = self.apply_edits(tick, edits, edit_ticks).map_err(End::Refused)?;
         }
-        self.closed_loop.step().map_err(End::Fault)
+        self.closed_loop.step().map_err(|halt| match halt {
+            Halt::Crash(crash) => End::Crash(crash),
+            Halt::Fault(fault) => End::Fault(fault),
+        })?;
+        if let Some(tally) = &mut self.tally {
+            tally.add(self.closed_loop.row(), edited);
+        }
+        Ok(())
     }
 
+    /// Applies the edits that are due; gives whether one of them may move the loop.
     fn apply_edits(
         &mut self,
         tick: u64,
         edits: &Edits,
         edit_ticks: &[u64],
-    ) -> Result<(), SettingError> {
+    ) -> Result<bool, SettingError> {
+        let mut moved = false;
         while edit_ticks.get(self.next_edit).is_some_and(|at| *at <= tick) {
             let edit = &edits.list()[self.next_edit];
             self.scenario.set(&edit.path, edit.value.clone())?;
+            moved |= metrics::moves(edit);
             self.next_edit += 1;
         }
         self.closed_loop.reconfigure(&self.scenario);
-        Ok(())
+        Ok(moved)
     }
 }
 
@@ -110,8 +121,14 @@ impl Run {
             scenario.dt_s(),
             settings.steps_per_control,
         );
-        recording.push(0, closed_loop.row());
-        let state = State { closed_loop, scenario: scenario.clone(), next_edit: 0 };
+        let tally = recording.leaves_out().then(|| {
+            Tally::new(Judged::by(scenario, recording.control_every()), closed_loop.row())
+        });
+        match &tally {
+            Some(tally) => recording.push_counted(0, closed_loop.row(), tally),
+            None => recording.push(0, closed_loop.row()),
+        }
+        let state = State { closed_loop, scenario: scenario.clone(), next_edit: 0, tally };
         let mut run = Self {
             base: scenario.clone(),
             edits: Edits::none(),
@@ -136,7 +153,7 @@ impl Run {
     /// let run = Run::complete(&presets::load("first-cut").unwrap(), &Edits::none());
     /// assert!(run.end().is_some());
     /// let metrics = run.metrics();
-    /// println!("Ra {:.2} um at {:.0} N", metrics.ra_final_um, metrics.force_final_n);
+    /// println!("Ra {:.2} um at {:.0} N", metrics.ra_final_um.unwrap(), metrics.force_final_n.unwrap());
     /// # assert!(!matches!(run.end(), Some(End::Fault(_))));
     /// ```
     #[must_use]
@@ -167,12 +184,22 @@ impl Run {
         let result = self.state.step(&self.edits, &self.edit_ticks);
         let tick = self.state.closed_loop.tick();
         if let Err(end) = result {
-            // A faulty row is not recorded: nothing that was recorded is lost or spoilt.
+            // A row that no model stands for is not recorded: nothing that was recorded is lost or spoilt.
+            let State { closed_loop, tally, .. } = &self.state;
+            match &end {
+                // The row is still that of the step before.
+                End::Crash(_) => self.recording.finish(tick - 1, closed_loop.row(), tally.as_ref()),
+                End::Refused(_) => self.recording.finish(tick, closed_loop.row(), tally.as_ref()),
+                End::Fault(_) | End::PathDone | End::TimeLimit | End::Overload(_) => {}
+            }
             self.end = Some(end);
             return;
         }
         let row = self.state.closed_loop.row();
-        self.recording.push(tick, row);
+        match &self.state.tally {
+            Some(tally) => self.recording.push_counted(tick, row, tally),
+            None => self.recording.push(tick, row),
+        }
         if row.position_mm >= self.path_mm {
             self.end = Some(End::PathDone);
         } else if let Some(overload) = self.state.closed_loop.overload()
@@ -185,7 +212,8 @@ impl Run {
             self.snapshot();
         }
         if self.end.is_some() {
-            self.recording.finish(tick, self.state.closed_loop.row());
+            let State { closed_loop, tally, .. } = &self.state;
+            self.recording.finish(tick, closed_loop.row(), tally.as_ref());
         }
     }
 
@@ -286,7 +314,7 @@ impl Run {
         &self.state.closed_loop
     }
 
-    /// Metrics over everything recorded so far.
+    /// Metrics over all plant steps so far.
     #[must_use]
     pub fn metrics(&self) -> Metrics {
         let rows = self.recording.rows().len();

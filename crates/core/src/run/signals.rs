@@ -1,7 +1,10 @@
 //! The signals of a run: one table gives rows, CSV headers, axis titles and the digest.
 
 macro_rules! signals {
-    ($( $(#[doc = $doc:literal])+ $name:ident, $unit:literal, $label:literal; )+) => {
+    ($(
+        $(#[doc = $doc:literal])+ $name:ident, $unit:literal, $label:literal
+        $(, none where $none:expr)?;
+    )+) => {
         /// One recorded row: all signals at one tick.
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         pub struct Row {
@@ -16,6 +19,10 @@ macro_rules! signals {
                 label: $label,
                 doc: concat!($($doc),+),
                 get: |row| row.$name,
+                value: |row| {
+                    $( let none: fn(&Row) -> bool = $none; if none(row) { return None; } )?
+                    Some(row.$name)
+                },
             }, )+
         ];
 
@@ -44,8 +51,11 @@ pub struct SignalInfo {
     pub label: &'static str,
     /// What it is.
     pub doc: &'static str,
-    /// Reads it from a row.
+    /// Reads it from a row; 0 where there is none.
     pub get: fn(&Row) -> f64,
+    /// Its value in a row, if there is one: without a chip there is no roughness, and none where its model has
+    /// ended at zero.
+    pub value: fn(&Row) -> Option<f64>,
 }
 
 signals! {
@@ -60,9 +70,10 @@ signals! {
     /// Target roughness.
     ra_target_um, "um", "Target Ra";
     /// Produced roughness, Ra = K5(F) or M5(F).
-    ra_um, "um", "Ra";
+    ra_um, "um", "Ra", none where |row| row.has(flag::AIR) || row.ra_has_ended();
     /// Produced roughness with machine dynamics, Ra = K6(F_dyn) or M6(F_dyn).
-    ra_dyn_um, "um", "Ra with dynamics";
+    ra_dyn_um, "um", "Ra with dynamics",
+        none where |row| row.has(flag::AIR) || row.has(flag::K6_OUTSIDE) && row.ra_dyn_um == 0.0;
     /// Desired force F_d = K1(target Ra) or M1(target Ra).
     force_ref_n, "N", "Desired force";
     /// The force that the controller asks its models for.
@@ -143,7 +154,7 @@ pub mod flag {
     pub const K5_OUTSIDE: u32 = 64;
     /// Model 6 is used outside its range.
     pub const K6_OUTSIDE: u32 = 128;
-    /// The tool is in the air: no force, no roughness.
+    /// No chip is cut, since the tool is in the air or stands: no force, no roughness.
     pub const AIR: u32 = 256;
     /// The feed override moves no faster than its rate allows.
     pub const FEED_RATE_LIMITED: u32 = 512;
@@ -189,5 +200,11 @@ impl Row {
     #[must_use]
     pub fn has(&self, bits: u32) -> bool {
         self.state_flags as u32 & bits != 0
+    }
+
+    /// Whether model 5 has ended at zero for the force: a roughness outside the model, not of 0.
+    #[must_use]
+    pub fn ra_has_ended(&self) -> bool {
+        self.has(flag::K5_OUTSIDE) && self.ra_um == 0.0
     }
 }

@@ -2,12 +2,14 @@
 
 mod chip;
 mod earlier_versions;
+mod edges;
 mod inputs;
 mod links;
 mod matrix;
 mod metrics;
 mod revolution;
 mod signals;
+mod steps;
 mod story;
 mod switching;
 mod tools;

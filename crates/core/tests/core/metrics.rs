@@ -65,9 +65,9 @@ fn overshoot_is_the_excursion_to_the_other_side() {
             100.0
         };
     });
-    assert!((judge(&falling).overshoot_percent - 7.0).abs() < 1e-9);
+    assert!((judge(&falling).overshoot_percent.unwrap() - 7.0).abs() < 1e-9);
     let approaching = rows(1000, |t, row| row.force_n = if t < 1.0 { 120.0 } else { 100.0 });
-    assert_eq!(judge(&approaching).overshoot_percent, 0.0);
+    assert_eq!(judge(&approaching).overshoot_percent, Some(0.0));
 }
 
 #[test]
@@ -89,7 +89,8 @@ fn shares_and_errors_count_contact_only() {
     assert!((m.normalized_standard_error_20.unwrap() - 0.5_f64.sqrt() * 0.1).abs() < 1e-12);
     assert!((m.metal_removed_cm3 - 8.0 * 5.0 * 2.0 * 3.0 / 1000.0).abs() < 1e-9);
     // Final values are those of the last second in contact.
-    assert!((m.ra_final_um - 1.11).abs() < 1e-9 && (m.force_deviation_percent - 10.0).abs() < 1e-9);
+    assert!((m.ra_final_um.unwrap() - 1.11).abs() < 1e-9);
+    assert!((m.force_deviation_percent.unwrap() - 10.0).abs() < 1e-9);
     assert_eq!((m.max_force_n, m.time_of_cut_s, m.path_mm), (110.0, 10.0, 50.0));
 }
 
@@ -97,6 +98,41 @@ fn shares_and_errors_count_contact_only() {
 fn a_cut_in_the_air_alone_has_no_error_and_no_share() {
     let m = judge(&rows(100, |_, row| row.state_flags = f64::from(flag::AIR)));
     assert_eq!((m.normalized_standard_error, m.in_tolerance_percent), (None, None));
+    assert_eq!((m.ra_final_um, m.ra_deviation_percent), (None, None));
+    assert_eq!((m.force_final_n, m.force_deviation_percent), (None, None));
+    assert_eq!((m.force_worst_percent, m.overshoot_percent), (None, None));
+    assert_eq!((m.settling_time_s, m.feed_final_mm_min), (None, 300.0));
+}
+
+#[test]
+fn a_tool_that_stands_has_no_final_values_after_a_second() {
+    let stopped = |n: u64| {
+        rows(n, |t, row| {
+            if t > 3.0 {
+                row.state_flags = f64::from(flag::AIR);
+                (row.force_n, row.ra_um, row.feed_mm_min) = (0.0, 0.0, 0.1);
+            }
+        })
+    };
+    assert_eq!(judge(&stopped(399)).ra_final_um, Some(1.0));
+    let m = judge(&stopped(401));
+    assert_eq!((m.ra_final_um, m.force_final_n, m.feed_final_mm_min), (None, None, 0.1));
+}
+
+#[test]
+fn a_roughness_beyond_the_end_of_its_model_is_none() {
+    let m = judge(&rows(200, |t, row| {
+        if t > 0.5 {
+            (row.ra_um, row.state_flags) = (0.0, f64::from(flag::K5_OUTSIDE));
+        }
+    }));
+    assert_eq!((m.ra_final_um, m.ra_deviation_percent, m.force_final_n), (None, None, Some(100.0)));
+    let m = judge(&rows(200, |t, row| {
+        if t > 1.5 {
+            (row.ra_um, row.state_flags) = (0.0, f64::from(flag::K5_OUTSIDE));
+        }
+    }));
+    assert_eq!(m.ra_final_um, Some(1.0), "the mean where it is known");
 }
 
 #[test]
@@ -142,7 +178,7 @@ fn the_worst_error_leaves_out_the_first_second_and_parts_are_of_the_steps() {
         }
     });
     let m = judge(&recording);
-    assert!((m.force_worst_percent + 12.0).abs() < 1e-9, "{m:?}");
+    assert!((m.force_worst_percent.unwrap() + 12.0).abs() < 1e-9, "{m:?}");
     assert!((m.saturated_percent - 20.0).abs() < 0.11, "{m:?}");
     assert!((m.outside_percent - 10.0).abs() < 0.11, "{m:?}");
 }

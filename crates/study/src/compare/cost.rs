@@ -29,7 +29,7 @@ impl Replay {
         let scenario = load_step::scenario(entrant);
         let run = Run::complete(&scenario, &Edits::none());
         let recording = run.recording();
-        let rows = recording.rows().iter().step_by(recording.control_stride());
+        let rows = recording.samples(usize::MAX);
         let sample = |row: &Row| {
             let applied = FeedSpeed {
                 feed_mm_min: row.feed_command_mm_min,

@@ -89,7 +89,7 @@ pub fn transient(entrant: &Entrant) -> Transient {
 #[must_use]
 pub fn judged(name: &str, run: &Run) -> Transient {
     let recording = run.recording();
-    let samples: Vec<&Row> = recording.rows().iter().step_by(recording.control_stride()).collect();
+    let samples: Vec<&Row> = recording.samples(usize::MAX).collect();
     let length_mm = samples.last().map_or(0.0, |row| row.position_mm);
     let from_mm = length_mm - SECTION_MM - AHEAD_MM;
     let within = |row: &Row| row.position_mm >= from_mm && row.position_mm < length_mm - AHEAD_MM;

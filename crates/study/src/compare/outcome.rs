@@ -86,7 +86,7 @@ pub struct Outcome {
     pub recovery_periods: f64,
     /// Travel of the feed override, percent per second.
     pub override_travel_percent_s: f64,
-    /// Whether an overload stopped the machine.
+    /// Whether an overload or a crash stopped the machine.
     pub force_stop: bool,
 }
 
@@ -96,8 +96,7 @@ impl Outcome {
     pub fn of(run: &Run) -> Self {
         let metrics = run.metrics();
         let recording = run.recording();
-        let rows = recording.rows();
-        let samples: Vec<&Row> = rows.iter().step_by(recording.control_stride()).collect();
+        let samples: Vec<&Row> = recording.samples(usize::MAX).collect();
         let steps = samples
             .windows(2)
             .map(|pair| (pair[1].feed_override_percent - pair[0].feed_override_percent).abs());
@@ -111,7 +110,7 @@ impl Outcome {
             held_percent: held_percent(&samples),
             recovery_periods: longest_overload(&samples) as f64,
             override_travel_percent_s: steps.sum::<f64>() / longest_s,
-            force_stop: matches!(run.end(), Some(End::Overload(_))),
+            force_stop: matches!(run.end(), Some(End::Overload(_) | End::Crash(_))),
         }
     }
 

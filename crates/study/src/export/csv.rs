@@ -1,4 +1,5 @@
-//! CSV: one column per signal with its unit in the header, one line per recorded row.
+//! CSV: one column per signal with its unit in the header, one line per recorded row. A cell is empty where
+//! there is no value: the roughness without a chip.
 
 use std::io::{self, Write};
 
@@ -28,9 +29,12 @@ pub fn write(out: &mut impl Write, recording: &Recording) -> io::Result<()> {
     }
     writeln!(out)?;
     for row in recording.rows() {
-        for (i, value) in row.values().iter().enumerate() {
+        for (i, signal) in SIGNALS.iter().enumerate() {
             let comma = if i == 0 { "" } else { "," };
-            write!(out, "{comma}{value}")?;
+            match (signal.value)(row) {
+                Some(value) => write!(out, "{comma}{value}")?,
+                None => write!(out, "{comma}")?,
+            }
         }
         writeln!(out)?;
     }
@@ -74,5 +78,22 @@ mod tests {
             assert_eq!(values, row.values().map(f64::to_bits));
         }
         assert_eq!(text.lines().count(), run.recording().rows().len() + 1);
+    }
+
+    #[test]
+    fn a_cell_without_a_value_is_empty() {
+        let mut scenario = presets::load("table3-5").unwrap();
+        scenario.change(|s| (s.run.duration_s, s.workpiece.axial_depth_mm) = (0.1, 0.0)).unwrap();
+        let run = Run::complete(&scenario, &Edits::none());
+        let mut text = Vec::new();
+        write(&mut text, run.recording()).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let header = lines.next().unwrap();
+        for line in lines {
+            for (name, cell) in header.iter().zip(line) {
+                assert_eq!(cell.is_empty(), matches!(*name, "ra_um [um]" | "ra_dyn_um [um]"));
+            }
+        }
     }
 }

@@ -29,8 +29,8 @@ pub fn golden() -> Map<String, Value> {
         let mut entry = json!({
             "ticks": run.ticks(),
             "digest": run.recording().digest(),
-            "ra_final_um": rounded(m.ra_final_um),
-            "force_final_n": rounded(m.force_final_n),
+            "ra_final_um": m.ra_final_um.map(rounded),
+            "force_final_n": m.force_final_n.map(rounded),
             "feed_final_mm_min": rounded(m.feed_final_mm_min),
             "in_tolerance_percent": m.in_tolerance_percent.map(rounded),
         });

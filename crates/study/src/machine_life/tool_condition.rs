@@ -40,13 +40,12 @@ pub fn predictions(
     let mut estimator = estimator(scenario, &machine);
     let belief = scenario.believed();
     // As in the running cut: once in a control period.
-    let stride = recording.control_stride();
-    let period_s = recording.row_s() * stride as f64;
+    let period_s = recording.row_s() * recording.control_stride() as f64;
     let observe = |row: &Row| {
         let stretch = Stretch::of_row(row, period_s);
         let prediction = estimator.observe(&stretch.observed(&scenario.tool, &belief))?;
         let Row { time_s, used_life, sound_mm_s, .. } = *row;
         Some(ConditionEstimate { time_s, used_life, sound_mm_s, prediction })
     };
-    Ok(recording.rows().iter().step_by(stride).skip(1).filter_map(observe).collect())
+    Ok(recording.samples(usize::MAX).skip(1).filter_map(observe).collect())
 }

@@ -64,6 +64,10 @@ impl<'a> Now<'a> {
     /// The value with its unit.
     #[must_use]
     pub fn text(&self, wire: Wire) -> String {
+        let row = if wire.delayed { self.leaving } else { self.moment.row };
+        if (wire.info().value)(row).is_none() {
+            return format::none(row).to_owned();
+        }
         let unit = wire.info().unit;
         if unit == "%" {
             let quantised = self.moment.scenario.cnc.override_quantised;

@@ -7,6 +7,7 @@ use super::moment::Now;
 use crate::app::format;
 use crate::app::session::Session;
 use crate::app::theme::{Look, Palette};
+use crate::app::widgets::plot::pieces;
 use crate::run::diagram::Wire;
 use crate::run::signals::{SIGNALS, SignalInfo, signal};
 
@@ -135,9 +136,11 @@ pub fn show(ui: &mut egui::Ui, session: &Session, now: &Now<'_>, wire: Wire, hei
             plot.set_plot_bounds_y(range[0]..=range[1]);
             for trace in traces {
                 let (stroke, style) = trace.look.line(palette);
-                let line = Line::new(trace.name, PlotPoints::from(trace.points));
-                // Decimated here already; a band would also fill in single steps.
-                plot.line(line.stroke(stroke).style(style).allow_band(false));
+                for piece in pieces(&trace.points) {
+                    let line = Line::new(trace.name.clone(), PlotPoints::from(piece));
+                    // Decimated here already; a band would also fill in single steps.
+                    plot.line(line.stroke(stroke).style(style).allow_band(false));
+                }
             }
         });
 }

@@ -26,9 +26,6 @@ struct Item {
 const FORCE_LEVELS: [f64; 2] = [5.0, 15.0];
 /// Fractions of the length in tolerance from the first on count as good, below the second as bad, %.
 const TOLERANCE_LEVELS: [f64; 2] = [90.0, 50.0];
-/// Time at the start that the worst deviation leaves out, s.
-const WORST_FROM_S: f64 = 1.0;
-
 /// Good, bad, or neither.
 fn judged(palette: &Palette, good: bool, bad: bool) -> egui::Color32 {
     match (good, bad) {
@@ -57,7 +54,7 @@ fn items(view: &View<'_>, palette: &Palette) -> [Item; 5] {
                 twin_has(format::quantity(twin.metal_removed_cm3, "cm^3")),
             ],
         },
-        Reference::Force => worst_force(chosen, palette, twin_has(signed(worst(twin)))),
+        Reference::Force => worst_force(chosen, palette, twin_has(signed(twin.force_worst_percent))),
     };
     [
         match reference {
@@ -78,8 +75,7 @@ fn ra_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> Strin
     let (target_um, tolerance) = (target.ra_um, ratio_from_percent(target.tolerance_percent));
     let text = |row: &Row| match produced_ra_um(row) {
         Some(ra_um) => format::quantity(ra_um, "um"),
-        None if row.has(flag::AIR) => "-".to_owned(),
-        None => "outside model".to_owned(),
+        None => format::none(row).to_owned(),
     };
     let ra = produced_ra_um(now);
     let side = ra.map(|ra_um| side(ra_um, target_um, tolerance));
@@ -211,14 +207,14 @@ fn in_tolerance(chosen: &Metrics, reference: Reference, palette: &Palette, twin:
 }
 
 fn worst_force(chosen: &Metrics, palette: &Palette, twin: String) -> Item {
-    let size = worst(chosen).map(f64::abs);
+    let size = chosen.force_worst_percent.map(f64::abs);
     let [good, bad] = FORCE_LEVELS;
     let color = judged(palette, size.is_some_and(|x| x <= good), size.is_some_and(|x| x > bad));
     Item {
         title: "Worst force deviation",
         help: "Largest deviation of the force from the desired force after the first second."
             .to_owned(),
-        value: signed(worst(chosen)),
+        value: signed(chosen.force_worst_percent),
         color,
         below: ["from desired force".to_owned(), twin],
     }
@@ -266,10 +262,6 @@ fn time_of_cut(view: &View<'_>, palette: &Palette) -> Item {
     }
 }
 
-/// The worst deviation, once there is one.
-fn worst(of: &Metrics) -> Option<f64> {
-    (of.time_of_cut_s >= WORST_FROM_S).then_some(of.force_worst_percent)
-}
 
 /// Before the first contact, and in the air alone, there is no share.
 fn share_of(value: Option<f64>) -> String {

@@ -6,6 +6,7 @@ use super::content::{Axes, Chart, GHOST, TWIN, index};
 use crate::app::cut::Cut;
 use crate::app::session::Session;
 use crate::app::theme::{Look, Palette};
+use crate::app::widgets::plot::pieces;
 use crate::run::signals::SIGNALS;
 
 /// The range of values: of all of the run and its twin, so that it does not jump while playing; or
@@ -95,10 +96,13 @@ pub(super) fn lines(
     let shown = |name: &'static str| !axes.hidden.contains(&(chart.id, name));
     let line = |name: &str, look: Look, points: Vec<[f64; 2]>| {
         let (stroke, style) = look.line(palette);
-        let points = PlotPoints::from(without_flats(points, span));
-        let line = Line::new(name.to_owned(), points);
-        // The points are few already; bands would fill the area below a step.
-        line.stroke(stroke).style(style).allow_band(false)
+        let lines = pieces(&points).into_iter().map(|piece| {
+            let points = PlotPoints::from(without_flats(piece, span));
+            let line = Line::new(name.to_owned(), points);
+            // The points are few already; bands would fill the area below a step.
+            line.stroke(stroke).style(style).allow_band(false)
+        });
+        lines.collect::<Vec<_>>()
     };
     let revealed = session.revealed().len();
     let playhead_s = session.playback().playhead_s;
@@ -109,7 +113,7 @@ pub(super) fn lines(
         if curve.compared && shown(TWIN) {
             let end = session.twin().run().recording().index_at(playhead_s) + 1;
             let points = visible(session.twin(), curve.signal, range, end, width);
-            lines.push(line(&format!("{label}, {TWIN}"), Look::Twin, points));
+            lines.extend(line(&format!("{label}, {TWIN}"), Look::Twin, points));
         }
         if curve.compared
             && shown(GHOST)
@@ -118,7 +122,7 @@ pub(super) fn lines(
             let from = [range[0].max(ghost.from_s), range[1]];
             let signal = index(curve.signal);
             let points = ghost.traces.points(signal, from, usize::MAX, width as usize, None);
-            lines.push(line(&format!("{label}, {GHOST}"), Look::Ghost, points));
+            lines.extend(line(&format!("{label}, {GHOST}"), Look::Ghost, points));
         }
         if shown(label) {
             // While it stands still after a change, what is to come is shown faintly.
@@ -126,10 +130,11 @@ pub(super) fn lines(
                 let from = [range[0].max(playhead_s), range[1]];
                 let points = visible(chosen, curve.signal, from, usize::MAX, width);
                 let preview = line(&format!("{label}, to come"), curve.look, points);
-                lines.push(preview.color(palette.dynamics).width(1.2));
+                let faint = |line: Line<'static>| line.color(palette.dynamics).width(1.2);
+                lines.extend(preview.into_iter().map(faint));
             }
             let points = visible(chosen, curve.signal, range, revealed, width);
-            lines.push(line(label, curve.look, points));
+            lines.extend(line(label, curve.look, points));
         }
     }
     lines

@@ -3,6 +3,7 @@
 use egui::{Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::content::{ChartCurve, index};
+use crate::app::format;
 use crate::app::theme::Palette;
 use crate::run::signals::{Row, SIGNALS, flag};
 
@@ -13,10 +14,12 @@ const WIDTH_STEP: f32 = 24.0;
 /// The value of a curve in a row, in the curve's colour.
 pub(super) fn reading(ui: &mut Ui, curve: &ChartCurve, row: &Row, write: fn(f64, &str) -> String) {
     let signal = &SIGNALS[index(curve.signal)];
-    // In the air there is neither force nor roughness.
-    let none = row.has(flag::AIR) && matches!(signal.unit, "um" | "N");
-    let value = (signal.get)(row);
-    let text = if none { "-".to_owned() } else { write(value, signal.unit) };
+    // In the air there is no force either.
+    let text = match (signal.value)(row) {
+        None => format::none(row).to_owned(),
+        Some(_) if row.has(flag::AIR) && matches!(signal.unit, "um" | "N") => "-".to_owned(),
+        Some(value) => write(value, signal.unit),
+    };
     let (stroke, _) = curve.look.line(Palette::at(ui));
     let font = egui::FontId::proportional(SIZE);
     let galley = ui.painter().layout_no_wrap(text.clone(), font, stroke.color);

@@ -58,12 +58,12 @@ pub struct Force {
     /// Height of the edges in the cut in mm by the tooth before that left the surface, tooth by tooth
     /// ([`crate::models::ball_end::Cutting`]).
     pub height_mm: [f64; MAX_TEETH],
-    /// The tool is in the air.
+    /// No chip is cut: the tool is in the air, or stands.
     pub air: bool,
 }
 
 impl Force {
-    /// No force: the tool has not begun to cut.
+    /// No force, because no chip is cut.
     pub const NONE: Self = Self {
         model: Valued { value: 0.0, valid: true },
         dynamic_n: 0.0,

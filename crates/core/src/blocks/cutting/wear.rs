@@ -78,7 +78,8 @@ impl ToolWear {
         };
         let life_s = s_from_min(self.settings.life_min(&cut));
         let used = self.used_life + self.settings.time_scale * dt_s / life_s;
-        self.used_life = math::limit(used, 0.0, LIFE_MAX);
+        // What is worn stays worn, whatever is asked of the law.
+        self.used_life = math::limit(used, self.used_life, LIFE_MAX);
     }
 }
 

@@ -91,10 +91,14 @@ impl Tool {
         feed_per_tooth_mm * f64::from(self.teeth) * speed_rpm
     }
 
-    /// Feed per tooth in mm of a feed in mm/min at a speed in 1/min above 0: f_z = f / (z n).
+    /// Feed per tooth in mm of a feed in mm/min at a speed in 1/min: f_z = f / (z n); 0 without feed, infinite
+    /// where the spindle stands.
     #[must_use]
     #[inline]
     pub fn feed_per_tooth_mm(&self, feed_mm_min: f64, speed_rpm: f64) -> f64 {
+        if feed_mm_min == 0.0 {
+            return 0.0;
+        }
         feed_mm_min / (f64::from(self.teeth) * speed_rpm)
     }
 

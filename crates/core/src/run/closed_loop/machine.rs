@@ -89,8 +89,12 @@ impl Machine {
                     let position_mm = self.position_mm + advance_mm * f64::from(step);
                     mark(&ToothPlace { turns, position_mm, displacement_m, in_cut });
                 }
-                // A tooth out of contact carries no force, and none below that.
-                force.dynamic_n = math::positive(force.dynamic_n + self.coupled.added_force_n());
+                // A tooth out of contact carries no force, and none below that. Without a chip there is none
+                // that the last tooth's vibration could add to.
+                if force.model.value > 0.0 {
+                    let added_n = self.coupled.added_force_n();
+                    force.dynamic_n = math::positive(force.dynamic_n + added_n);
+                }
             }
             // The same direction with another size.
             Some(forces_n) => {

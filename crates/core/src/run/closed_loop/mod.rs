@@ -23,7 +23,8 @@
 //!    k - 1 and asks for a command, limited by the overrides; it is held until the next sample.
 //! 2. The command enters the dead-time queue; what leaves it is what the drives get.
 //! 3. The drives advance over dt with that command held: feed f_a, speed n_a.
-//! 4. The tool moves on by f_a dt, at the end of a cut to the next one; the workpiece gives the depth.
+//! 4. The tool moves on by f_a dt, at the end of a cut to the next one; the workpiece gives the depth. A
+//!    tool fed into it faster than its teeth clear it ends the run: a crash.
 //! 5. Force and dynamic component follow from f_a, n_a and depth; a coupled machine makes its steps of
 //!    at most 0.1 ms over dt under that force and shakes it.
 //! 6. The sensor takes the force, the overload guard looks at it, the surface is left.
@@ -48,6 +49,7 @@ use crate::blocks::cnc::channel::Channel;
 use crate::blocks::cnc::overload::Overload;
 use crate::blocks::control::unks::Learning;
 use crate::blocks::control::{ControlInput, Controller};
+use crate::blocks::cutting::crash::Crash;
 use crate::blocks::reference::Desired;
 use crate::blocks::sensing::force_sensor::ForceSensor;
 use crate::blocks::surface::produced::Surface;
@@ -60,6 +62,15 @@ pub struct Fault {
     pub signal: &'static str,
     /// The tick at which it happened.
     pub tick: u64,
+}
+
+/// What ends a run within a step: the row of that step is not written.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Halt {
+    /// The tool was fed into the work without cutting its way.
+    Crash(Crash),
+    /// A signal stopped being finite.
+    Fault(Fault),
 }
 
 /// The loop with all its blocks and their state.
@@ -84,9 +95,9 @@ impl ClosedLoop {
     /// One tick, in the order given at the head of this file.
     ///
     /// # Errors
-    /// The first signal that is not finite; the state is then that of the fault.
+    /// A crash, or the first signal that is not finite; the state is then that of the fault.
     #[inline]
-    pub fn step(&mut self) -> Result<(), Fault> {
+    pub fn step(&mut self) -> Result<(), Halt> {
         if let Some(sample) = self.clock.control_sample() {
             self.wear();
             self.control(sample);
@@ -98,13 +109,16 @@ impl ClosedLoop {
         if let Some(number) = began {
             self.restart(number);
         }
+        if self.plant.crashes() {
+            return Err(Halt::Crash(self.plant.crash(self.clock.time_s())));
+        }
         let cut = self.plant.now();
         let force = &cut.force;
         self.sensor.take(tick, force.dynamic_n, force.across_n());
         self.cnc.guard(force.acting_n(), cut.position_mm, self.clock.time_s());
         let ra = self.surface.leave(force.model.value, force.dynamic_n, force.air);
         self.record(ra);
-        self.check()
+        self.check().map_err(Halt::Fault)
     }
 
     /// The tool wears over the last control period; its sound may change the speed.

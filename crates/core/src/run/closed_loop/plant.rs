@@ -3,6 +3,7 @@
 use super::machine::{Machine, Vibration};
 use crate::base::units::mm_s_from_mm_min;
 use crate::blocks::control::FeedSpeed;
+use crate::blocks::cutting::crash::{self, Crash};
 use crate::blocks::cutting::disturbance::DynamicForce;
 use crate::blocks::cutting::process::{CutStep, Force, Process};
 use crate::blocks::cutting::tool_path::{Engagement, ToolPath};
@@ -15,6 +16,9 @@ use crate::run::scenario::Scenario;
 #[derive(Clone, Debug)]
 pub struct Plant {
     dt_s: f64,
+    /// Radius of the cutter, and the most that its turn can be fed, mm.
+    radius_mm: f64,
+    most_per_turn_mm: f64,
     path: ToolPath,
     disturbance: DynamicForce,
     process: Process,
@@ -70,6 +74,8 @@ impl Plant {
         };
         Self {
             dt_s,
+            radius_mm: 0.5 * scenario.tool.diameter_mm,
+            most_per_turn_mm: crash::most_per_turn_mm(&scenario.tool),
             process: process(scenario, &path, scenario.workpiece.radial_depth_mm, dt_s),
             path,
             disturbance: DynamicForce::new(
@@ -143,7 +149,12 @@ impl Plant {
         self.cut(tick, motion, air_n);
         if let Some(machine) = &mut self.machine {
             let CutNow { position_mm, place, .. } = self.now;
-            let loaded = self.path.loaded(position_mm, place);
+            // A standing tool has no chip that could grow by vibration.
+            let loaded = if motion.feeds() {
+                self.path.loaded(position_mm, place)
+            } else {
+                Engagement::default()
+            };
             let cut = CutState {
                 speed_rpm: motion.speed_rpm,
                 axial_depth_mm: loaded.axial_depth_mm,
@@ -172,6 +183,26 @@ impl Plant {
             air_n,
         });
         (self.now.motion, self.now.place) = (motion, place);
+    }
+
+    /// Whether the tool is being fed into the work faster than its teeth clear it.
+    #[must_use]
+    #[inline]
+    pub fn crashes(&self) -> bool {
+        let CutNow { motion, position_mm, place, .. } = self.now;
+        if motion.feed_mm_min <= self.most_per_turn_mm * motion.speed_rpm || !motion.feeds() {
+            return false;
+        }
+        let loaded = self.path.loaded(position_mm, place);
+        loaded.axial_depth_mm * loaded.radial_depth_mm > 0.0
+    }
+
+    /// The crash of this moment, at a time in s.
+    #[must_use]
+    pub fn crash(&self, time_s: f64) -> Crash {
+        let CutNow { motion, position_mm, .. } = self.now;
+        let FeedSpeed { feed_mm_min, speed_rpm } = motion;
+        Crash { feed_mm_min, speed_rpm, radius_mm: self.radius_mm, position_mm, time_s }
     }
 
     /// What is cut now.

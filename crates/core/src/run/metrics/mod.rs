@@ -1,6 +1,9 @@
-//! Metrics of a run, defined once.
+//! Metrics of a run, defined once. Sums, extremes and means are over every plant step ([`Tally`]), whichever of
+//! them are recorded.
 //!
-//! - Final values: means over the last second in contact.
+//! - Final values: means over the last second in contact, of its first control period as much as belongs to
+//!   it; none without contact, or once the tool has stood still for a second. The
+//!   mean of Ra leaves out where its model has ended at zero.
 //! - In tolerance: fraction of the path in contact on which the produced Ra (K5) lies within the
 //!   tolerance band of its target.
 //! - Settling time: from the last change (start of the run, target, depth, edit) until the force
@@ -11,15 +14,19 @@
 //!   samples in contact; beside it the form of the 2005 paper with 20 samples.
 //! - Metal removed: sum of A_D R_D dx.
 
+mod tally;
+
+pub use tally::{Judged, Period, Tally};
+
 use serde::Serialize;
 
-use super::edits::Edits;
+use super::edits::{Edit, Edits};
 use super::recording::Recording;
 use super::scenario::Scenario;
 use super::signals::{Row, flag};
 use crate::base::stats;
-use crate::base::units::{cm3_from_mm3, percent_from_ratio, ratio_from_percent};
-use crate::blocks::reference::Reference;
+use crate::base::units::{cm3_from_mm3, percent_from_ratio};
+use tally::relative_error;
 
 /// The numbers that a run is judged by. Fields are named like the keys of `run --json`.
 ///
@@ -29,26 +36,28 @@ use crate::blocks::reference::Reference;
 /// let run = Run::complete(&presets::load("table3-5").unwrap(), &Edits::none());
 /// let metrics = run.metrics();
 /// // SDNRP 2007, Table 3, simulation 5: 177.7 N, 254.8 mm/min.
-/// assert!((metrics.force_final_n / 177.7 - 1.0).abs() < 0.005);
+/// assert!((metrics.force_final_n.unwrap() / 177.7 - 1.0).abs() < 0.005);
 /// assert!(metrics.settling_time_s.is_some_and(|settled_s| settled_s < 15.0));
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Metrics {
-    /// Produced Ra, mean over the last second, um.
-    pub ra_final_um: f64,
-    /// Deviation of the final Ra from its target, percent.
-    pub ra_deviation_percent: f64,
+    /// Produced Ra, mean over the last second in contact, um; none without contact or beyond the end
+    /// of model 5.
+    pub ra_final_um: Option<f64>,
+    /// Deviation of the final Ra from its target, percent; none without contact.
+    pub ra_deviation_percent: Option<f64>,
     /// Fraction of the cut length with Ra in tolerance, percent; none without contact.
     pub in_tolerance_percent: Option<f64>,
-    /// Force, mean over the last second, N.
-    pub force_final_n: f64,
-    /// Deviation of the final force from its reference, percent.
-    pub force_deviation_percent: f64,
-    /// Largest deviation of the force from its reference after the first second, percent, signed.
-    pub force_worst_percent: f64,
-    /// Feed, mean over the last second, mm/min.
+    /// Force, mean over the last second in contact, N; none without contact.
+    pub force_final_n: Option<f64>,
+    /// Deviation of the final force from its reference, percent; none without contact.
+    pub force_deviation_percent: Option<f64>,
+    /// Largest deviation of the force from its reference in contact after the first second, percent, signed; none
+    /// where there is no contact then.
+    pub force_worst_percent: Option<f64>,
+    /// Feed, mean over the last second in contact, mm/min; the last one without contact.
     pub feed_final_mm_min: f64,
-    /// Spindle speed, mean over the last second, 1/min.
+    /// Spindle speed, mean over the last second in contact, 1/min; the last one without contact.
     pub spindle_final_rpm: f64,
     /// Root mean square of the relative force error over all control samples in contact; none
     /// without contact.
@@ -57,8 +66,8 @@ pub struct Metrics {
     pub normalized_standard_error_20: Option<f64>,
     /// Settling time of the force after the last change, s; none if it does not settle.
     pub settling_time_s: Option<f64>,
-    /// Overshoot of the force, percent of its reference.
-    pub overshoot_percent: f64,
+    /// Overshoot of the force, percent of its reference; none without contact.
+    pub overshoot_percent: Option<f64>,
     /// Time of cut, s.
     pub time_of_cut_s: f64,
     /// Length of path done, mm.
@@ -67,152 +76,124 @@ pub struct Metrics {
     pub max_force_n: f64,
     /// Metal removed, cm^3.
     pub metal_removed_cm3: f64,
-    /// Fraction of rows with a command at a limit, percent.
+    /// Fraction of time with a command at a limit, percent.
     pub saturated_percent: f64,
-    /// Fraction of rows with a model outside its range, percent.
+    /// Fraction of time with a model outside its range, percent.
     pub outside_percent: f64,
 }
 
 /// Force counts as settled within this fraction of its reference.
 const SETTLED: f64 = 0.02;
 
-fn relative_error(row: &Row) -> f64 {
-    // The reference is at least FORCE_REF_MIN_N, never zero.
-    (row.force_n - row.force_ref_n) / row.force_ref_n
-}
+/// Time that a standing tool still counts as in the cut that it made, s.
+const STANDING_S: f64 = 1.0;
 
 /// Metrics over the first `rows` rows of a recording.
 #[must_use]
 pub fn metrics(recording: &Recording, rows: usize, scenario: &Scenario, edits: &Edits) -> Metrics {
     let all = recording.rows();
-    let rows = &all[..rows.min(all.len())];
-    let (Some(first), Some(last)) = (rows.first(), rows.last()) else {
+    let rows = rows.min(all.len());
+    let Some(last) = all[..rows].last() else {
         return Metrics::empty();
     };
+    let tally = tally(recording, rows, scenario, edits);
+    let ending = ending(recording, &tally);
+    let means = ending.and_then(|ending| ending.means());
+    let of = |i: usize| means.map(|means| means[i]);
+    let [_, ra_target, force, force_ref, feed, speed] = std::array::from_fn(of);
+    let ra = ending.and_then(|ending| ending.mean_ra_um());
+    let deviation = |value: Option<f64>, target: Option<f64>| {
+        let (value, target) = value.zip(target)?;
+        Some(percent_from_ratio((value - target) / target))
+    };
+    let fraction = |count: u64| percent_from_ratio(count as f64 / tally.steps.max(1) as f64);
 
-    let tail = Recording::last_second(rows, recording.row_s());
-    let mean = |get: fn(&Row) -> f64| stats::mean(tail.iter().map(get)).unwrap_or(f64::NAN);
-    let (ra_final_um, force_final_n) = (mean(|r| r.ra_um), mean(|r| r.force_n));
-    let deviation = |value: f64, target: f64| percent_from_ratio((value - target) / target);
-
-    let tolerance = ratio_from_percent(scenario.target.tolerance_percent);
-    let (mut in_contact_mm, mut good_mm, mut removed_mm3) = (0.0, 0.0, 0.0);
-    let (mut max_force_n, mut worst) = (first.force_n, 0.0_f64);
-    let (mut saturated, mut outside) = (0_usize, 0_usize);
-    for pair in rows.windows(2) {
-        let row = &pair[1];
-        let step_mm = row.position_mm - pair[0].position_mm;
-        if !row.has(flag::AIR) {
-            in_contact_mm += step_mm;
-            let good = match scenario.target.reference {
-                Reference::Ra => {
-                    (row.ra_um - row.ra_target_um).abs() <= tolerance * row.ra_target_um
-                }
-                Reference::Force => relative_error(row).abs() <= tolerance,
-            };
-            if good {
-                good_mm += step_mm;
-            }
-        }
-        removed_mm3 += row.axial_depth_mm * row.radial_depth_mm * step_mm;
-        max_force_n = max_force_n.max(row.force_n);
-        if row.time_s >= 1.0 && !row.has(flag::AIR) && relative_error(row).abs() > worst.abs() {
-            worst = relative_error(row);
-        }
-        saturated += usize::from(row.has(flag::SATURATED));
-        outside += usize::from(row.has(flag::OUTSIDE));
-    }
-    let fraction = |count: usize| percent_from_ratio(count as f64 / (rows.len() - 1).max(1) as f64);
-
-    let samples: Vec<&Row> =
-        rows.iter().step_by(recording.control_stride()).filter(|row| !row.has(flag::AIR)).collect();
+    let samples: Vec<&Row> = recording.samples(rows).filter(|row| !row.has(flag::AIR)).collect();
     let rms = |samples: &[&Row]| stats::rms(samples.iter().map(|row| relative_error(row)));
     let twenty: Vec<&Row> =
         (1..=20).filter_map(|k| samples.get(samples.len() * (2 * k - 1) / 40).copied()).collect();
 
-    let changes = changes(recording, rows, edits);
     Metrics {
-        ra_final_um,
-        ra_deviation_percent: deviation(ra_final_um, mean(|r| r.ra_target_um)),
-        in_tolerance_percent: (in_contact_mm > 0.0)
-            .then(|| percent_from_ratio(good_mm / in_contact_mm)),
-        force_final_n,
-        force_deviation_percent: deviation(force_final_n, mean(|r| r.force_ref_n)),
-        force_worst_percent: percent_from_ratio(worst),
-        feed_final_mm_min: mean(|r| r.feed_mm_min),
-        spindle_final_rpm: mean(|r| r.spindle_rpm),
+        ra_final_um: ra,
+        ra_deviation_percent: deviation(ra, ra_target),
+        in_tolerance_percent: (tally.in_contact_mm > 0.0)
+            .then(|| percent_from_ratio(tally.good_mm / tally.in_contact_mm)),
+        force_final_n: force,
+        force_deviation_percent: deviation(force, force_ref),
+        force_worst_percent: tally.worst.map(percent_from_ratio),
+        feed_final_mm_min: feed.unwrap_or(last.feed_mm_min),
+        spindle_final_rpm: speed.unwrap_or(last.spindle_rpm),
         normalized_standard_error: rms(&samples),
         normalized_standard_error_20: rms(&twenty),
-        settling_time_s: settling(rows, changes.last().copied().unwrap_or(0)),
-        overshoot_percent: percent_from_ratio(overshoot(rows, &changes)),
+        settling_time_s: tally.settling_s(),
+        overshoot_percent: tally.overshoot().map(percent_from_ratio),
         time_of_cut_s: last.time_s,
         path_mm: last.position_mm,
-        max_force_n,
-        metal_removed_cm3: cm3_from_mm3(removed_mm3),
-        saturated_percent: fraction(saturated),
-        outside_percent: fraction(outside),
+        max_force_n: tally.max_force_n,
+        metal_removed_cm3: cm3_from_mm3(tally.removed_mm3),
+        saturated_percent: fraction(tally.saturated),
+        outside_percent: fraction(tally.outside),
     }
 }
 
-/// Indices of rows at which something changed: the start, a target, a depth, an edit.
-fn changes(recording: &Recording, rows: &[Row], edits: &Edits) -> Vec<usize> {
-    let mut found = vec![0];
-    for (i, pair) in rows.windows(2).enumerate() {
-        if pair[0].force_ref_n != pair[1].force_ref_n
-            || pair[0].axial_depth_mm != pair[1].axial_depth_mm
-        {
-            found.push(i + 1);
+/// The tally at the last of the first `rows` rows, at least one: counted in the run, or where every plant step is
+/// recorded from the rows.
+fn tally(recording: &Recording, rows: usize, scenario: &Scenario, edits: &Edits) -> Tally {
+    if let Some(tally) = recording.tally(rows - 1) {
+        return tally.clone();
+    }
+    let rows = &recording.rows()[..rows];
+    let mut tally = Tally::new(Judged::by(scenario, recording.control_every()), &rows[0]);
+    // An edit is due before the step from its tick to the next one.
+    let moving = edits.list().iter().filter(|edit| moves(edit));
+    let mut edited = moving.map(|edit| recording.tick_of(edit.at_s) + 1).peekable();
+    for (tick, row) in (1_u64..).zip(&rows[1..]) {
+        let mut moved = false;
+        while edited.next_if(|at| *at <= tick).is_some() {
+            moved = true;
         }
+        tally.add(row, moved);
     }
-    // A tolerance only judges; every other edit may move the loop.
-    let moving = edits.list().iter().filter(|edit| edit.path != "target.tolerance_percent");
-    let edited = moving.map(|edit| recording.index_at(edit.at_s) + 1);
-    found.extend(edited.filter(|index| *index < rows.len()));
-    found.sort_unstable();
-    found.dedup();
-    found
+    tally
 }
 
-fn settling(rows: &[Row], change: usize) -> Option<f64> {
-    // `change` is the first row after the change, which came with the row before it.
-    let start_s = rows[change.saturating_sub(1)].time_s;
-    let outside = rows[change..].iter().rposition(|row| relative_error(row).abs() > SETTLED);
-    match outside {
-        None => Some(0.0),
-        Some(i) if change + i + 1 >= rows.len() => None,
-        Some(i) => Some(rows[change + i + 1].time_s - start_s),
-    }
+/// Whether an edit may move the loop: a tolerance only judges.
+#[must_use]
+pub fn moves(edit: &Edit) -> bool {
+    edit.path != "target.tolerance_percent"
 }
 
-fn overshoot(rows: &[Row], changes: &[usize]) -> f64 {
-    let mut worst = 0.0_f64;
-    for (k, start) in changes.iter().enumerate() {
-        let end = changes.get(k + 1).copied().unwrap_or(rows.len());
-        let side = relative_error(&rows[*start]).signum();
-        for row in &rows[*start..end] {
-            if !row.has(flag::AIR) {
-                worst = worst.max(-side * relative_error(row));
-            }
+/// Sums over the last second in contact.
+fn ending(recording: &Recording, tally: &Tally) -> Option<Period> {
+    if tally.standing >= recording.tick_of(STANDING_S) {
+        return None;
+    }
+    let second = recording.tick_of(1.0).max(1) as f64;
+    let mut period = tally.period;
+    for number in (0..tally.periods_before()).rev() {
+        if period.contact >= second {
+            break;
         }
+        period = period.with(&recording.period(number), second);
     }
-    worst
+    Some(period)
 }
 
 impl Metrics {
     fn empty() -> Self {
         Self {
-            ra_final_um: 0.0,
-            ra_deviation_percent: 0.0,
+            ra_final_um: None,
+            ra_deviation_percent: None,
             in_tolerance_percent: None,
-            force_final_n: 0.0,
-            force_deviation_percent: 0.0,
-            force_worst_percent: 0.0,
+            force_final_n: None,
+            force_deviation_percent: None,
+            force_worst_percent: None,
             feed_final_mm_min: 0.0,
             spindle_final_rpm: 0.0,
             normalized_standard_error: None,
             normalized_standard_error_20: None,
             settling_time_s: None,
-            overshoot_percent: 0.0,
+            overshoot_percent: None,
             time_of_cut_s: 0.0,
             path_mm: 0.0,
             max_force_n: 0.0,

@@ -4,7 +4,7 @@
 use super::groups::Settings;
 use crate::base::settings::SettingError;
 
-/// Most rows that a run may record: a row takes 184 bytes, a console holds up to four recordings,
+/// Most rows that a run may record: a row takes 184 bytes, and 256 more where steps are left out; a console holds up to four recordings,
 /// and a page in the browser has 4 GiB at most.
 pub const MAX_ROWS: f64 = if cfg!(target_arch = "wasm32") { 1_000_000.0 } else { 4_000_000.0 };
 

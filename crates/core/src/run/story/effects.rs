@@ -288,7 +288,9 @@ pub(super) fn end(run: &Run, rows: &[Row]) -> Option<StoryEvent> {
             words::mm(done.path_mm),
             words::mm(done.of_mm)
         ),
-        end @ (End::Overload(_) | End::Fault(_) | End::Refused(_)) => format!("{end}."),
+        end @ (End::Overload(_) | End::Crash(_) | End::Fault(_) | End::Refused(_)) => {
+            format!("{end}.")
+        }
     };
     Some(StoryEvent {
         id: EventKind::End,

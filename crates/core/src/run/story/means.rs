@@ -13,8 +13,7 @@ const MOST_ROWS: usize = 1000;
 /// The produced Ra of a row, um; none in the air, and none where the model ends at zero.
 #[must_use]
 pub fn produced_ra_um(row: &Row) -> Option<f64> {
-    let no_surface = row.has(flag::AIR) || (row.has(flag::K5_OUTSIDE) && row.ra_um == 0.0);
-    (!no_surface && row.ra_um.is_finite()).then_some(row.ra_um)
+    (!row.has(flag::AIR) && !row.ra_has_ended()).then_some(row.ra_um)
 }
 
 /// Deviation of what is to be held from its reference, as a fraction of that; none in the air.

@@ -13,6 +13,7 @@ use crate::blocks::cutting::process::{CutStep, Force, PlantSettings};
 use crate::blocks::cutting::tool_path::Engagement;
 use crate::models::Valued;
 use crate::models::ball_end::MAX_TEETH;
+use crate::models::feed_speed::FeedSpeed;
 use crate::models::genetic::ModelSet;
 use crate::models::neural_force::NeuralKind;
 use crate::models::printed::Printed;
@@ -83,6 +84,10 @@ impl<M: MapLaw> ForceModelLaw for Mapped<M> {
     #[inline]
     fn cut(&mut self, step: &CutStep) -> Force {
         let CutStep { feed_mm_min, speed_rpm, life_factor, .. } = *step;
+        // Maps end at a least feed; a standing tool lifts no chip.
+        if !(FeedSpeed { feed_mm_min, speed_rpm }).feeds() {
+            return Force::NONE;
+        }
         let map = &mut self.map;
         let mut force_in =
             |place: &Engagement| map.force(feed_mm_min, speed_rpm, place, life_factor);
