@@ -88,7 +88,7 @@ mod tests {
 
     #[test]
     fn both_axes_have_noise_of_their_own() {
-        let mut window = PeakWindow::new(6.0, 1, 1);
+        let mut window = PeakWindow::new(6.0, 1, 1, STEP_S);
         let n = 20_000_u32;
         let squares: Vec<f64> = (0..u64::from(n))
             .map(|k| window.push(k, [0.0, 0.0]).measured_n)
