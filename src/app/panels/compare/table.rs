@@ -187,6 +187,10 @@ fn ranking(compared: &[Compared]) -> String {
     let named: Vec<String> =
         Measure::ALL.iter().filter(|m| m.needs_tolerance()).map(|m| m.label().to_owned()).collect();
     let columns = named.join(", ");
+    if compared.iter().all(|one| one.get(Measure::InTolerance).is_none()) {
+        // Nothing is known of anybody yet.
+        return format!("{columns} are ranked only among those that hold the tolerance.");
+    }
     match holding[..] {
         [] => format!(
             "Nobody holds the tolerance on {HELD_PERCENT} % of the length: {columns} have no best, \
