@@ -13,3 +13,4 @@ mod steps;
 mod story;
 mod switching;
 mod tools;
+mod unused;

@@ -14,7 +14,7 @@
 
 use super::ControlSetup;
 use super::law::{AtRest, ControlMoment};
-use super::override_loop::{ForceController, ForceLaw, ForceSample};
+use super::override_loop::{COMMAND_PATH, ForceController, ForceLaw, ForceSample};
 use crate::base::equation::number;
 use crate::base::math::{self, limit};
 use crate::models::printed::Printed;
@@ -86,6 +86,15 @@ impl ForceLaw for DivisionLaw {
             Divided::Programmed => AtRest::WhereTheLawMeetsThePlant,
             Divided::Actual | Divided::Command => AtRest::OnReference,
         }
+    }
+
+    /// What was reached is asked for where it is divided, and by the Smith predictor.
+    fn believes(settings: &DivisionSettings) -> &'static [&'static str] {
+        if settings.smith || settings.divided == Divided::Actual { COMMAND_PATH } else { &[] }
+    }
+
+    fn left_out(settings: &DivisionSettings) -> &'static [&'static str] {
+        if settings.divided == Divided::Command { &[] } else { &["exponent"] }
     }
 
     fn printed(settings: &DivisionSettings) -> Printed {

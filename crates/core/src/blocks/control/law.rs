@@ -53,6 +53,18 @@ pub trait ControlLaw: Sized {
     /// Where the force comes to rest in a cut that does not change.
     fn at_rest(settings: &Self::Settings) -> AtRest;
 
+    /// Keys of the beliefs that it asks for, as it is set; its models it always has.
+    #[must_use]
+    fn believes(_: &Self::Settings) -> &'static [&'static str] {
+        &[]
+    }
+
+    /// Keys of its own settings that have no part in it as the others stand.
+    #[must_use]
+    fn left_out(_: &Self::Settings) -> &'static [&'static str] {
+        &[]
+    }
+
     /// The law as its source prints it, without the models 2 and 3 of `set` that it may use.
     fn printed(settings: &Self::Settings, set: ModelSet) -> Vec<Printed>;
 

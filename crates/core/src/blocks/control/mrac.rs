@@ -17,7 +17,7 @@
 
 use super::ControlSetup;
 use super::law::{AtRest, ControlMoment};
-use super::override_loop::{ForceController, ForceLaw, ForceSample};
+use super::override_loop::{COMMAND_PATH, ForceController, ForceLaw, ForceSample};
 use crate::base::equation::number;
 use crate::base::math::limit;
 use crate::models::printed::Printed;
@@ -200,6 +200,18 @@ impl ForceLaw for MracLaw {
 
     fn at_rest(_: &MracSettings) -> AtRest {
         AtRest::OnReference
+    }
+
+    /// What was reached is asked for by the one-gain form, and by the Smith predictor.
+    fn believes(settings: &MracSettings) -> &'static [&'static str] {
+        if settings.smith || settings.adapted == Adapted::Gain { COMMAND_PATH } else { &[] }
+    }
+
+    fn left_out(settings: &MracSettings) -> &'static [&'static str] {
+        match settings.adapted {
+            Adapted::Landau => &["adaptation", "gain_pole"],
+            Adapted::Gain => &["pole", "regulation", "forgetting"],
+        }
     }
 
     fn printed(settings: &MracSettings) -> Printed {

@@ -27,6 +27,8 @@ use crate::models::genetic::ModelSet;
 use crate::models::part::AIR_FRACTION;
 use crate::models::printed::Printed;
 
+/// Beliefs about the path of the command.
+pub(super) const COMMAND_PATH: &[&str] = &["feed_drive", "dead_time_s"];
 /// Least actual override that anything is divided by.
 pub(super) const LEAST: f64 = 0.02;
 /// Control periods after which every drive has settled: a second at 1 ms.
@@ -88,6 +90,17 @@ pub trait ForceLaw: Sized {
     }
     /// Where the force comes to rest in a cut that does not change.
     fn at_rest(settings: &Self::Settings) -> AtRest;
+    /// Keys of the beliefs that it asks for, as it is set: the path of its command, which tells the
+    /// override that was reached.
+    #[must_use]
+    fn believes(_: &Self::Settings) -> &'static [&'static str] {
+        COMMAND_PATH
+    }
+    /// See [`ControlLaw::left_out`].
+    #[must_use]
+    fn left_out(_: &Self::Settings) -> &'static [&'static str] {
+        &[]
+    }
     /// The law as its source prints it.
     fn printed(settings: &Self::Settings) -> Printed;
     /// The law with the values of a moment: its formula, and what stands beside the override that was
@@ -275,6 +288,14 @@ impl<L: ForceLaw> ControlLaw for ForceController<L> {
 
     fn at_rest(settings: &L::Settings) -> AtRest {
         L::at_rest(settings)
+    }
+
+    fn believes(settings: &L::Settings) -> &'static [&'static str] {
+        L::believes(settings)
+    }
+
+    fn left_out(settings: &L::Settings) -> &'static [&'static str] {
+        L::left_out(settings)
     }
 
     fn printed(settings: &L::Settings, _: ModelSet) -> Vec<Printed> {

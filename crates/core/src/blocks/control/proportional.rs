@@ -11,7 +11,7 @@
 
 use super::ControlSetup;
 use super::law::{AtRest, ControlMoment};
-use super::override_loop::{ForceController, ForceLaw, ForceSample};
+use super::override_loop::{COMMAND_PATH, ForceController, ForceLaw, ForceSample};
 use crate::base::equation::number;
 use crate::models::printed::Printed;
 
@@ -75,6 +75,11 @@ impl ForceLaw for ProportionalLaw {
 
     fn at_rest(settings: &ProportionalSettings) -> AtRest {
         if settings.ki > 0.0 { AtRest::OnReference } else { AtRest::WhereTheLawMeetsThePlant }
+    }
+
+    /// What was reached has no part in it; the Smith predictor asks for it.
+    fn believes(settings: &ProportionalSettings) -> &'static [&'static str] {
+        if settings.smith { COMMAND_PATH } else { &[] }
     }
 
     fn printed(_: &ProportionalSettings) -> Printed {

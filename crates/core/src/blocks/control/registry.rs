@@ -108,6 +108,22 @@ macro_rules! controllers {
                 )+ }
             }
 
+            /// Keys of the beliefs that the chosen controller asks for, as it is set.
+            #[must_use]
+            pub fn believes(&self) -> &'static [&'static str] {
+                match self.kind { $(
+                    ControllerKind::$name => <$module::$name as ControlLaw>::believes(&self.$module),
+                )+ }
+            }
+
+            /// Keys of the chosen controller's settings that have no part in it as the others stand.
+            #[must_use]
+            pub fn left_out(&self) -> &'static [&'static str] {
+                match self.kind { $(
+                    ControllerKind::$name => <$module::$name as ControlLaw>::left_out(&self.$module),
+                )+ }
+            }
+
             /// The law of the chosen controller as its source prints it, where its models are those
             /// of `set`.
             #[must_use]

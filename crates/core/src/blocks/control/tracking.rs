@@ -238,6 +238,10 @@ impl ControlLaw for Tracking {
         AtRest::OnReference
     }
 
+    fn believes(_: &TrackingSettings) -> &'static [&'static str] {
+        &["feed_drive", "dead_time_s", "spindle_time_constant_s", "spindle_rate_rpm_s"]
+    }
+
     fn printed(_: &TrackingSettings, set: ModelSet) -> Vec<Printed> {
         let law = match set {
             ModelSet::Sdnrp2007 | ModelSet::Milling2005 => {

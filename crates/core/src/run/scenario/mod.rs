@@ -12,6 +12,7 @@ mod rules;
 mod table;
 #[cfg(test)]
 mod tests;
+mod unused;
 
 use std::ops::Deref;
 use std::sync::Arc;
@@ -24,6 +25,7 @@ pub(super) use rules::joins;
 pub use rules::{MAX_ROWS, RULES, Rule};
 pub(super) use table::is_group;
 pub use table::{Param, param, parse_value, table};
+pub use unused::{ANOTHER_CONTROLLER, LEFT_OUT, NOT_BELIEVED, UNUSED, Unused};
 
 use crate::base::settings::{SettingError, Value};
 use crate::models::structure::FiveMass;

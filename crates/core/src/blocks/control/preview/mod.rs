@@ -169,6 +169,10 @@ impl ForceLaw for PreviewLaw {
         AtRest::OnReference
     }
 
+    fn believes(_: &PreviewSettings) -> &'static [&'static str] {
+        &["feed_drive", "dead_time_s", "depth_error_percent", "position_error_mm"]
+    }
+
     fn printed(_: &PreviewSettings) -> Printed {
         Printed::new(
             "u = [aim / (g max K(x_h))]^{1/α}",

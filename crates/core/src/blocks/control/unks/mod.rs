@@ -166,6 +166,12 @@ impl Learning<'_> {
     }
 }
 
+/// What the scheme has no use for from a cold start.
+const COLD: &[&str] = &["external_weight", "internal_iterations", "forward_rate", "inverse_rate"];
+/// The same where its networks are given.
+const COLD_AND_LEARNED: &[&str] =
+    &["external_weight", "internal_iterations", "forward_rate", "inverse_rate", "first_weights"];
+
 /// The controller.
 pub type Unks = ForceController<UnksLaw>;
 
@@ -305,6 +311,14 @@ impl ForceLaw for UnksLaw {
 
     fn at_rest(_: &UnksSettings) -> AtRest {
         AtRest::NearReference
+    }
+
+    fn left_out(settings: &UnksSettings) -> &'static [&'static str] {
+        match settings.start {
+            UnksStart::Shipped => &["cold_rate", "first_weights"],
+            UnksStart::Cold if settings.networks.get().is_some() => COLD_AND_LEARNED,
+            UnksStart::Cold => COLD,
+        }
     }
 
     fn printed(settings: &UnksSettings) -> Printed {

@@ -1,0 +1,259 @@
+//! Settings that have no part in a run because another one stands as it does: nothing that is given is
+//! dropped in silence, so whoever is given such a setting refuses it, or greys it, with the reason.
+//!
+//! A table, one row for each reason. What a controller leaves out it says itself
+//! ([`ControlLaw::believes`], [`ControlLaw::left_out`]). A test holds all of it against runs, to the bit.
+//!
+//! [`ControlLaw::believes`]: crate::blocks::control::law::ControlLaw::believes
+//! [`ControlLaw::left_out`]: crate::blocks::control::law::ControlLaw::left_out
+
+use super::groups::Settings;
+use super::table::{Param, param};
+use crate::base::settings::SettingError;
+use crate::blocks::reference::Reference;
+use crate::models::genetic::ModelSet;
+use crate::models::structure::RoughnessFrom;
+use crate::models::tool::EndShape;
+use crate::models::wear::WearModel;
+
+/// Settings that a run leaves out while another one stands as it does.
+pub struct Unused {
+    /// Their paths; a group ends in a full stop.
+    pub paths: &'static [&'static str],
+    /// Of a group, those that are used.
+    pub but: &'static [&'static str],
+    /// Whether they are left out; none where a run never asks for them.
+    pub when: Option<fn(&Settings) -> bool>,
+    /// Why.
+    pub because: &'static str,
+}
+
+const fn unused(
+    paths: &'static [&'static str],
+    when: fn(&Settings) -> bool,
+    because: &'static str,
+) -> Unused {
+    Unused { paths, but: &[], when: Some(when), because }
+}
+
+const fn never(paths: &'static [&'static str], because: &'static str) -> Unused {
+    Unused { paths, but: &[], when: None, because }
+}
+
+fn by_teeth(s: &Settings) -> bool {
+    s.plant.force_model.tooth_by_tooth()
+}
+
+fn adjusts_speed(s: &Settings) -> bool {
+    s.wear.adjust_speed && s.wear.model == WearModel::Life
+}
+
+/// Whether a coupled machine's vibration makes Ra with dynamics.
+fn marks_measured(s: &Settings) -> bool {
+    s.machine.coupled && s.machine.roughness_from == RoughnessFrom::Vibration
+}
+
+/// Whether every cut has a programmed feed of its own.
+fn all_cuts_have_feeds(s: &Settings) -> bool {
+    let cuts = s.workpiece.cuts.len();
+    cuts > 0 && s.program.cut_feeds_mm_min.len() >= cuts
+}
+
+/// Whether no source of noise draws anything.
+fn no_noise(s: &Settings) -> bool {
+    let n = &s.noise;
+    let sizes = [n.band_percent, n.ripple_percent, n.inhomogeneity_percent, n.sensor_n];
+    n.level == 0.0 || sizes == [0.0; 4]
+}
+
+/// Why a run leaves out the settings of a controller that is not chosen.
+pub const ANOTHER_CONTROLLER: &str = "`controller.kind` is another one";
+/// Why it leaves out a setting of the chosen one.
+pub const LEFT_OUT: &str = "the controller does not ask for it as its other settings stand";
+/// Why it leaves out a belief.
+pub const NOT_BELIEVED: &str = "the controller, as it is set, does not ask for it";
+
+/// All other reasons.
+pub const UNUSED: &[Unused] = &[
+    unused(
+        &["target.ra_um"],
+        |s| s.target.reference == Reference::Force,
+        "`target.reference` is force",
+    ),
+    unused(
+        &["target.force_n"],
+        |s| s.target.reference == Reference::Ra,
+        "`target.reference` is ra",
+    ),
+    unused(
+        &["belief.calibration"],
+        |s| s.belief.model_set == ModelSet::Milling2005,
+        "`belief.model_set` is milling_2005, which has one calibration",
+    ),
+    unused(
+        &["plant.calibration"],
+        |s| s.plant.model_set == ModelSet::Milling2005,
+        "`plant.model_set` is milling_2005, which has one calibration",
+    ),
+    unused(
+        &["tool.corner_radius_mm"],
+        |s| s.tool.shape != EndShape::BullNose,
+        "`tool.shape` is no bull_nose",
+    ),
+    never(
+        &["tool.overhang_mm", "tool.elastic_modulus_n_mm2"],
+        "only the off-line plan bends the cutter",
+    ),
+    unused(
+        &["tool.compliance_um_n", "tool.runout_um", "plant.slice_mm"],
+        |s| !by_teeth(s),
+        "`plant.force_model` is a map, not mechanistic",
+    ),
+    unused(
+        &["tool.compliance_um_n"],
+        |s| s.machine.coupled,
+        "`machine.coupled` is true: the machine is what gives way",
+    ),
+    unused(
+        &["plant.force_offset_n"],
+        by_teeth,
+        "`plant.force_model` is mechanistic: the teeth's force has no intercept",
+    ),
+    Unused {
+        paths: &["noise."],
+        but: &["noise.level"],
+        when: Some(|s| s.noise.level == 0.0),
+        because: "`noise.level` is 0",
+    },
+    unused(
+        &["noise.band_low_hz", "noise.band_high_hz"],
+        |s| s.noise.band_percent == 0.0,
+        "`noise.band_percent` is 0",
+    ),
+    unused(
+        &["noise.correlation_mm"],
+        |s| s.noise.inhomogeneity_percent == 0.0,
+        "`noise.inhomogeneity_percent` is 0",
+    ),
+    unused(&["run.seed"], no_noise, "nothing is random: `noise.level` or every size of noise is 0"),
+    unused(
+        &["cnc.override_rate_percent_s"],
+        |s| !s.cnc.override_rate_limited,
+        "`cnc.override_rate_limited` is false",
+    ),
+    unused(&["cnc.force_stop_n"], |s| !s.cnc.force_stop, "`cnc.force_stop` is false"),
+    unused(
+        &["program.cut_feeds_mm_min"],
+        |s| s.workpiece.cuts.is_empty(),
+        "`workpiece.cuts` is empty",
+    ),
+    unused(
+        &["program.feed_mm_min"],
+        all_cuts_have_feeds,
+        "`program.cut_feeds_mm_min` programs every cut",
+    ),
+    unused(
+        &[
+            "workpiece.length_mm",
+            "workpiece.axial_depth_mm",
+            "workpiece.radial_depth_mm",
+            "workpiece.depth_steps",
+        ],
+        |s| !s.workpiece.cuts.is_empty(),
+        "`workpiece.cuts` gives lengths and depths",
+    ),
+    Unused {
+        paths: &["machine."],
+        but: &["machine.coupled"],
+        when: Some(|s| !s.machine.coupled),
+        because: "`machine.coupled` is false: the cut does not feel the machine",
+    },
+    Unused {
+        paths: &["wear."],
+        but: &["wear.model", "wear.used_life"],
+        when: Some(|s| s.wear.model == WearModel::Fixed),
+        because: "`wear.model` is fixed",
+    },
+    unused(
+        &["wear.tooth_softening", "wear.indentation_n_mm3", "wear.flank_end_mm"],
+        |s| !s.machine.coupled,
+        "`machine.coupled` is false: nothing vibrates",
+    ),
+    unused(
+        &["wear.flank_end_mm"],
+        |s| s.wear.indentation_n_mm3 == 0.0,
+        "`wear.indentation_n_mm3` is 0",
+    ),
+    unused(
+        &["life.tool_life_min", "life.sigma_percent", "life.correlated_min", "life.prior_spread"],
+        |s| !adjusts_speed(s),
+        "`wear.adjust_speed` is false, or `wear.model` fixed",
+    ),
+    never(
+        &[
+            "life.contact_force_n",
+            "life.sound_exponent",
+            "life.random_ratio",
+            "life.white_percent",
+            "life.slow_percent",
+            "life.slow_min",
+            "life.spectrum_ratio",
+        ],
+        "only trends over the tool's life have it; a run has the force of its own cut",
+    ),
+    never(
+        &["profile.short_um"],
+        "Ra with dynamics in the running cut leaves out waves below 50 um whatever is set",
+    ),
+    unused(
+        &["profile.long_mm", "profile.normal_share"],
+        |s| !marks_measured(s),
+        "no vibration of a coupled machine makes Ra with dynamics (`machine.coupled`, \
+         `machine.roughness_from`)",
+    ),
+    never(&["plan."], "the off-line plan has it, not a run"),
+];
+
+impl Unused {
+    /// Whether it is about the setting at `path`.
+    #[must_use]
+    pub fn names(&self, path: &str) -> bool {
+        let named = |one: &&str| path == *one || (one.ends_with('.') && path.starts_with(*one));
+        self.paths.iter().any(|one| named(&one)) && !self.but.contains(&path)
+    }
+
+    /// Whether it leaves them out of a run of these settings.
+    #[must_use]
+    pub fn holds(&self, settings: &Settings) -> bool {
+        self.when.is_none_or(|when| when(settings))
+    }
+}
+
+impl Settings {
+    /// Why a run of these settings leaves out the one at `path`; none where it is used.
+    ///
+    /// # Errors
+    /// [`SettingError::Unknown`].
+    pub fn unused(&self, path: &str) -> Result<Option<&'static str>, SettingError> {
+        Ok(self.unused_param(param(path)?))
+    }
+
+    fn unused_param(&self, Param { path, group, spec }: &Param) -> Option<&'static str> {
+        let kind = self.controller.kind;
+        if *group != "controller" && group.starts_with("controller.") {
+            return if *group != kind.group() {
+                Some(ANOTHER_CONTROLLER)
+            } else if self.controller.left_out().contains(&spec.key) {
+                Some(LEFT_OUT)
+            } else {
+                None
+            };
+        }
+        let models = ["model_set", "calibration"].contains(&spec.key);
+        if *group == "belief" && !models && !self.controller.believes().contains(&spec.key) {
+            return Some(NOT_BELIEVED);
+        }
+        let row = UNUSED.iter().find(|row| row.names(path) && row.holds(self))?;
+        Some(row.because)
+    }
+}
