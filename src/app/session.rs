@@ -288,6 +288,15 @@ impl Session {
         }
     }
 
+    /// Says how many edits are gone, and which.
+    fn report_gone(&mut self, count: usize, which: &str) {
+        match count {
+            0 => {}
+            1 => self.notify(format!("Left out: the change {which}. Undo brings it back.")),
+            n => self.notify(format!("Left out: {n} changes {which}. Undo brings them back.")),
+        }
+    }
+
     fn refresh(&mut self) {
         let (scenario, edits) = &self.plan;
         match edits.scenario_at(scenario, self.playback.playhead_s + HAIR_S) {

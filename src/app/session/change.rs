@@ -16,6 +16,15 @@ use crate::study::unks_passes::beginning_with;
 /// rate.
 const DRAG_S: f64 = 0.1;
 
+/// A plan with the scenario itself changed, and what that ends.
+struct Rewritten {
+    plan: Plan,
+    /// The edits that no longer fit: those after a shorter run, or that break a rule with the new settings.
+    unfit: Vec<Unfit>,
+    /// Edits of the settings that are set again.
+    set_again: usize,
+}
+
 impl Session {
     /// Changes scenario and edits, and shows or removes messages.
     pub fn execute(&mut self, command: SessionCommand) {
@@ -131,22 +140,25 @@ impl Session {
     fn set(&mut self, path: &str, value: Value) -> Result<(), SettingError> {
         let found = param(path)?;
         if found.spec.live && self.playback.playhead_s > 0.0 && !self.playback.at_end {
-            let plan = self.edited(path, value)?;
+            let (plan, later) = self.edited(path, value)?;
             self.take(plan, path);
+            self.report_gone(later, "after the playhead");
             return Ok(());
         }
-        let (plan, unfit) = self.rewritten(&[(path.to_owned(), value)])?;
+        let Rewritten { plan, unfit, set_again } = self.rewritten(&[(path.to_owned(), value)])?;
         self.take(plan, path);
         self.report(&unfit);
+        self.report_gone(set_again, "of what is set for the whole cut now");
         Ok(())
     }
 
     fn set_up(&mut self, changes: &[(String, Value)]) -> Result<(), SettingError> {
-        let (plan, unfit) = self.rewritten(changes)?;
+        let Rewritten { plan, unfit, set_again } = self.rewritten(changes)?;
         let paths: Vec<&str> = changes.iter().map(|(path, _)| path.as_str()).collect();
         // Another gesture than one on the same setting at the playhead.
         self.take(plan, &format!("set up {}", paths.join(" ")));
         self.report(&unfit);
+        self.report_gone(set_again, "of what is set for the whole cut now");
         Ok(())
     }
 
@@ -166,35 +178,36 @@ impl Session {
         }
     }
 
-    /// The plan with a change at the playhead; later edits are dropped.
-    fn edited(&self, path: &str, value: Value) -> Result<Plan, SettingError> {
+    /// The plan with a change at the playhead, and how many later edits it ends.
+    fn edited(&self, path: &str, value: Value) -> Result<(Plan, usize), SettingError> {
         let (scenario, mut edits) = self.plan.clone();
         if self.current.get(path)? == value {
-            return Ok((scenario, edits));
+            return Ok(((scenario, edits), 0));
         }
         let dt_s = scenario.dt_s();
         // The tick at or before the playhead, in digits that people can read.
         let tick = ((self.playback.playhead_s + HAIR_S) / dt_s).floor();
         let at_s = (tick * dt_s * 1e6).round() / 1e6;
+        let before = edits.list().len();
         edits.truncate(at_s + 0.5 * dt_s);
+        let later = before - edits.list().len();
         // A drag sends a value every frame: within a short time only the last one is kept.
         let dragged = |edit: &&Edit| {
             self.gesture.as_deref() == Some(path) && edit.path == path && at_s - edit.at_s < DRAG_S
         };
         let at_s = edits.list().last().filter(dragged).map_or(at_s, |edit| edit.at_s);
         edits.push(&scenario, Edit { at_s, path: path.to_owned(), value })?;
-        Ok((scenario, edits))
+        Ok(((scenario, edits), later))
     }
 
-    /// The plan with the scenario itself changed, and the edits that no longer fit it: those after a
-    /// shorter run, or that break a rule with the new settings. A setting that is set again loses its
-    /// edits.
-    fn rewritten(&self, changes: &[(String, Value)]) -> Result<(Plan, Vec<Unfit>), SettingError> {
+    /// The plan with the scenario itself changed. A setting that is set again loses its edits.
+    fn rewritten(&self, changes: &[(String, Value)]) -> Result<Rewritten, SettingError> {
         let (mut scenario, old) = self.plan.clone();
         scenario.set_all(changes)?;
         let kept = old.only(|edit| changes.iter().all(|(path, _)| edit.path != *path));
+        let set_again = old.list().len() - kept.list().len();
         let (edits, unfit) = kept.fitted(&scenario);
-        Ok(((scenario, edits), unfit))
+        Ok(Rewritten { plan: (scenario, edits), unfit, set_again })
     }
 
     /// Takes over a plan and gives back the one before; the old future becomes the ghost.
