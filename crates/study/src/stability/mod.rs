@@ -206,6 +206,26 @@ mod tests {
     }
 
     #[test]
+    fn the_depth_that_is_stable_at_every_speed_follows_the_radial_depth() {
+        for (radial_mm, teeth, at_5_mm, at_17_mm) in
+            [(3.0, 0.2851, 4.290, 1.151), (8.0, 0.5, 2.446, 0.656), (16.0, 1.0, 1.223, 0.328)]
+        {
+            for (quality, wanted_mm) in [(5.0, at_5_mm), (17.0, at_17_mm)] {
+                let cut = cut(&[
+                    ("workpiece.radial_depth_mm", Value::Float(radial_mm)),
+                    ("machine.spindle_quality", Value::Float(quality)),
+                ]);
+                let cut = cut.unwrap();
+                assert!((cut.engagement.mean_teeth() - teeth).abs() < 5e-5, "{radial_mm}");
+                let found_mm = cut.depth_mm(lobes::at_any_speed(&cut).stiffness_n_m);
+                assert!((found_mm - wanted_mm).abs() < 5e-4, "{radial_mm} Q {quality}: {found_mm}");
+                let said = cut.engagement_text();
+                assert!(said.contains(&format!("R_D {radial_mm:.2} mm")), "{said}");
+            }
+        }
+    }
+
+    #[test]
     fn several_cuts_are_charted_for_their_widest_section_and_none_for_no_width() {
         let sections = vec![vec![[30.0, 2.0, 2.0], [30.0, 3.0, 1.0]]];
         let wide = cut(&[("workpiece.cuts", Value::from(sections))]).unwrap();

@@ -8,3 +8,4 @@ mod learning;
 mod milling;
 mod per_cut;
 mod preview;
+mod stability;
