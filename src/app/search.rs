@@ -12,6 +12,7 @@ use super::widgets::setting::{Size, setting};
 use crate::run::glossary::{GLOSSARY, Term};
 use crate::run::presets::{PRESETS, Preset};
 use crate::run::scenario::{Param, table};
+use crate::study::uses::Screen;
 
 /// Most results that are shown: whoever sees so many types another word.
 const MOST: usize = 14;
@@ -218,7 +219,14 @@ impl Search {
         };
         match entry {
             Entry::Setting(param) => {
-                setting(ui, &param.path, view.session.current(), Size::Small, commands);
+                setting(
+                    ui,
+                    Screen::Find,
+                    &param.path,
+                    view.session.current(),
+                    Size::Small,
+                    commands,
+                );
                 ui.label(RichText::new(&param.path).small().color(weak));
                 false
             }

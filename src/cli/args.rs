@@ -352,6 +352,9 @@ pub struct ListArgs {
     /// List the block diagram: its boxes with signals, equations, sources and settings.
     #[arg(long)]
     pub diagram: bool,
+    /// List which command and which screen uses which setting, and why another does not.
+    #[arg(long, conflicts_with = "diagram")]
+    pub uses: bool,
 }
 
 /// Arguments of `plan`.

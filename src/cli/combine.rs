@@ -12,7 +12,7 @@ use super::plan::read_machine;
 use super::recommend::{print as print_recommended, read_table, table_id};
 use super::run::Ended;
 use super::scenarios::{apply, load};
-use super::{Outcome, progress};
+use super::{Outcome, given, progress};
 use crate::run::edits::Edits;
 use crate::run::metrics::Metrics;
 use crate::run::scenario_file;
@@ -20,6 +20,7 @@ use crate::study::combined::{Adjusted, Combined, Planned, Recommended, STEPS};
 use crate::study::plan::optimum::Optimum;
 use crate::study::plan::remarks::remarks;
 use crate::study::recommend::{Advisor, EngagementCode, NOTE};
+use crate::study::uses::Reader;
 
 /// The JSON object of the run.
 #[derive(Serialize)]
@@ -33,8 +34,10 @@ struct RunReport<'a> {
 
 pub fn execute(args: &CombineArgs) -> Outcome {
     let mut out = report(args.json, args.out.as_ref())?;
-    let (mut scenario, _) = load(&args.scenario)?;
+    let (mut scenario, edits) = load(&args.scenario)?;
+    given::no_edits(Reader::Combine, &scenario.info.name, &edits)?;
     apply(&mut scenario, &args.set)?;
+    given::all_used(Reader::Combine, &scenario, &edits, &args.set)?;
     let (table, source) = read_table(args.table.as_ref())?;
     let machine = read_machine(args.machine.as_ref())?;
     let mut combined = Combined::new(&scenario, &Advisor::new(&table), &machine, args.section)?;

@@ -1,6 +1,7 @@
 //! `steadycut list`: what there is to choose from, and every setting.
 
 mod diagram;
+mod uses;
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -34,6 +35,9 @@ const CHOICES: &[(&str, &[Choice])] = &[
 pub fn execute(args: &ListArgs) -> Outcome {
     if args.diagram {
         return diagram::print(args.json);
+    }
+    if args.uses {
+        return uses::print(args.json);
     }
     let mut described = Vec::new();
     for preset in PRESETS {

@@ -9,13 +9,15 @@ use serde_json::json;
 use super::Outcome;
 use super::machine_args::{MachineArgs, MachineModel, MachineWhat};
 use super::scenarios::apply;
-use super::{machine_stability, machine_wear};
+use super::{given, machine_stability, machine_wear};
 use crate::models::structure::FiveMass;
 use crate::models::structure::frf::{FrequencyResponse, frequencies_hz, gauss};
 use crate::models::structure::modes::{damped, undamped};
 use crate::models::structure::parameters::NODES;
+use crate::run::edits::Edits;
 use crate::run::scenario::Scenario;
 use crate::study::machine_life::calibration::{CalibratedRow, calibrate};
+use crate::study::uses::Reader;
 
 pub fn execute(args: &MachineArgs) -> Outcome {
     match &args.what {
@@ -29,12 +31,17 @@ pub fn execute(args: &MachineArgs) -> Outcome {
 }
 
 /// The scenario that `--set` and `--parameters` describe.
-pub(super) fn scenario(model: &MachineModel) -> Result<Scenario, Box<dyn std::error::Error>> {
+pub(super) fn scenario(
+    model: &MachineModel,
+    reader: Reader,
+) -> Result<Scenario, Box<dyn std::error::Error>> {
     let mut scenario = Scenario::default();
     apply(&mut scenario, &model.set)?;
     if let Some(parameters) = model.parameters {
+        given::once("--parameters", &["machine.parameters"], &model.set)?;
         scenario.change(|settings| settings.machine.parameters = parameters)?;
     }
+    given::all_used(reader, &scenario, &Edits::none(), &model.set)?;
     Ok(scenario)
 }
 
@@ -58,7 +65,7 @@ pub(super) fn name(scenario: &Scenario) -> String {
 }
 
 fn modes(model: &MachineModel) -> Outcome {
-    let scenario = scenario(model)?;
+    let scenario = scenario(model, Reader::MachineModes)?;
     let machine = FiveMass::new(&scenario.machine);
     let missing = "the eigenvalues of this machine do not converge";
     let (free, modes) = (undamped(&machine).ok_or(missing)?, damped(&machine).ok_or(missing)?);
@@ -124,7 +131,7 @@ fn modes(model: &MachineModel) -> Outcome {
 }
 
 fn roughness(model: &MachineModel) -> Outcome {
-    let scenario = scenario(model)?;
+    let scenario = scenario(model, Reader::MachineRoughness)?;
     let found = calibrate(&scenario);
     let mut text = String::new();
     if model.json {
@@ -167,7 +174,7 @@ fn numbers(response: &FrequencyResponse) -> [f64; 9] {
 }
 
 fn frf(model: &MachineModel) -> Outcome {
-    let scenario = scenario(model)?;
+    let scenario = scenario(model, Reader::MachineFrf)?;
     let machine = FiveMass::new(&scenario.machine);
     let sweep: Option<Vec<FrequencyResponse>> =
         frequencies_hz().map(|f| gauss(&machine, f)).collect();

@@ -9,6 +9,7 @@ use super::machine::{deliver, name, scenario};
 use super::machine_args::StabilityArgs;
 use super::{Outcome, progress};
 use crate::study::stability::chart::{BAND_PERCENT, ChartJob, DT_S, LobePoint, Range};
+use crate::study::uses::Reader;
 
 /// Greatest depth that is looked at, in depths that are stable at every speed.
 const HIGHEST: f64 = 25.0;
@@ -19,7 +20,7 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
     if args.from >= args.to && args.speeds > 1 {
         return Err(format!("--from {} must be below --to {}", args.from, args.to).into());
     }
-    let scenario = scenario(&args.model)?;
+    let scenario = scenario(&args.model, Reader::MachineStability)?;
     let mut range = Range {
         from_rpm: args.from,
         to_rpm: args.to,

@@ -11,6 +11,7 @@ use super::machine::{deliver, name, scenario};
 use super::machine_args::{LifeArgs, MachineModel};
 use super::{Outcome, progress};
 use crate::models::machine_trend::TrendPoint;
+use crate::models::roughness_profile::Roughness;
 use crate::models::tool_life::Growth;
 use crate::run::scenario::Scenario;
 use crate::study::machine_life::adaptive::{AdaptiveLife, Minute};
@@ -20,6 +21,7 @@ use crate::study::machine_life::monte_carlo::{
 };
 use crate::study::machine_life::surface::surface;
 use crate::study::machine_life::{CLAIMS, LifeFindings, LifeJob};
+use crate::study::uses::Reader;
 
 /// Fractions of the life at which the trends are printed.
 const PRINTED: [f64; 10] = [0.0, 0.02, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 1.0];
@@ -29,18 +31,22 @@ const MEASURED: [f64; 3] = [0.0, 0.5, 1.0];
 #[derive(Serialize)]
 struct Surface {
     x: f64,
-    ra_um: f64,
-    rq_um: f64,
-    rz_um: f64,
+    /// Ra, Rq, Rz in um; none where the profile cannot be measured.
+    ra_um: Option<f64>,
+    rq_um: Option<f64>,
+    rz_um: Option<f64>,
 }
 
 fn surfaces(scenario: &Scenario, job: &LifeJob) -> Vec<Surface> {
     let at = |x: f64| {
         let (runout_um, seed) = (scenario.tool.runout_um, u64::from(scenario.run.seed));
-        let roughness = surface(job.model(), &scenario.profile, runout_um, x, seed)?;
-        Some(Surface { x, ra_um: roughness.ra_um, rq_um: roughness.rq_um, rz_um: roughness.rz_um })
+        let found = surface(job.model(), &scenario.profile, runout_um, x, seed);
+        let of = |value: fn(&Roughness) -> f64| found.as_ref().map(value);
+        let (ra_um, rq_um) = (of(|found| found.ra_um), of(|found| found.rq_um));
+        let rz_um = of(|found| found.rz_um);
+        Surface { x, ra_um, rq_um, rz_um }
     };
-    MEASURED.into_iter().filter_map(at).collect()
+    MEASURED.into_iter().map(at).collect()
 }
 
 fn r(correlation: Option<f64>) -> String {
@@ -48,7 +54,7 @@ fn r(correlation: Option<f64>) -> String {
 }
 
 pub fn wear(args: &MachineModel) -> Outcome {
-    let scenario = scenario(args)?;
+    let scenario = scenario(args, Reader::MachineWear)?;
     let mut job = LifeJob::of(&scenario);
     progress::work(&mut job, "tool life", args.json)?;
     let findings = job.findings().ok_or("the life is not over")?;
@@ -85,7 +91,9 @@ pub fn wear(args: &MachineModel) -> Outcome {
             scenario.tool.runout_um, scenario.profile.long_mm, "x", "Ra um", "Rq um", "Rz um"
         )?;
         for Surface { x, ra_um, rq_um, rz_um } in &surfaces {
-            writeln!(text, "{x:>6}{ra_um:>10.4}{rq_um:>10.4}{rz_um:>10.4}")?;
+            let cell = |um: &Option<f64>| um.map_or("-".to_owned(), |um| format!("{um:.4}"));
+            let [ra, rq, rz] = [ra_um, rq_um, rz_um].map(cell);
+            writeln!(text, "{x:>6}{ra:>10}{rq:>10}{rz:>10}")?;
         }
     }
     deliver(args, &text)?;
@@ -194,7 +202,7 @@ fn lived(
 }
 
 pub fn life(args: &LifeArgs) -> Outcome {
-    let scenario = scenario(&args.model)?;
+    let scenario = scenario(&args.model, Reader::MachineLife)?;
     let quiet = args.model.json;
     let groups = groups(&scenario, args.tools, quiet)?;
     let (fixed, adjusted) = (lived(&scenario, false, quiet)?, lived(&scenario, true, quiet)?);

@@ -6,6 +6,7 @@ mod combine;
 mod errata;
 mod files;
 mod force;
+mod given;
 mod identify;
 mod list;
 mod machine;

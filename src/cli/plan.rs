@@ -8,7 +8,8 @@ use serde::Serialize;
 use super::args::PlanArgs;
 use super::files::{InPath, report as report_to};
 use super::scenarios::{apply, load};
-use super::{Outcome, progress};
+use super::{Outcome, given, progress};
+use crate::run::edits::Edits;
 use crate::run::scenario_file;
 use crate::study::plan::PlanJob;
 use crate::study::plan::constraints::{Checked, ORIGIN};
@@ -18,6 +19,7 @@ use crate::study::plan::optimum::{Optimum, PlanVerdict};
 use crate::study::plan::remarks::{Remark, remarks};
 use crate::study::plan::swarm::Iteration;
 use crate::study::train::data::NOTE;
+use crate::study::uses::Reader;
 
 /// Points per axis of the exhaustive search printed beside the swarm.
 const GRID: usize = 200;
@@ -45,6 +47,8 @@ struct Report<'a> {
 pub fn execute(args: &PlanArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
     apply(&mut scenario, &args.set)?;
+    let reader = if args.per_cut.is_some() { Reader::PlanPerCut } else { Reader::Plan };
+    given::all_used(reader, &scenario, &Edits::none(), &args.set)?;
     let machine = read_machine(args.machine.as_ref())?;
     if let Some(sized_by) = args.per_cut {
         return super::schedule::execute(args, &scenario, &edits, &machine, sized_by);

@@ -7,14 +7,21 @@ use serde_json::json;
 
 use super::args::RobustArgs;
 use super::scenarios::{apply, load};
-use super::{Outcome, progress};
+use super::{Outcome, given, progress};
 use crate::study::robust::{DRAWN, LIMIT_KN, Percentiles, RobustFindings, Robustness};
+use crate::study::uses::Reader;
 
 /// Runs the command.
 pub fn execute(args: &RobustArgs) -> Outcome {
-    let (mut scenario, _) = load(&args.scenario)?;
+    let (mut scenario, edits) = load(&args.scenario)?;
+    given::no_edits(Reader::Robust, &scenario.info.name, &edits)?;
     apply(&mut scenario, &args.set)?;
-    let kind = args.controller.unwrap_or(scenario.controller.kind);
+    if let Some(kind) = args.controller {
+        given::once("--controller", &["controller.kind"], &args.set)?;
+        scenario.change(|settings| settings.controller.kind = kind)?;
+    }
+    given::all_used(Reader::Robust, &scenario, &edits, &args.set)?;
+    let kind = scenario.controller.kind;
     let mut study = Robustness::new(&scenario, kind, args.runs, args.seed);
     progress::work(&mut study, "robustness", args.json)?;
     let findings = study.findings();

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::args::RunArgs;
 use super::files::report;
 use super::scenarios::{apply, load, load_networks};
-use super::{Outcome, profile, progress, story};
+use super::{Outcome, given, profile, progress, story};
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::run::constant_feed_twin;
@@ -21,6 +21,7 @@ use crate::run::run_to::RunTo;
 use crate::run::scenario::Scenario;
 use crate::run::story::{Story, StoryEvent};
 use crate::study::export::csv;
+use crate::study::uses::Reader;
 
 /// The JSON object of a run; with `--story` also its events, as `story`.
 #[derive(Serialize)]
@@ -63,13 +64,20 @@ pub fn execute(args: &RunArgs) -> Outcome {
             )
             .into());
         }
+        given::once("--networks", &given::LEARNED, &args.set)?;
         load_networks(&mut scenario, path)?;
     }
+    let reader = match (args.profile, args.revolution) {
+        (Some(_), _) => Reader::RunProfile,
+        (None, Some(_)) => Reader::RunRevolution,
+        (None, None) => Reader::Run,
+    };
     // Edits of the file must still fit the changed scenario.
     let (checked, unfit) = edits.fitted(&scenario);
     if let Some(unfit) = unfit.first() {
         return Err(unfit.to_string().into());
     }
+    given::all_used(reader, &scenario, &checked, &args.set)?;
     if let Some(at_s) = args.revolution {
         return print_revolution(&scenario, &checked, at_s);
     }

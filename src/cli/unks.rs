@@ -8,12 +8,14 @@ use serde_json::json;
 use super::args::UnksArgs;
 use super::files::report as report_to;
 use super::scenarios::{apply, load, load_networks};
-use super::{Outcome, progress};
+use super::{Outcome, given, progress};
 use crate::base::settings::Value;
 use crate::base::units::percent_from_ratio;
 use crate::models::unks::UnksStart;
+use crate::run::edits::Edits;
 use crate::run::scenario::Scenario;
 use crate::study::unks_passes::{BETTER, Pass, Passes, PassesVerdict, REFERENCE, beginning_anew};
+use crate::study::uses::Reader;
 
 /// What the gain over the passes depends on, measured on Experiment 2 with seed 1 over draws 1 to 6.
 const FIRST_WEIGHTS: &str = "how much better depends on the random first weights, of which the first \
@@ -25,9 +27,11 @@ const NOTE: &str = "the same part, noise and seed in every pass: what changes is
                     is the mean of |u_fb| where the override is not at a limit";
 
 fn prepare(args: &UnksArgs) -> Result<Scenario, Box<dyn std::error::Error>> {
-    let (mut scenario, _) = load(&args.scenario)?;
+    let (mut scenario, edits) = load(&args.scenario)?;
+    given::no_edits(Reader::Unks, &scenario.info.name, &edits)?;
     apply(&mut scenario, &args.set)?;
     if let Some(path) = &args.load {
+        given::once("--load", &given::LEARNED, &args.set)?;
         load_networks(&mut scenario, path)?;
         if args.cold && scenario.controller.unks.start != UnksStart::Cold {
             let start = scenario.controller.unks.start.id();
@@ -37,17 +41,20 @@ fn prepare(args: &UnksArgs) -> Result<Scenario, Box<dyn std::error::Error>> {
             .into());
         }
     } else if args.cold {
+        given::once("--cold", &given::LEARNED, &args.set)?;
         scenario.set_all(&beginning_anew(UnksStart::Cold))?;
     }
     if let Some(rate) = args.rate {
         let paths: &[&str] = match scenario.controller.unks.start {
-            UnksStart::Cold => &["cold_rate"],
-            UnksStart::Shipped => &["forward_rate", "inverse_rate"],
+            UnksStart::Cold => &["controller.unks.cold_rate"],
+            UnksStart::Shipped => &["controller.unks.forward_rate", "controller.unks.inverse_rate"],
         };
-        for name in paths {
-            scenario.set(&format!("controller.unks.{name}"), Value::Float(rate))?;
+        given::once("--rate", paths, &args.set)?;
+        for path in paths {
+            scenario.set(path, Value::Float(rate))?;
         }
     }
+    given::all_used(Reader::Unks, &scenario, &Edits::none(), &args.set)?;
     Ok(scenario)
 }
 

@@ -13,5 +13,6 @@ mod program;
 mod reading;
 mod recommending;
 mod training;
+mod uses;
 mod wear;
 mod writing;

@@ -12,6 +12,7 @@
 //! | What does UNKS learn from pass to pass? | [`unks_passes`] |
 //! | How rough is the machined surface? | [`profilometer`] |
 //! | Are the bits the same here as elsewhere? | [`golden`] |
+//! | Which command and screen uses which setting? | [`uses`] |
 //! | How does a run get into a spreadsheet, and a table out of one? | [`export`], [`csv_table`] |
 //!
 //! One run is `steadycut_core`: dead time, controllers and plant are there, in `blocks`.
@@ -44,4 +45,5 @@ pub mod sound;
 pub mod stability;
 pub mod train;
 pub mod unks_passes;
+pub mod uses;
 pub mod verdict;

@@ -11,6 +11,7 @@ use super::number::NumberField;
 use super::{focus, touch};
 use crate::base::settings::{Kind, Value};
 use crate::run::scenario::{Param, Scenario, param};
+use crate::study::uses::Screen;
 
 /// The size of an editor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,9 +25,11 @@ pub enum Size {
 /// Ranges over more than this many times their least value get a logarithmic slider.
 const LOGARITHMIC_FROM: f64 = 50.0;
 
-/// The editor of the setting at `path`, showing its value in `scenario`.
+/// The editor of the setting at `path` on a screen, showing its value in `scenario`. Where nothing on
+/// that screen uses the setting as the others stand, it is greyed and says why.
 pub fn setting(
     ui: &mut Ui,
+    screen: Screen,
     path: &str,
     scenario: &Scenario,
     size: Size,
@@ -37,7 +40,11 @@ pub fn setting(
     let mut change = |value: Value| changed = Some(value);
     let said_here = &mut said;
     let spec = &param.spec;
+    let greyed = screen.greyed(scenario, path);
     ui.push_id(path, |ui| {
+        if greyed.is_some() {
+            ui.disable();
+        }
         let mut slider = None;
         let response = match (&spec.allowed, &value) {
             (Kind::Float { min, max }, Value::Float(now)) => {
@@ -66,7 +73,13 @@ pub fn setting(
             }
             _ => unreachable!("the table pairs kinds with values"),
         };
-        let response = response.on_hover_ui(|ui| describe(ui, param));
+        let response = match &greyed {
+            Some(because) => response.on_disabled_hover_ui(|ui| {
+                describe(ui, param);
+                ui.label(format!("Not used now: {because}."));
+            }),
+            None => response.on_hover_ui(|ui| describe(ui, param)),
+        };
         for part in [Some(response), slider].into_iter().flatten() {
             part.context_menu(|ui| {
                 let default = spec.default.to_string();

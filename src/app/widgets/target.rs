@@ -10,18 +10,19 @@ use crate::base::math::ln;
 use crate::base::settings::{Kind, Value};
 use crate::blocks::reference::Reference;
 use crate::run::scenario::{Scenario, param};
+use crate::study::uses::Screen;
 
 /// Grades of ISO 1302 with their Ra in um, marked below the slider of the target.
 const GRADES: [(&str, f64); 5] = [("N4", 0.2), ("N5", 0.4), ("N6", 0.8), ("N7", 1.6), ("N8", 3.2)];
 
 /// The editor of the target roughness, its slider marked with the grades of ISO 1302; a click on
 /// a grade sets it. Where a force is to be held, the editor of that force.
-pub fn target(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
+pub fn target(ui: &mut Ui, screen: Screen, scenario: &Scenario, commands: &mut Vec<Command>) {
     const PATH: &str = "target.ra_um";
     if scenario.target.reference == Reference::Force {
-        return setting(ui, "target.force_n", scenario, Size::Large, commands);
+        return setting(ui, screen, "target.force_n", scenario, Size::Large, commands);
     }
-    setting(ui, PATH, scenario, Size::Large, commands);
+    setting(ui, screen, PATH, scenario, Size::Large, commands);
     let (Ok(param), Some(rail)) = (param(PATH), slider_rect(ui.ctx(), PATH)) else { return };
     let Kind::Float { min, max } = param.spec.allowed else { return };
     let palette = Palette::at(ui);

@@ -10,6 +10,7 @@ use crate::app::theme::{self, Palette};
 use crate::app::widgets::setting::{Size, setting};
 use crate::run::diagram::{WIRES, Wire};
 use crate::run::signals::signal;
+use crate::study::uses::Screen;
 
 const FORMULA: f32 = 14.0;
 const NOTE: f32 = 11.5;
@@ -44,7 +45,7 @@ pub fn show(
             let asked = signals(ui, &block.signals(now.moment.scenario));
             section(ui, "Set here");
             for path in block.settings(now.moment.scenario) {
-                setting(ui, path, now.moment.scenario, Size::Small, commands);
+                setting(ui, Screen::Console, path, now.moment.scenario, Size::Small, commands);
             }
             section(ui, "As printed");
             for printed in block.printed(now.moment.scenario) {

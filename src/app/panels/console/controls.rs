@@ -12,6 +12,7 @@ use crate::app::widgets::target::target as target_of;
 use crate::blocks::control::ControllerKind;
 use crate::run::presets::{self, PresetGroup};
 use crate::run::scenario::table;
+use crate::study::uses::Screen;
 
 /// Largest height of the list of scenarios, points.
 const PRESETS_HEIGHT: f32 = 420.0;
@@ -51,21 +52,21 @@ fn groups() -> impl Iterator<Item = (&'static str, &'static str)> {
 /// The first controls: target Ra, material and hardness, noise, wear, controller.
 pub fn first(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     let scenario = view.session.current();
-    target_of(ui, scenario, commands);
+    target_of(ui, Screen::Console, scenario, commands);
     for path in FIRST {
-        setting(ui, path, scenario, Size::Large, commands);
+        setting(ui, Screen::Console, path, scenario, Size::Large, commands);
     }
 }
 
 /// The slider of the target alone, for narrow windows.
 pub fn target(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-    target_of(ui, view.session.current(), commands);
+    target_of(ui, Screen::Console, view.session.current(), commands);
 }
 
 /// The first controls but the target, for narrow windows.
 pub fn first_but_target(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     for path in FIRST {
-        setting(ui, path, view.session.current(), Size::Large, commands);
+        setting(ui, Screen::Console, path, view.session.current(), Size::Large, commands);
     }
 }
 
@@ -98,7 +99,7 @@ pub fn more(ui: &mut Ui, view: &View<'_>, windows: &mut Windows, commands: &mut 
                     windows.workpiece.toggle(view);
                 }
                 for param in rest {
-                    setting(ui, &param.path, scenario, Size::Small, commands);
+                    setting(ui, Screen::Console, &param.path, scenario, Size::Small, commands);
                 }
             });
         }

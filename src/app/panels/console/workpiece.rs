@@ -21,6 +21,7 @@ use crate::models::part::APPROACH_MM;
 use crate::models::part::{MAX_CUTS, MAX_SECTIONS, MIN_SECTION_MM, Section};
 use crate::models::tool::Outline;
 use crate::run::presets;
+use crate::study::uses::Screen;
 use material::MaterialPicture;
 use picture::PicturePart;
 
@@ -168,7 +169,7 @@ impl WorkpieceWindow {
     fn path(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let scenario = view.session.current();
         for path in ["workpiece.length_mm", "workpiece.radial_depth_mm"] {
-            setting(ui, path, scenario, Size::Small, commands);
+            setting(ui, Screen::Console, path, scenario, Size::Small, commands);
         }
         let tool_mm = view.session.row().position_mm;
         let by_teeth = scenario.plant.force_model.tooth_by_tooth();

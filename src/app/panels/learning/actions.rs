@@ -8,6 +8,7 @@ use crate::app::theme::Palette;
 use crate::app::widgets::setting::{Size, setting};
 use crate::models::unks::UnksStart;
 use crate::study::unks_passes::{beginning_anew, beginning_with, learned};
+use crate::study::uses::Screen;
 
 /// The controls.
 pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
@@ -38,7 +39,7 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     };
     for name in first {
         let path = format!("controller.unks.{name}");
-        setting(ui, &path, view.session.current(), Size::Small, commands);
+        setting(ui, Screen::Learning, &path, view.session.current(), Size::Small, commands);
     }
     ui.add_space(4.0);
     ui.horizontal_wrapped(|ui| {

@@ -6,6 +6,7 @@ use crate::app::command::Command;
 use crate::app::theme::Palette;
 use crate::app::widgets::setting::{Size, setting};
 use crate::run::scenario::{Scenario, table};
+use crate::study::uses::Screen;
 
 /// Settings that are always in sight.
 const FIRST: [&str; 6] = [
@@ -23,14 +24,14 @@ const FOLDS: [(&str, &str); 3] =
 /// All of them.
 pub fn show(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
     for path in FIRST {
-        setting(ui, path, scenario, Size::Large, commands);
+        setting(ui, Screen::Machine, path, scenario, Size::Large, commands);
     }
     ui.add_space(4.0);
     for (group, title) in FOLDS {
         CollapsingHeader::new(title).id_salt(("machine", group)).show(ui, |ui| {
             let all = table().iter().filter(|param| param.group == group);
             for param in all.filter(|param| !FIRST.contains(&param.path.as_str())) {
-                setting(ui, &param.path, scenario, Size::Small, commands);
+                setting(ui, Screen::Machine, &param.path, scenario, Size::Small, commands);
             }
         });
     }
@@ -49,6 +50,10 @@ mod tests {
             let param = table().iter().find(|param| param.path == path);
             let group = param.map(|param| param.group);
             assert!(FOLDS.iter().any(|(fold, _)| Some(*fold) == group), "{path}");
+        }
+        for param in table() {
+            let folded = FOLDS.iter().any(|(fold, _)| *fold == param.group);
+            assert_eq!(folded, Screen::Machine.offers(param), "{}", param.path);
         }
     }
 }

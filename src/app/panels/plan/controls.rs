@@ -9,6 +9,7 @@ use crate::app::theme::{self, Palette};
 use crate::app::widgets::setting::{Size, setting};
 use crate::app::widgets::target::target;
 use crate::models::plan::{ForceLimit, PlanSettings};
+use crate::study::uses::Screen;
 
 const WEIGHTS: [&str; 4] =
     ["plan.weight_force", "plan.weight_removal_rate", "plan.weight_time", "plan.weight_cost"];
@@ -73,20 +74,20 @@ pub fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     let out = &mut changes;
     let by_target = plan.force_limit == ForceLimit::TargetRa;
     if by_target {
-        target(ui, scenario, out);
+        target(ui, Screen::Plan, scenario, out);
     }
     for path in LIMITS.into_iter().filter(|path| matters(path, plan)) {
-        setting(ui, path, scenario, Size::Large, out);
+        setting(ui, Screen::Plan, path, scenario, Size::Large, out);
     }
     ui.add_space(4.0);
     ui.strong("What is sought");
     for path in WEIGHTS {
-        setting(ui, path, scenario, Size::Large, out);
+        setting(ui, Screen::Plan, path, scenario, Size::Large, out);
     }
     let mut fold = |ui: &mut Ui, title: &str, paths: &[&str]| {
         CollapsingHeader::new(title).id_salt(("plan", title)).show(ui, |ui| {
             for path in paths {
-                setting(ui, path, scenario, Size::Small, out);
+                setting(ui, Screen::Plan, path, scenario, Size::Small, out);
             }
         });
     };
@@ -117,6 +118,11 @@ mod tests {
             [&WEIGHTS[..], &SEARCH, &COSTS, &CUT, &LIMITS].into_iter().flatten().copied().collect();
         for param in table().iter().filter(|param| param.group == "plan") {
             assert!(shown.contains(&param.path.as_str()), "`{}` is not shown", param.path);
+        }
+        for param in table() {
+            let path = param.path.as_str();
+            let here = shown.contains(&path) || ["target.ra_um", "target.force_n"].contains(&path);
+            assert_eq!(here, Screen::Plan.offers(param), "`{path}`");
         }
         for path in shown {
             assert!(table().iter().any(|param| param.path == path), "`{path}` is no setting");

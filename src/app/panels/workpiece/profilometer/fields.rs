@@ -11,6 +11,7 @@ use crate::app::theme::Palette;
 use crate::app::widgets::number::NumberField;
 use crate::app::widgets::setting::{Size, setting};
 use crate::study::profilometer::{Measurement, ProfileLine};
+use crate::study::uses::Screen;
 
 /// Ranges of the fields of x and y: any machine, the ball.
 const FIELDS: [[f64; 2]; 2] = [[-100.0, 100_000.0], [-8.0, 8.0]];
@@ -30,8 +31,8 @@ impl Profilometer {
         };
         self.ends(ui, line, commands);
         let scenario = view.session.current();
-        setting(ui, "profile.long_mm", scenario, Size::Small, commands);
-        setting(ui, "profile.short_um", scenario, Size::Small, commands);
+        setting(ui, Screen::Workpiece, "profile.long_mm", scenario, Size::Small, commands);
+        setting(ui, Screen::Workpiece, "profile.short_um", scenario, Size::Small, commands);
         match self.found.as_ref().map(|found| &found.result) {
             Some(Ok((found, curves))) => {
                 figures(ui, found, scenario.profile.long_mm);
