@@ -43,7 +43,7 @@ use messages::Messages;
 use panels::{Panel, View, panels};
 use search::Search;
 use session::Session;
-use shortcuts::{Place, Reach};
+use shortcuts::{Host, Reach};
 use widgets::{focus, scaffold, setting};
 
 /// Time without a change after which a drag counts as over, s.
@@ -56,7 +56,7 @@ pub struct Console {
     panels: Vec<Box<dyn Panel>>,
     shown: usize,
     files: Files,
-    place: Place,
+    place: Host,
     messages: Messages,
     /// Whether the sheet of keys is shown.
     shortcuts: bool,
@@ -107,7 +107,7 @@ impl Console {
             panels,
             shown: 0,
             files: Files::default(),
-            place: Place::HERE,
+            place: Host::HERE,
             messages: Messages::default(),
             shortcuts: false,
             search: Search::default(),
@@ -129,7 +129,7 @@ impl Console {
 
     /// Takes the keys of a page from now on, as in a browser.
     pub fn act_as_page(&mut self) {
-        self.place = Place::Page;
+        self.place = Host::Page;
     }
 
     /// Carries a command out in the next frame.

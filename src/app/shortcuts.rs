@@ -11,14 +11,14 @@ pub use sheet::sheet;
 
 /// Where the console runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Host {
     /// In a window of its own.
     Window,
     /// In a page of a browser, to which Ctrl with a digit, L and E belong.
     Page,
 }
 
-impl Place {
+impl Host {
     /// Where this program runs.
     pub const HERE: Self = if cfg!(target_arch = "wasm32") { Self::Page } else { Self::Window };
 }
@@ -27,7 +27,7 @@ impl Place {
 #[derive(Clone, Copy, Debug)]
 pub struct Reach<'a> {
     /// Where the console runs.
-    pub place: Place,
+    pub place: Host,
     /// Ids of the screens, in the order of their tabs.
     pub screens: &'a [&'static str],
     /// Whether the run's timeline is on the screen.
@@ -51,7 +51,7 @@ impl Shortcut {
     }
 }
 
-fn table(place: Place) -> Vec<Shortcut> {
+fn table(place: Host) -> Vec<Shortcut> {
     let shortcut = |modifiers, key, doing, command| Shortcut {
         keys: KeyboardShortcut::new(modifiers, key),
         doing,
@@ -60,8 +60,8 @@ fn table(place: Place) -> Vec<Shortcut> {
     let (none, shift, ctrl) = (Modifiers::NONE, Modifiers::SHIFT, Modifiers::COMMAND);
     // A page's own keys where the browser has another use for those with Ctrl.
     let own = match place {
-        Place::Window => ctrl,
-        Place::Page => none,
+        Host::Window => ctrl,
+        Host::Page => none,
     };
     // Keys with more modifiers stand before the same keys with fewer.
     vec![
@@ -142,23 +142,23 @@ const DIGITS: [Key; 9] = [
 /// The key that shows the screen at this place in the order of the tabs; the tenth and those after it have
 /// none and are shown by their tabs.
 #[must_use]
-pub fn screen_key(order: usize, place: Place) -> Option<KeyboardShortcut> {
+pub fn screen_key(order: usize, place: Host) -> Option<KeyboardShortcut> {
     let modifiers = match place {
-        Place::Window => Modifiers::COMMAND,
-        Place::Page => Modifiers::NONE,
+        Host::Window => Modifiers::COMMAND,
+        Host::Page => Modifiers::NONE,
     };
     DIGITS.get(order).map(|key| KeyboardShortcut::new(modifiers, *key))
 }
 
 /// The key of a command as a tooltip shows it, in brackets; empty where there is none.
 #[must_use]
-pub fn hint(ctx: &Context, place: Place, command: &Command) -> String {
+pub fn hint(ctx: &Context, place: Host, command: &Command) -> String {
     let keys = table(place).into_iter().find(|shortcut| shortcut.command == *command);
     keys.map_or(String::new(), |found| format!(" ({})", ctx.format_shortcut(&found.keys)))
 }
 
 /// The commands that have a key, each once, with what they do.
-pub fn commands(place: Place) -> Vec<(&'static str, Command)> {
+pub fn commands(place: Host) -> Vec<(&'static str, Command)> {
     let mut all: Vec<(&'static str, Command)> = Vec::new();
     for Shortcut { doing, command, .. } in table(place) {
         if all.iter().all(|(_, other)| *other != command) {
@@ -210,7 +210,7 @@ mod tests {
 
     #[test]
     fn no_key_has_two_meanings_and_a_page_leaves_the_browser_its_own() {
-        for place in [Place::Window, Place::Page] {
+        for place in [Host::Window, Host::Page] {
             let screens = (0..9).filter_map(|order| screen_key(order, place));
             let all: Vec<KeyboardShortcut> =
                 table(place).iter().map(|shortcut| shortcut.keys).chain(screens).collect();
@@ -218,7 +218,7 @@ mod tests {
                 assert!(!all[..i].contains(keys), "{keys:?}");
                 let of_the_browser = [Key::E, Key::L].contains(&keys.logical_key)
                     || DIGITS.contains(&keys.logical_key);
-                if place == Place::Page && of_the_browser {
+                if place == Host::Page && of_the_browser {
                     assert!(!keys.modifiers.any(), "{keys:?}");
                 }
             }

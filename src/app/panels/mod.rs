@@ -7,7 +7,7 @@ pub mod learning;
 use super::command::Command;
 use super::jobs::Jobs;
 use super::session::Session;
-use super::shortcuts::Place;
+use super::shortcuts::Host;
 
 /// What a panel sees of the console; it changes nothing but by commands.
 pub struct View<'a> {
@@ -16,7 +16,7 @@ pub struct View<'a> {
     /// Long work, which goes on when a screen is left.
     pub jobs: &'a Jobs,
     /// Where the console runs, for the names of keys.
-    pub place: Place,
+    pub place: Host,
     /// Whether the window is as narrow as a phone's.
     pub narrow: bool,
 }

@@ -3,7 +3,7 @@
 use egui::style::ScrollStyle;
 use egui::{Align2, Context, Key, KeyboardShortcut, Label, RichText, ScrollArea, Ui, Vec2, vec2};
 
-use super::{DIGITS, Place, Reach, screen_key, table};
+use super::{DIGITS, Host, Reach, screen_key, table};
 use crate::app::command::Command;
 
 /// Largest size of its content, points, and what its title and the edges of the window take.
@@ -81,8 +81,8 @@ fn lines(ui: &mut Ui, reach: &Reach<'_>) {
         line(ui, keys, doing);
     }
     match reach.place {
-        Place::Window => {}
-        Place::Page => {
+        Host::Window => {}
+        Host::Page => {
             line(ui, "Esc, then Tab", "Out of the console, to the browser");
             let back = KeyboardShortcut::new(egui::Modifiers::ALT, Key::ArrowLeft);
             line(ui, &ui.ctx().format_shortcut(&back), "The browser's own: the page before");
