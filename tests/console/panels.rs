@@ -7,7 +7,7 @@ use egui_kittest::{Harness, SnapshotOptions, SnapshotResults};
 use steadycut::app::Console;
 use steadycut::app::command::Command;
 use steadycut::app::panels::{Panel, View, panels};
-use steadycut::app::shortcuts::{Place, screen_key};
+use steadycut::app::shortcuts::{Host, screen_key};
 use steadycut::run::edits::Edits;
 use steadycut::run::one_run::Run;
 use steadycut::run::{Start, presets};
@@ -73,7 +73,7 @@ fn shown(window: &Window) -> String {
 
 /// Shows the screen at a place in the order of the tabs, by its key, or by its tab where it has none.
 fn show(window: &mut Window, place: usize, title: &str) {
-    match screen_key(place, Place::Window) {
+    match screen_key(place, Host::Window) {
         Some(keys) => press(window, keys.modifiers, keys.logical_key),
         None => crate::screen::show(window, title),
     }
@@ -365,9 +365,16 @@ fn every_widget_has_a_name() {
     let mut window = window(vec2(1280.0, 2400.0));
     click(&mut window, "More settings");
     window.run_steps(10);
-    for group in
-        ["Target", "Plant", "Feed drive", "CNC", "Workpiece", "Run", "Off-line plan", "Name"]
-    {
+    for group in [
+        "Target",
+        "Plant",
+        "Feed drive",
+        "CNC and dead time",
+        "Workpiece",
+        "Run",
+        "Off-line plan",
+        "Name",
+    ] {
         // A screen may have the name of a group.
         window.get_all_by_label(group).last().expect("a group").click_accesskit();
         window.run_steps(10);
