@@ -41,7 +41,7 @@ use jobs::Jobs;
 use link::{Address, Due};
 use messages::Messages;
 use panels::{Panel, View, panels};
-use search::Search;
+use search::Finder;
 use session::Session;
 use shortcuts::{Host, Reach};
 use widgets::{focus, scaffold, setting};
@@ -60,7 +60,7 @@ pub struct Console {
     messages: Messages,
     /// Whether the sheet of keys is shown.
     shortcuts: bool,
-    search: Search,
+    search: Finder,
     /// A link that is put up for copying.
     link: Option<String>,
     address: Address,
@@ -110,7 +110,7 @@ impl Console {
             place: Host::HERE,
             messages: Messages::default(),
             shortcuts: false,
-            search: Search::default(),
+            search: Finder::default(),
             link: None,
             address: Address::default(),
             had_focus: false,

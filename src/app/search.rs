@@ -88,14 +88,14 @@ fn found(query: &str, entries: Vec<Entry>) -> Vec<Entry> {
 
 /// The window.
 #[derive(Debug, Default)]
-pub struct Search {
+pub struct Finder {
     open: bool,
     /// Whether it was opened in this frame: the field takes the focus.
     opened: bool,
     text: String,
 }
 
-impl Search {
+impl Finder {
     /// Opens or closes it.
     pub fn show_it(&mut self, open: bool) {
         self.opened = open && !self.open;

@@ -218,7 +218,12 @@ mod tests {
                 let cut = cut.unwrap();
                 assert!((cut.engagement.mean_teeth() - teeth).abs() < 5e-5, "{radial_mm}");
                 let found_mm = cut.depth_mm(lobes::at_any_speed(&cut).stiffness_n_m);
-                assert!((found_mm - wanted_mm).abs() < 5e-4, "{radial_mm} Q {quality}: {found_mm}");
+                // The published depths are rounded, and were found on a grid of frequencies.
+                let near_mm = 5e-4 + 3e-4 * wanted_mm;
+                assert!(
+                    (found_mm - wanted_mm).abs() < near_mm,
+                    "{radial_mm} Q {quality}: {found_mm}"
+                );
                 let said = cut.engagement_text();
                 assert!(said.contains(&format!("R_D {radial_mm:.2} mm")), "{said}");
             }

@@ -28,6 +28,8 @@ const LEAST_AMPLITUDE: f64 = 0.01;
 /// below some 0.02 (chosen).
 const PERIODS: usize = 4;
 const STILL_CORRELATED: f64 = 0.6;
+/// A place of the autocorrelation counts as high from this fraction of the highest on (chosen).
+const NEARLY: f64 = 0.9;
 /// Least number of periods, so that six of them are compared with others (chosen).
 const LEAST_PERIODS: usize = PERIODS + 2;
 /// Root mean square of the second half over that of the first from which on it does not die down.
@@ -75,9 +77,12 @@ fn period(series: &[f64]) -> Option<f64> {
         let kept = series.len() - lag;
         stats::correlation(&series[..kept], &series[lag..]).unwrap_or(0.0)
     };
-    // Beyond its first fall below zero, the first period is where it is highest.
+    // Beyond its first fall below zero, the first period is the first of its high places: those of a steady
+    // swing are as high as each other.
     let zero = (1..=longest).find(|lag| at(*lag) < 0.0)?;
-    let first = highest(zero..longest + 1, &at)?;
+    let high = NEARLY * at(highest(zero..longest + 1, &at)?);
+    let rises = (zero..=longest).find(|lag| at(*lag) >= high)?;
+    let first = highest(rises..rises + rises / 4 + 1, &at)?;
     let later = highest(PERIODS * first - first / 2..PERIODS * first + first / 2 + 1, &at)?;
     (at(first) >= STILL_CORRELATED && at(later) >= STILL_CORRELATED)
         .then(|| later as f64 / PERIODS as f64)
