@@ -89,14 +89,26 @@ impl Console {
 
     #[cfg(target_arch = "wasm32")]
     fn copy_link(&mut self, ctx: &egui::Context) {
-        self.files.copy(ctx, web::address(&self.fragment()));
+        let said = "The link is in the clipboard: it opens this scenario with its edits.";
+        let said = format!("{said} {}", self.repeated());
+        self.files.copy(ctx, web::address(&self.fragment()), said);
     }
 
     #[cfg(not(target_arch = "wasm32"))]
     fn copy_link(&mut self, ctx: &egui::Context) {
         ctx.copy_text(format!("#{}", self.fragment()));
-        let text = "The link's part from # on is in the clipboard: append it to the address of \
+        let said = "The link's part from # on is in the clipboard: append it to the address of \
                     SteadyCut's web page.";
-        self.session.notify(text);
+        self.session.notify(format!("{said} {}", self.repeated()));
+    }
+
+    /// How the run is repeated elsewhere, and how to see that it is the same.
+    fn repeated(&self) -> String {
+        let run = self.session.chosen().run();
+        let digest = match run.end() {
+            Some(_) => format!("its digest is {}.", run.recording().digest()),
+            None => "its digest is told here once it is worked out.".to_owned(),
+        };
+        format!("`steadycut run 'LINK'` repeats the run on the command line: {digest}")
     }
 }

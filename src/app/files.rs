@@ -163,17 +163,14 @@ impl Files {
 
 #[cfg(target_arch = "wasm32")]
 impl Files {
-    /// Puts a link into the clipboard and says so once it is there; where the browser refuses, or has no
+    /// Puts a link into the clipboard and says what is `said` once it is there; where the browser refuses, or has no
     /// clipboard (plain http), the link is put up for copying.
-    pub fn copy(&self, ctx: &egui::Context, link: String) {
+    pub fn copy(&self, ctx: &egui::Context, link: String, said: String) {
         let answer = self.answer(ctx);
         spawn(async move {
             let copied = super::web::copy(&link).await;
             answer.send(match copied {
-                Ok(()) => Command::notify(
-                    "The link is in the clipboard: it opens this scenario with its edits."
-                        .to_owned(),
-                ),
+                Ok(()) => Command::notify(said),
                 Err(_) => Command::Shell(ShellCommand::ShowLink(link)),
             });
         });
@@ -184,12 +181,27 @@ impl Files {
 const NETWORKS: &str = "json";
 
 fn is_networks(name: &str) -> bool {
-    name.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case(NETWORKS))
+    ends_with_one_of(name, &[NETWORKS])
+}
+
+/// Endings of files that hold tables.
+const TABLES: [&str; 6] = ["csv", "tsv", "txt", "xlsx", "xls", "ods"];
+
+fn ends_with_one_of(name: &str, endings: &[&str]) -> bool {
+    let ending = name.rsplit_once('.').map(|(_, ending)| ending);
+    ending.is_some_and(|ending| endings.iter().any(|known| ending.eq_ignore_ascii_case(known)))
 }
 
 /// The command for a file that was read.
 #[must_use]
 pub fn loaded(name: String, bytes: &[u8]) -> Command {
+    if ends_with_one_of(&name, &TABLES) {
+        return Command::notify(format!(
+            "{name} is a table: the console opens scenarios (.toml) and networks of UNKS (.json). Tables are read on \
+             the command line: `steadycut identify` fits models to one, `steadycut recommend --table` takes \
+             cutting conditions from one."
+        ));
+    }
     match decode(bytes) {
         Ok(text) if is_networks(&name) => {
             Command::Session(SessionCommand::LoadNetworks { name, text })

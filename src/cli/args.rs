@@ -29,7 +29,7 @@ use crate::study::train::recipe::RecipeKind;
 )]
 pub struct Cli {
     /// Scenario that the console opens: a preset's name or a scenario file.
-    #[arg(long, value_name = "PRESET|FILE")]
+    #[arg(long, value_name = "PRESET|FILE|LINK")]
     pub scenario: Option<PathBuf>,
     /// What to do; without it the console opens.
     #[command(subcommand)]
@@ -74,8 +74,8 @@ pub enum CliCommand {
 /// Arguments of `run`.
 #[derive(Debug, Args)]
 pub struct RunArgs {
-    /// A preset's name or a scenario file.
-    #[arg(value_name = "PRESET|FILE")]
+    /// A preset's name, a scenario file, or a link of the console.
+    #[arg(value_name = "PRESET|FILE|LINK")]
     pub scenario: ScenarioPath,
     /// Change a setting, for example `--set target.ra_um=0.6`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
@@ -360,8 +360,8 @@ pub struct ListArgs {
 /// Arguments of `plan`.
 #[derive(Debug, Args)]
 pub struct PlanArgs {
-    /// A preset's name or a scenario file.
-    #[arg(value_name = "PRESET|FILE")]
+    /// A preset's name, a scenario file, or a link of the console.
+    #[arg(value_name = "PRESET|FILE|LINK")]
     pub scenario: ScenarioPath,
     /// Change a setting, for example `--set plan.free_speed=false`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
@@ -386,8 +386,8 @@ pub struct PlanArgs {
 /// Arguments of `robust`.
 #[derive(Debug, Args)]
 pub struct RobustArgs {
-    /// A preset's name or a scenario file.
-    #[arg(long, value_name = "PRESET|FILE", default_value = "experiment-2")]
+    /// A preset's name, a scenario file, or a link of the console.
+    #[arg(long, value_name = "PRESET|FILE|LINK", default_value = "experiment-2")]
     pub scenario: ScenarioPath,
     /// The controller; without it the scenario's.
     #[arg(long, value_parser = one_of(ControllerKind::ALL, ControllerKind::id))]
@@ -465,8 +465,8 @@ pub struct RecommendTableArgs {
 /// Arguments of `combine`.
 #[derive(Debug, Args)]
 pub struct CombineArgs {
-    /// A preset's name or a scenario file.
-    #[arg(long, value_name = "PRESET|FILE", default_value = "experiment-2")]
+    /// A preset's name, a scenario file, or a link of the console.
+    #[arg(long, value_name = "PRESET|FILE|LINK", default_value = "experiment-2")]
     pub scenario: ScenarioPath,
     /// Change a setting, for example `--set run.seed=2`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
@@ -492,8 +492,8 @@ pub struct CombineArgs {
 /// Arguments of `unks`.
 #[derive(Debug, Args)]
 pub struct UnksArgs {
-    /// A preset's name or a scenario file.
-    #[arg(value_name = "PRESET|FILE", default_value = "experiment-2")]
+    /// A preset's name, a scenario file, or a link of the console.
+    #[arg(value_name = "PRESET|FILE|LINK", default_value = "experiment-2")]
     pub scenario: ScenarioPath,
     /// Change a setting, for example `--set run.seed=2`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]

@@ -14,6 +14,7 @@ pub use check::{check, hinted};
 
 use crate::disk::{self, OutFile, WriteError};
 use crate::run::presets::PRESETS;
+use crate::run::scenario_link;
 
 /// Name of standard input and output.
 const STANDARD: &str = "-";
@@ -67,8 +68,11 @@ impl ScenarioPath {
     /// The file; what looks like the name of one is one: it has an ending or a folder, or it is there.
     ///
     /// # Errors
-    /// The name, where it is that of a preset or can only be meant as one.
+    /// The name, where it is that of a preset or can only be meant as one; a link.
     pub fn source(&self) -> Result<InPath, &str> {
+        if let Some(link) = self.link() {
+            return Err(link);
+        }
         let path = Path::new(&self.0);
         let name = self.0.to_str();
         if let Some(name) = name.filter(|name| PRESETS.iter().any(|preset| preset.name == *name)) {
@@ -82,6 +86,12 @@ impl ScenarioPath {
             Some(name) if !is_file => Err(name),
             Some(_) | None => Ok(InPath(path.to_owned())),
         }
+    }
+
+    /// The text, where a link is meant and no file has its name.
+    #[must_use]
+    pub fn link(&self) -> Option<&str> {
+        self.0.to_str().filter(|text| scenario_link::is_link(text) && !Path::new(text).exists())
     }
 
     /// Whether it is the preset with this name.

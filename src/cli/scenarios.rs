@@ -5,11 +5,14 @@ use crate::base::settings::SettingError;
 use crate::models::unks::Stored;
 use crate::run::edits::Edits;
 use crate::run::scenario::{Scenario, parse_value};
-use crate::run::{presets, scenario_file};
+use crate::run::{presets, scenario_file, scenario_link};
 use crate::study::unks_passes::beginning_with;
 
 /// Loads a preset or a scenario file.
 pub fn load(path: &ScenarioPath) -> Result<(Scenario, Edits), Box<dyn std::error::Error>> {
+    if let Some(link) = path.link() {
+        return Ok(scenario_link::parse(link)?);
+    }
     match path.source() {
         Ok(file) => {
             let read = scenario_file::parse(&file.text()?);

@@ -4,6 +4,7 @@ use steadycut::run::edits::Edits;
 use steadycut::run::job::Job;
 use steadycut::run::one_run::Run;
 use steadycut::run::presets::load;
+use steadycut::run::scenario_link;
 
 use super::program::{json, refused, steadycut, temporary};
 
@@ -32,6 +33,17 @@ fn run_prints_one_json_object_with_the_promised_keys() {
     // The command line and the library run the same bits.
     let run = Run::complete(&load("table3-5").unwrap(), &Edits::none());
     assert_eq!(report["digest"], run.recording().digest());
+}
+
+#[test]
+fn a_link_of_the_console_repeats_its_run() {
+    let link = scenario_link::write(&load("table3-5").unwrap(), &Edits::none());
+    let wanted = json(&["run", "table3-5", "--json"])["digest"].clone();
+    for link in [link.clone(), format!("#{link}"), format!("https://example.org/cut/#{link}")] {
+        assert_eq!(json(&["run", &link, "--json"])["digest"], wanted, "{link}");
+    }
+    let error = refused(&["run", "https://example.org/#v=1&target.ra_um=9"]);
+    assert!(error.contains("target.ra_um") && error.contains('9'), "{error}");
 }
 
 #[test]

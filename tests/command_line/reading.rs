@@ -140,10 +140,10 @@ fn every_file_is_read_from_any_name_encoding_and_standard_input() {
 fn standard_input_is_read_once() {
     let folder = folder("once");
     for (args, names) in [
-        (&["run", "-", "--networks", "-"][..], ["PRESET|FILE", "--networks"]),
-        (&["plan", "-", "--machine", "-"], ["PRESET|FILE", "--machine"]),
+        (&["run", "-", "--networks", "-"][..], ["PRESET|FILE|LINK", "--networks"]),
+        (&["plan", "-", "--machine", "-"], ["PRESET|FILE|LINK", "--machine"]),
         (&["combine", "--table", "-", "--machine", "-"], ["--table", "--machine"]),
-        (&["unks", "-", "--load", "-"], ["PRESET|FILE", "--load"]),
+        (&["unks", "-", "--load", "-"], ["PRESET|FILE|LINK", "--load"]),
         (&["check", "-", "-"], ["FILE", "FILE"]),
     ] {
         let args: Vec<&OsStr> = args.iter().map(OsStr::new).collect();

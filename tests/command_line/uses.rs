@@ -260,6 +260,7 @@ fn wrong(tried: &Tried, param: &Param, before: &[String]) -> Option<String> {
 }
 
 #[test]
+#[expect(clippy::disallowed_methods, reason = "programs are tried beside each other")]
 fn every_setting_is_obeyed_or_refused_by_every_command() {
     let every: Vec<Reader> = TRIED.iter().map(|tried| tried.reader).collect();
     assert!(Reader::ALL.iter().all(|reader| every.contains(reader)), "a command is not tried");

@@ -71,17 +71,17 @@ fn nothing_is_written_over_what_is_read() {
     let folder = inputs("over-inputs");
     // The command, the argument that reads, its file, the argument that writes.
     let commands: [(&[&str], &str, &str, &str); 11] = [
-        (&["run", "s.toml"], "PRESET|FILE", "s.toml", "--out"),
+        (&["run", "s.toml"], "PRESET|FILE|LINK", "s.toml", "--out"),
         (&["run", "s.toml", "--networks", "networks.json"], "--networks", "networks.json", "--out"),
-        (&["plan", "s.toml"], "PRESET|FILE", "s.toml", "--out"),
+        (&["plan", "s.toml"], "PRESET|FILE|LINK", "s.toml", "--out"),
         (&["plan", "first-cut", "--machine", "machine.toml"], "--machine", "machine.toml", "--out"),
         (&["combine", "--scenario", "s.toml"], "--scenario", "s.toml", "--out"),
         (&["combine", "--machine", "machine.toml"], "--machine", "machine.toml", "--out"),
         (&["combine", "--table", "data.csv"], "--table", "data.csv", "--out"),
-        (&["unks", "s.toml"], "PRESET|FILE", "s.toml", "--save"),
+        (&["unks", "s.toml"], "PRESET|FILE|LINK", "s.toml", "--save"),
         (&["unks", "--load", "networks.json"], "--load", "networks.json", "--save"),
         (&["identify", "tables", "--table", "table.csv"], "--table", "table.csv", "--out"),
-        (&["plan", "link-s.toml"], "PRESET|FILE", "link-s.toml", "--out"),
+        (&["plan", "link-s.toml"], "PRESET|FILE|LINK", "link-s.toml", "--out"),
     ];
     for (command, input, read, output) in commands {
         let plain = read.trim_start_matches("link-");

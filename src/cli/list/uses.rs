@@ -9,6 +9,9 @@ use super::Outcome;
 use crate::run::scenario::{Param, table};
 use crate::study::uses::{Reader, Screen, SettingUse};
 
+/// Words with the labels that they hold for.
+type Labelled = Vec<(String, Vec<&'static str>)>;
+
 /// Prints the table: every setting with every command and every screen that offers settings.
 pub fn print(as_json: bool) -> Outcome {
     let mut out = std::io::stdout().lock();
@@ -24,8 +27,7 @@ pub fn print(as_json: bool) -> Outcome {
     )?;
     for param in table() {
         writeln!(out, "\n{}", param.path)?;
-        let (mut used, mut refused): (Vec<(String, Vec<&str>)>, Vec<(String, Vec<&str>)>) =
-            Default::default();
+        let (mut used, mut refused) = (Labelled::new(), Labelled::new());
         for reader in Reader::ALL {
             let (list, words) = match reader.uses(param) {
                 SettingUse::Used { unless } if unless.is_empty() => (&mut used, "used".to_owned()),

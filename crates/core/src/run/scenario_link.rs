@@ -49,10 +49,32 @@ fn decode(text: &str) -> Result<String, SettingError> {
 /// assert_eq!(scenario_link::parse(&link).unwrap(), (scenario, Edits::none()));
 /// ```
 ///
+/// What stands before `#`, the page's address, is passed over. A link that cannot be read as it is may have been
+/// mangled where it was sent: then the marks of the text around it are taken off.
+///
 /// # Errors
 /// A missing or unknown version, an unknown setting, or a value outside its range.
-pub fn parse(fragment: &str) -> Result<(Scenario, Edits), SettingError> {
-    let fragment = fragment.strip_prefix('#').unwrap_or(fragment);
+pub fn parse(link: &str) -> Result<(Scenario, Edits), SettingError> {
+    let fragment = link.split_once('#').map_or(link, |(_, fragment)| fragment);
+    parse_exactly(fragment).or_else(|error| {
+        let mended = mended(fragment);
+        if mended == fragment { Err(error) } else { parse_exactly(&mended).map_err(|_| error) }
+    })
+}
+
+/// Whether a text is meant as a link: an address, or its part from `#` on.
+#[must_use]
+pub fn is_link(text: &str) -> bool {
+    ["http://", "https://", "#v=", "v="].iter().any(|start| text.starts_with(start))
+}
+
+/// A link without the marks that mails, chats and web pages put around it or into it.
+fn mended(fragment: &str) -> String {
+    let around = |c: char| c.is_whitespace() || "<>()[]{}\"'`.,;:!?".contains(c);
+    fragment.replace("&amp;", "&").trim_matches(around).to_owned()
+}
+
+fn parse_exactly(fragment: &str) -> Result<(Scenario, Edits), SettingError> {
     if fragment.len() > MAX_BYTES {
         return Err(format_error(format!(
             "{} bytes; at most {MAX_BYTES} are read",

@@ -45,6 +45,33 @@ fn links_of_0_4_0_open_to_the_same_scenario() {
 }
 
 #[test]
+fn a_mangled_link_is_read_and_a_wrong_one_keeps_its_error() {
+    let wanted = parse("v=1&target.ra_um=0.6&plant.hardness_hb=220").unwrap();
+    for mangled in [
+        "https://example.org/steadycut/#v=1&target.ra_um=0.6&plant.hardness_hb=220",
+        "#v=1&amp;target.ra_um=0.6&amp;plant.hardness_hb=220",
+        "v=1&target.ra_um=0.6&plant.hardness_hb=220)",
+        "v=1&target.ra_um=0.6&plant.hardness_hb=220.",
+        "<v=1&target.ra_um=0.6&plant.hardness_hb=220>,\n",
+    ] {
+        assert_eq!(parse(mangled).unwrap(), wanted, "{mangled}");
+    }
+    let long = write(&load("experiment-2").unwrap(), &Edits::none());
+    assert_eq!(parse(&format!("({long}).")).unwrap(), parse(&long).unwrap());
+    // A full stop that belongs to a text stays.
+    let text = "v=1&description=One%20cut.";
+    assert_eq!(parse(text).unwrap().0.info.description, "One cut.");
+    for wrong in ["v=1&target.ra_um=9)", "v=1&target.ra=0.6.", ""] {
+        let [error, plain] = [parse(wrong), parse(wrong.trim_end_matches([')', '.']))]
+            .map(|read| read.unwrap_err().to_string());
+        assert!(!error.is_empty() && !plain.is_empty());
+        if wrong.contains("ra_um") {
+            assert!(error.contains("target.ra_um"), "{error}");
+        }
+    }
+}
+
+#[test]
 fn edits_and_every_setting_of_a_link_of_0_4_0_are_read() {
     let of = |wanted: &str| old_links().find(|(name, _)| *name == wanted).unwrap().1;
     let (scenario, edits) = parse(of("edited")).unwrap();

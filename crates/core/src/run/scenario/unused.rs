@@ -218,8 +218,8 @@ impl Unused {
     /// Whether it is about the setting at `path`.
     #[must_use]
     pub fn names(&self, path: &str) -> bool {
-        let named = |one: &&str| path == *one || (one.ends_with('.') && path.starts_with(*one));
-        self.paths.iter().any(|one| named(&one)) && !self.but.contains(&path)
+        let named = |one: &str| path == one || (one.ends_with('.') && path.starts_with(one));
+        self.paths.iter().any(|one| named(one)) && !self.but.contains(&path)
     }
 
     /// Whether it leaves them out of a run of these settings.
