@@ -4,7 +4,7 @@
 
 mod sheet;
 
-use egui::{Context, Key, KeyboardShortcut, Modifiers};
+use egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 
 use super::command::{Command, FileCommand, PlaybackCommand, SessionCommand, ShellCommand};
 pub use sheet::sheet;
@@ -177,30 +177,36 @@ pub fn read(ctx: &Context, reach: &Reach<'_>, commands: &mut Vec<Command>) {
     // An open menu has the keys that choose in it.
     let menu = egui::Popup::is_any_open(ctx);
     let focused = ctx.egui_wants_keyboard_input();
+    let screens = reach.screens.iter().enumerate().filter_map(|(order, id)| {
+        let command = Command::Shell(ShellCommand::ShowScreen(id));
+        Some((screen_key(order, reach.place)?, command))
+    });
+    let sheet = KeyboardShortcut::new(Modifiers::NONE, Key::Questionmark);
+    let sheet = (sheet, Command::Shell(ShellCommand::ShowShortcuts(true)));
+    let all = table(reach.place).into_iter().filter(|shortcut| {
+        let there = match shortcut.command {
+            Command::Playback(_) => reach.timeline && !menu,
+            Command::Session(_) | Command::File(_) | Command::Shell(_) => true,
+        };
+        there && (!focused || shortcut.acts_anywhere())
+    });
+    let all: Vec<(KeyboardShortcut, Command)> = screens
+        .chain([sheet])
+        .chain(all.map(|shortcut| (shortcut.keys, shortcut.command)))
+        .collect();
     ctx.input_mut(|input| {
         if input.modifiers.alt {
             return;
         }
-        for (order, id) in reach.screens.iter().enumerate() {
-            if let Some(keys) = screen_key(order, reach.place)
-                && input.consume_shortcut(&keys)
-            {
-                commands.push(Command::Shell(ShellCommand::ShowScreen(id)));
-            }
-        }
-        if input.key_pressed(Key::Questionmark) {
-            commands.push(Command::Shell(ShellCommand::ShowShortcuts(true)));
-        }
-        for shortcut in table(reach.place) {
-            let there = match shortcut.command {
-                Command::Playback(_) => reach.timeline && !menu,
-                Command::Session(_) | Command::File(_) | Command::Shell(_) => true,
-            };
-            let free = !focused || shortcut.acts_anywhere();
-            if there && free && input.consume_shortcut(&shortcut.keys) {
-                commands.push(shortcut.command);
-            }
-        }
+        // In the order in which they were pressed: slow drawing puts several into one frame.
+        input.events.retain(|event| {
+            let Event::Key { key, pressed: true, modifiers, .. } = event else { return true };
+            let meant = all.iter().find(|(keys, _)| {
+                keys.logical_key == *key && modifiers.matches_logically(keys.modifiers)
+            });
+            commands.extend(meant.map(|(_, command)| command.clone()));
+            meant.is_none()
+        });
     });
 }
 

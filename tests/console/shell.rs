@@ -9,7 +9,7 @@ use egui::{
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, HarnessBuilder, SnapshotOptions, SnapshotResults};
 use steadycut::app::Console;
-use steadycut::app::command::{Command, ShellCommand};
+use steadycut::app::command::{Command, SessionCommand, ShellCommand};
 use steadycut::run::edits::Edits;
 use steadycut::run::{Start, presets};
 
@@ -407,4 +407,28 @@ fn what_lies_over_the_screens_looks_as_its_pictures() {
         console(&screen).push(Command::Shell(ShellCommand::ShowLink(link)));
         picture(&mut screen, "link");
     }
+}
+
+#[test]
+fn keys_of_one_frame_act_in_the_order_in_which_they_were_pressed() {
+    let mut screen = open(DESKTOP, None, false);
+    let at_first_um = target_um(&screen);
+    let value = steadycut::base::settings::Value::Float(0.5);
+    let path = "target.ra_um".to_owned();
+    console(&screen).push(Command::Session(SessionCommand::Set { path, value }));
+    screen.run_steps(2);
+    assert_eq!(target_um(&screen), 0.5);
+    for key in [Key::Z, Key::Y, Key::Z] {
+        let modifiers = Modifiers::COMMAND;
+        let pressed = true;
+        screen.input_mut().events.push(Event::Key {
+            key,
+            physical_key: None,
+            pressed,
+            repeat: false,
+            modifiers,
+        });
+    }
+    screen.run_steps(1);
+    assert_eq!(target_um(&screen), at_first_um, "back, on, back");
 }

@@ -76,6 +76,18 @@ async function untilState(page, check, argument) {
   return state(page);
 }
 
+// The state after that many frames: a page at which nothing moves draws none, until a pointer wakes it.
+async function stirred(page, frames) {
+  const end = Date.now() + PATIENCE.timeout;
+  for (let x = 300; ; x = 300 + ((x + 7) % 200)) {
+    await page.mouse.move(x, 400);
+    const now = await state(page);
+    if (now.frames > frames) return now;
+    assert.ok(Date.now() < end, "frames are drawn");
+    await new Promise((resolve) => setTimeout(resolve, PATIENCE.polling));
+  }
+}
+
 // A screenshot, kept in shots/, that must show a picture: many colours, none nearly everywhere.
 async function picture(page, name) {
   const png = await page.screenshot({ path: `${SHOTS}/${name}.png` });
@@ -154,7 +166,7 @@ test("the console draws, gives the golden digests and obeys the target-Ra slider
     await t.test(`screen ${screen}`, async () => {
       await page.keyboard.press(key);
       const shown = await untilState(page, (now, screen) => now.screen === screen, screen);
-      await untilState(page, (now, was) => now.frames > was.frames + 5, shown);
+      await stirred(page, shown.frames + 5);
       await picture(page, screen);
     });
   }
@@ -228,7 +240,7 @@ test("each key acts in the page or in the browser", async () => {
   ]) {
     assert.equal(await isLeft(page, key), true, `${JSON.stringify(key)} is the browser's`);
   }
-  const now = await untilState(page, (now, was) => now.frames > was.frames + 3, old);
+  const now = await stirred(page, old.frames + 3);
   assert.deepEqual([now.screen, now.playhead_s, now.link], [old.screen, old.playhead_s, null]);
   for (const key of [{ key: "ArrowLeft" }, { key: "z", code: "KeyZ", ctrlKey: true }, { key: "End" }, { key: "Tab" }]) {
     assert.equal(await isLeft(page, key), false, `${JSON.stringify(key)} is the console's`);
@@ -268,15 +280,18 @@ test("the address has the last change, and a hidden page stands still", async ()
       Object.defineProperty(document, "hidden", { value: hidden, configurable: true });
       document.dispatchEvent(new Event("visibilitychange"));
     }, hidden);
+  await untilState(page, (now) => now.playing && now.playhead_s > 0);
   await hide(true);
-  const old = await untilState(page, (now) => now.frames > 5);
-  const now = await untilState(page, (now, was) => now.frames > was.frames + 3, old);
+  await new Promise((resolve) => setTimeout(resolve, 300)); // a frame that was on its way
+  const old = await state(page);
+  await new Promise((resolve) => setTimeout(resolve, 1500));
+  const now = await state(page);
   assert.equal(now.playhead_s, old.playhead_s);
   await hide(false);
   await untilState(page, (now, was) => now.playhead_s > was.playhead_s, now);
   await page.keyboard.press("Space");
   const [x0, y0, x1, y1] = now.rects.target_ra_slider;
-  await page.mouse.click(x0 + 0.3 * (x1 - x0), (y0 + y1) / 2);
+  await page.mouse.click(x0 + 0.3 * (x1 - x0), (y0 + y1) / 2, { delay: 300 });
   await untilState(page, (now) => now.target_ra_um !== 0.6);
   for (const key of ["z", "y", "z"]) await page.keyboard.press(`Control+${key}`);
   await untilState(page, (now) => now.target_ra_um === 0.6 && now.address_is_current);
