@@ -99,7 +99,9 @@ impl BlockDiagramPanel {
         let above = Rect::from_min_max(area.min, pos2(area.right(), split - GAP));
         let below = Rect::from_min_max(pos2(area.left(), split), area.max);
         ui.scope_builder(UiBuilder::new().max_rect(above), |ui| self.diagram(ui, view, &now));
-        ui.scope_builder(UiBuilder::new().max_rect(below), |ui| self.details(ui, view, &now, commands));
+        ui.scope_builder(UiBuilder::new().max_rect(below), |ui| {
+            self.details(ui, view, &now, commands);
+        });
     }
 
     fn diagram(&mut self, ui: &mut egui::Ui, view: &View<'_>, now: &Now<'_>) {

@@ -15,7 +15,10 @@ fn main() {
     let model = ForceModel::from_id("power").expect("in the list");
     assert_eq!(ForceModel::ALL.last(), Some(&model));
     assert!(model.is_map() && ForceModel::maps().contains(&model) && !model.is_formula());
-    assert_eq!((model.label(), model.short_name(ModelSet::Sdnrp2007)), ("Power law", "power".into()));
+    assert_eq!(
+        (model.label(), model.short_name(ModelSet::Sdnrp2007)),
+        ("Power law", "power".into())
+    );
     assert_eq!((model.longest_step_s(), model.network()), (f64::INFINITY, None));
 
     // In a file, and back.

@@ -5,9 +5,7 @@ use egui::{RichText, Ui};
 
 use crate::app::theme::{self, Palette};
 use crate::study::compare::load_step::Transient;
-use crate::study::compare::table_1::{
-    DISCLOSED, NOT_REACHED, TOLD_BY_VERSION, margin, verdicts,
-};
+use crate::study::compare::table_1::{DISCLOSED, NOT_REACHED, TOLD_BY_VERSION, margin, verdicts};
 use crate::study::compare::tournament::Compared;
 
 /// The sections below the table; the printed table belongs to it or not.

@@ -54,7 +54,9 @@ fn items(view: &View<'_>, palette: &Palette) -> [Item; 5] {
                 twin_has(format::quantity(twin.metal_removed_cm3, "cm^3")),
             ],
         },
-        Reference::Force => worst_force(chosen, palette, twin_has(signed(twin.force_worst_percent))),
+        Reference::Force => {
+            worst_force(chosen, palette, twin_has(signed(twin.force_worst_percent)))
+        }
     };
     [
         match reference {
@@ -261,7 +263,6 @@ fn time_of_cut(view: &View<'_>, palette: &Palette) -> Item {
         below,
     }
 }
-
 
 /// Before the first contact, and in the air alone, there is no share.
 fn share_of(value: Option<f64>) -> String {

@@ -183,8 +183,7 @@ impl Search {
                 Some(Ok(old)) if map_stays => Some(old.picture),
                 _ => None,
             };
-            self.found =
-                Some(PlanJob::new(scenario).map(|plan| Found::new(plan, picture, jobs)));
+            self.found = Some(PlanJob::new(scenario).map(|plan| Found::new(plan, picture, jobs)));
             self.key = Some(key);
             (self.rushing, self.since_s) = (false, 0.0);
             self.playing = matches!(self.found, Some(Ok(_)));

@@ -89,7 +89,8 @@ impl RevolutionWindow {
         let (low, high) = (low - margin, high + margin);
         let range = self.zoomed.unwrap_or([from, to]);
         let old = self.repeat.as_ref().is_none_or(|(of, _)| *of != view.session.changes());
-        let state = if old { " Before the last change; the new picture is being made." } else { "" };
+        let state =
+            if old { " Before the last change; the new picture is being made." } else { "" };
         ui.label(RichText::new(summary(shown) + state).small().color(palette.weak));
         let window = shown.window_from.and_then(|i| places.get(i)).map(|x| {
             let corners = vec![[*x, low], [to, low], [to, high], [*x, high]];
