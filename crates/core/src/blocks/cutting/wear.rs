@@ -4,13 +4,9 @@
 //! x += time_scale dt / T(vc, fz, ap)      in the cut;  factor on the force = 1 + kappa w(x)
 //! ```
 
-use crate::base::math;
 use crate::base::units::s_from_min;
 use crate::models::tool::Tool;
-use crate::models::wear::{WearCut, WearModel, WearSettings};
-
-/// Largest fraction of the life that is counted: far beyond it nothing is left to wear.
-const LIFE_MAX: f64 = 2.0;
+use crate::models::wear::{WEAR_MAX, WearCut, WearModel, WearSettings};
 
 /// The tool with the fraction of its life that is used.
 #[derive(Clone, Debug)]
@@ -46,6 +42,13 @@ impl ToolWear {
         }
     }
 
+    /// Whether the wear is one that the curve knows: beyond [`WEAR_MAX`] the edge is gone, and nobody has
+    /// measured what is left.
+    #[must_use]
+    pub fn is_known(&self) -> bool {
+        self.wear() < WEAR_MAX
+    }
+
     /// Factor on the force; 1 where the tool does not wear in the run.
     #[must_use]
     pub fn force_factor(&self) -> f64 {
@@ -79,13 +82,16 @@ impl ToolWear {
         let life_s = s_from_min(self.settings.life_min(&cut));
         let used = self.used_life + self.settings.time_scale * dt_s / life_s;
         // What is worn stays worn, whatever is asked of the law.
-        self.used_life = math::limit(used, self.used_life, LIFE_MAX);
+        if used > self.used_life {
+            self.used_life = used;
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::math;
 
     /// Feed for 0.135 mm per tooth at 80 m/min, and that speed.
     const SPEED_RPM: f64 = 80_000.0 / (math::PI * 16.0);
@@ -105,6 +111,19 @@ mod tests {
         assert!((tool.force_factor() - 1.0 - 0.6 * 0.450083186535).abs() < 1e-8);
         let fast = WearSettings { time_scale: 240.0, ..life };
         assert!((worn(&fast, 1).force_factor() - 1.6).abs() < 1e-8);
+    }
+
+    #[test]
+    fn a_tool_without_an_edge_is_beyond_the_curve_and_its_time_still_counts() {
+        let life = WearSettings { model: WearModel::Life, ..WearSettings::default() };
+        let ended = WearSettings { used_life: 1.0, ..life.clone() };
+        assert!(ToolWear::new(&ended, &Tool::default()).is_known());
+        let fast = WearSettings { time_scale: 240.0 * 5.0, ..life };
+        let tool = worn(&fast, 1);
+        assert!((tool.used_life() - 5.0).abs() < 1e-6, "{}", tool.used_life());
+        assert!(!tool.is_known());
+        let fixed = WearSettings { model: WearModel::Fixed, ..fast };
+        assert!(worn(&fixed, 1).is_known());
     }
 
     #[test]

@@ -25,6 +25,8 @@ pub struct Plant {
     wear: ToolWear,
     /// Factor of the wear on the force.
     life_factor: f64,
+    /// Whether the wear is within the curve that gives it.
+    wear_is_known: bool,
     /// The machine, where it is coupled to the cut.
     machine: Option<Box<Machine>>,
     now: CutNow,
@@ -85,6 +87,7 @@ impl Plant {
                 dt_s,
             ),
             life_factor: wear.force_factor(),
+            wear_is_known: wear.is_known(),
             wear,
             machine: Machine::new(scenario),
             now,
@@ -97,7 +100,7 @@ impl Plant {
         let place = self.path.place(self.now.position_mm);
         self.process.reconfigure(process(scenario, &self.path, place.radial_depth_mm, self.dt_s));
         self.wear.reconfigure(&scenario.wear);
-        self.life_factor = self.wear.force_factor();
+        self.follow_wear();
         self.disturbance.reconfigure(&scenario.noise, self.dt_s);
     }
 
@@ -124,8 +127,13 @@ impl Plant {
         if let Some(machine) = &mut self.machine {
             machine.wear(&self.wear, &self.now.cut());
         }
-        self.life_factor = self.wear.force_factor();
+        self.follow_wear();
         self.now.used_life = self.wear.used_life();
+    }
+
+    fn follow_wear(&mut self) {
+        self.life_factor = self.wear.force_factor();
+        self.wear_is_known = self.wear.is_known();
     }
 
     /// Plant step `tick` at the feed and speed that the drives have reached: the tool moves on, at the
@@ -182,6 +190,7 @@ impl Plant {
             life_factor: self.life_factor,
             air_n,
         });
+        self.now.force.model.valid &= self.wear_is_known;
         (self.now.motion, self.now.place) = (motion, place);
     }
 
