@@ -178,7 +178,6 @@ fn the_search_of_a_plan_goes_on_beside_other_screens_and_is_stopped_in_the_list(
                 assert!(!shown.contains("stopped: iteration 0 "), "nothing is lost: {shown}");
                 click(&mut screen, "Move the swarm");
                 show(&mut screen, "Block diagram");
-                assert!(!at_rest(&screen));
             }
             until(&mut screen, at_rest);
             // What was found meanwhile is shown at once.
