@@ -107,7 +107,9 @@ impl Console {
         let run = self.session.chosen().run();
         let digest = match run.end() {
             Some(_) => format!("its digest is {}.", run.recording().digest()),
-            None => "its digest is told here once it is worked out.".to_owned(),
+            None => {
+                "copied when the cut is worked out to its end, it comes with the digest.".to_owned()
+            }
         };
         format!("`steadycut run 'LINK'` repeats the run on the command line: {digest}")
     }

@@ -185,7 +185,7 @@ fn is_networks(name: &str) -> bool {
 }
 
 /// Endings of files that hold tables.
-const TABLES: [&str; 6] = ["csv", "tsv", "txt", "xlsx", "xls", "ods"];
+const TABLES: [&str; 5] = ["csv", "tsv", "xlsx", "xls", "ods"];
 
 fn ends_with_one_of(name: &str, endings: &[&str]) -> bool {
     let ending = name.rsplit_once('.').map(|(_, ending)| ending);
@@ -266,6 +266,8 @@ mod tests {
         for bytes in [&b"x"[..], b"\xef\xbb\xbfx", b"\xff\xfex\0", b"\xfe\xff\0x"] {
             assert_eq!(loaded("x.toml".to_owned(), bytes), Command::Session(text.clone()));
         }
+        let plain = loaded("x.txt".to_owned(), b"x");
+        assert!(matches!(plain, Command::Session(SessionCommand::LoadText { .. })), "{plain:?}");
         assert!(matches!(
             loaded("x.JSON".to_owned(), b"x"),
             Command::Session(SessionCommand::LoadNetworks { .. })
