@@ -1,7 +1,7 @@
 //! The console under a test's hands, for the tests of single screens.
 
-use egui::Vec2;
 use egui::accesskit::Role;
+use egui::{Event, Modifiers, TouchDeviceId, TouchId, TouchPhase, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use steadycut::app::Console;
@@ -69,4 +69,21 @@ pub fn texts(screen: &Screen<'_>) -> String {
         node.label().or_else(|| node.value()).unwrap_or_default()
     });
     nodes.collect::<Vec<String>>().join("\n")
+}
+
+/// One state of a finger, as window systems report it: with a pointer that follows, all at once.
+pub fn finger<State>(window: &mut Harness<'_, State>, at: egui::Pos2, phase: TouchPhase) {
+    let (device_id, id) = (TouchDeviceId(1), TouchId(1));
+    let events = &mut window.input_mut().events;
+    events.push(Event::Touch { device_id, id, phase, pos: at, force: None });
+    events.push(Event::PointerMoved(at));
+    if phase != TouchPhase::Move {
+        let pressed = phase == TouchPhase::Start;
+        let (button, modifiers) = (egui::PointerButton::Primary, Modifiers::NONE);
+        events.push(Event::PointerButton { pos: at, button, pressed, modifiers });
+    }
+    if phase == TouchPhase::End {
+        events.push(Event::PointerGone);
+    }
+    window.run_steps(1);
 }

@@ -3,9 +3,7 @@
 use std::time::{Duration, Instant};
 
 use egui::accesskit::Role;
-use egui::{
-    Event, Key, Modifiers, Pos2, Rect, Theme, TouchDeviceId, TouchId, TouchPhase, Vec2, pos2, vec2,
-};
+use egui::{Event, Key, Modifiers, Pos2, Rect, Theme, TouchPhase, Vec2, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, HarnessBuilder, SnapshotOptions, SnapshotResults};
 use steadycut::app::Console;
@@ -14,7 +12,7 @@ use steadycut::run::edits::Edits;
 use steadycut::run::{Start, presets};
 
 use crate::drawn;
-use crate::screen::{Screen, show, sliced, texts};
+use crate::screen::{Screen, finger, show, sliced, texts};
 
 const DESKTOP: Vec2 = vec2(1280.0, 800.0);
 const PHONE: Vec2 = vec2(390.0, 844.0);
@@ -262,29 +260,14 @@ fn no_plot_moves_when_the_run_before_a_change_comes_into_the_legend() {
 
 /// A finger that goes from a place by a way, in ten frames, rests and is lifted.
 fn swipe(screen: &mut Screen<'_>, from: Pos2, way: Vec2) {
-    let mut finger = |at: Pos2, phase: TouchPhase| {
-        let (device_id, id) = (TouchDeviceId(1), TouchId(1));
-        let events = &mut screen.input_mut().events;
-        events.push(Event::Touch { device_id, id, phase, pos: at, force: None });
-        events.push(Event::PointerMoved(at));
-        if phase != TouchPhase::Move {
-            let pressed = phase == TouchPhase::Start;
-            let (button, modifiers) = (egui::PointerButton::Primary, Modifiers::NONE);
-            events.push(Event::PointerButton { pos: at, button, pressed, modifiers });
-        }
-        if phase == TouchPhase::End {
-            events.push(Event::PointerGone);
-        }
-        screen.run_steps(1);
-    };
-    finger(from, TouchPhase::Start);
+    finger(screen, from, TouchPhase::Start);
     for step in 1..=10 {
-        finger(from + way * (0.1 * step as f32), TouchPhase::Move);
+        finger(screen, from + way * (0.1 * step as f32), TouchPhase::Move);
     }
     for _ in 0..6 {
-        finger(from + way, TouchPhase::Move);
+        finger(screen, from + way, TouchPhase::Move);
     }
-    finger(from + way, TouchPhase::End);
+    finger(screen, from + way, TouchPhase::End);
     screen.run_steps(20);
 }
 

@@ -1,7 +1,7 @@
 //! What hands do to the console: click, type, and touch.
 
 use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers, TouchDeviceId, TouchId, TouchPhase, pos2};
+use egui::{Event, Key, Modifiers, TouchPhase, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use steadycut::app::Console;
@@ -10,6 +10,7 @@ use steadycut::run::edits::Edits;
 use steadycut::run::{Start, presets};
 
 use super::{DESKTOP, PHONE, Window, click, console, playing, press, target_um, window};
+use crate::screen::finger;
 
 /// A click of a mouse, with the frames that a hand takes for it.
 fn click_at(window: &mut Window, at: egui::Pos2) {
@@ -71,23 +72,6 @@ fn numbers_are_typed_with_comma_and_unit_and_faults_are_answered() {
         click(&mut window, "Dismiss");
         assert_eq!(notices(&window), Vec::<String>::new());
     }
-}
-
-/// One state of a finger, as window systems report it: with a pointer that follows, all at once.
-fn finger(window: &mut Window, at: egui::Pos2, phase: TouchPhase) {
-    let (device_id, id) = (TouchDeviceId(1), TouchId(1));
-    let events = &mut window.input_mut().events;
-    events.push(Event::Touch { device_id, id, phase, pos: at, force: None });
-    events.push(Event::PointerMoved(at));
-    if phase != TouchPhase::Move {
-        let pressed = phase == TouchPhase::Start;
-        let (button, modifiers) = (egui::PointerButton::Primary, Modifiers::NONE);
-        events.push(Event::PointerButton { pos: at, button, pressed, modifiers });
-    }
-    if phase == TouchPhase::End {
-        events.push(Event::PointerGone);
-    }
-    window.run_steps(1);
 }
 
 #[test]
