@@ -97,6 +97,10 @@ fn asked(ctx: &Context) -> Option<(LayerId, Rect)> {
             return Some((ctx.layer_id_at(place)?, touch(place)));
         }
     }
+    // What is being written needs no word about it, which would cover what comes of it.
+    if ctx.text_edit_focused() {
+        return None;
+    }
     // The keyboard: a pointer that moves wins.
     let focused = ctx.memory(|memory| memory.focused()).filter(|_| rests >= REST_S)?;
     let response = ctx.read_response(focused)?;

@@ -129,8 +129,10 @@ impl Finder {
             .collapsible(false)
             .resizable(false)
             .anchor(Align2::CENTER_TOP, Vec2::new(0.0, 48.0))
-            .fixed_size(Vec2::new(WIDTH.min(screen.width() - 24.0), 0.0))
-            .show(ctx, |ui| self.body(ui, view, screens, commands));
+            .show(ctx, |ui| {
+                ui.set_width(WIDTH.min(screen.width() - 24.0));
+                self.body(ui, view, screens, commands);
+            });
         self.open &= open;
     }
 
@@ -167,7 +169,7 @@ impl Finder {
             return;
         }
         let height = 0.6 * ui.ctx().content_rect().height();
-        ScrollArea::vertical().max_height(height).show(ui, |ui| {
+        ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
             for entry in found.iter().take(MOST) {
                 ui.separator();
                 if self.row(ui, view, entry, commands)

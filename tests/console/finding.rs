@@ -44,6 +44,15 @@ fn a_word_finds_a_setting_which_is_set_there_and_then() {
             screen.query_by_role_and_label(Role::TextInput, "Find").is_none(),
             "Escape closes it"
         );
+        find(&mut screen, "dead time");
+        screen.run_steps(20);
+        // The glossary's own result, if it is among those in sight; nothing lies over the results.
+        let meaning = terms_in("dead time").next().unwrap().meaning;
+        assert!(screen.query_all_by_label(meaning).count() <= 1);
+        let window = screen.get_by_role_and_label(Role::Window, "Find").rect();
+        assert!(window.height() > 250.0, "several results are seen at once: {window:?}");
+        screen.key_press(Key::Escape);
+        screen.run_steps(3);
         find(&mut screen, "cnc.dead");
         let before = current(&screen).cnc.dead_time_s;
         let field = screen.get_by_role_and_label(Role::SpinButton, "Dead time");
