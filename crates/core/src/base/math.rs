@@ -14,6 +14,69 @@ pub const PI: f64 = std::f64::consts::PI;
 /// A full turn, in radians.
 pub const TAU: f64 = std::f64::consts::TAU;
 
+/// Largest magnitude of a whole exponent that [`power`] multiplies out.
+pub const MAX_WHOLE: f64 = 64.0;
+/// Largest magnitude of a half exponent (1/2, 3/2, 5/2 ...) that [`power`] multiplies out.
+pub const MAX_HALF: f64 = 32.0;
+
+/// x^y, the one definition of `^` in a formula: in a search, in the loop and in what is exported.
+///
+/// | y | x^y |
+/// |---|---|
+/// | whole, at most 64 in magnitude | products ([`whole_power`]); for a negative y 1 over that of -y |
+/// | half of an odd number, at most 32 in magnitude | that product for the whole part times sqrt(x); likewise |
+/// | any other, x > 0 | exp(y ln x) |
+/// | any other, x = 0 | 0 for y > 0, otherwise infinity |
+/// | any other, x < 0 | NaN |
+///
+/// Exact where people expect it, x^2 = x x, and elsewhere no more than two functions that every program has;
+/// [`pow`] is none of these.
+#[must_use]
+#[inline]
+pub fn power(x: f64, y: f64) -> f64 {
+    let magnitude = y.abs();
+    let product = if magnitude <= MAX_WHOLE && magnitude.fract() == 0.0 {
+        whole_power(x, whole(magnitude))
+    } else if magnitude <= MAX_HALF && magnitude.fract() == 0.5 {
+        whole_power(x, whole(magnitude)) * x.sqrt()
+    } else {
+        return other_power(x, y);
+    };
+    if y < 0.0 { 1.0 / product } else { product }
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0..=64")]
+fn whole(magnitude: f64) -> u32 {
+    magnitude as u32
+}
+
+fn other_power(x: f64, y: f64) -> f64 {
+    if x > 0.0 {
+        exp(y * ln(x))
+    } else if x == 0.0 && !y.is_nan() {
+        if y > 0.0 { 0.0 } else { f64::INFINITY }
+    } else {
+        f64::NAN
+    }
+}
+
+/// x^n by products, from the lowest binary digit of n up: x^13 = (x x^4) x^8; x^0 = 1.
+#[must_use]
+#[inline]
+pub fn whole_power(x: f64, n: u32) -> f64 {
+    let (mut product, mut square, mut rest) = (1.0, x, n);
+    while rest > 0 {
+        if rest & 1 == 1 {
+            product *= square;
+        }
+        rest >>= 1;
+        if rest > 0 {
+            square *= square;
+        }
+    }
+    product
+}
+
 /// Limits `x` to `low..=high`; unlike [`f64::clamp`] it never panics: with `low > high` it gives
 /// `high`, and NaN gives `low`. By comparison, since `f64::max` may return either of two zeros.
 #[must_use]
@@ -102,6 +165,37 @@ mod tests {
         assert_eq!(atan(-0.0).to_bits(), (-0.0_f64).to_bits());
         assert!(atan(f64::NAN).is_nan());
         assert!((atan(-1e-300) + 1e-300).abs() < 1e-315);
+    }
+
+    #[test]
+    fn powers_are_products_where_people_expect_them_and_exponentials_elsewhere() {
+        for x in [-7.3, -1.0, 0.3, 1.7, 12.0] {
+            assert_eq!(power(x, 0.0), 1.0);
+            assert_eq!(power(x, 1.0), x);
+            assert_eq!(power(x, 2.0), x * x);
+            assert_eq!(power(x, 3.0), x * (x * x));
+            assert_eq!(
+                power(x, 13.0),
+                x * ((x * x) * (x * x)) * (((x * x) * (x * x)) * ((x * x) * (x * x)))
+            );
+            assert_eq!(power(x, -2.0), 1.0 / (x * x));
+            assert_eq!(power(x, 64.0).to_bits(), whole_power(x, 64).to_bits());
+            assert_eq!(power(x, 0.3).is_nan(), x < 0.0);
+            assert_eq!(power(x, 65.0).is_nan(), x < 0.0, "no product any more");
+        }
+        assert_eq!(power(5.0, 0.5), 5.0_f64.sqrt());
+        assert_eq!(power(5.0, 2.5), 25.0 * 5.0_f64.sqrt());
+        assert_eq!(power(5.0, -1.5), 1.0 / (5.0 * 5.0_f64.sqrt()));
+        assert_eq!(power(5.0, 33.5), exp(33.5 * ln(5.0)), "no product any more");
+        assert_eq!(power(3.0, 0.245), exp(0.245 * ln(3.0)));
+        assert_eq!([power(0.0, 0.3), power(0.0, -0.3)], [0.0, f64::INFINITY]);
+        assert_eq!([power(0.0, 2.0), power(0.0, -2.0)], [0.0, f64::INFINITY]);
+        assert!(power(-2.0, 0.5).is_nan() && power(0.0, f64::NAN).is_nan());
+        for i in 1..2000 {
+            let (x, y) = (f64::from(i) * 0.01, f64::from(i % 97) * 0.13 - 6.0);
+            let reference = pow(x, y);
+            assert!((power(x, y) - reference).abs() <= 1e-14 * reference, "{x}^{y}");
+        }
     }
 
     #[test]

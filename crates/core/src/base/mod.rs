@@ -4,6 +4,7 @@ pub mod cholesky;
 pub mod equation;
 pub mod fft;
 pub mod files;
+pub mod formula;
 pub mod math;
 pub mod network;
 pub mod rng;

@@ -32,7 +32,7 @@ steadycut_core::choice! {
 
 /// A fitted formula.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Formula {
+pub struct FittedForm {
     /// Its form, in words.
     pub form: &'static str,
     /// Number of coefficients.
@@ -121,14 +121,14 @@ fn fit(form: Form, rows: &[TrainingRow]) -> Option<Vec<f64>> {
 ///
 /// # Errors
 /// Names the form that the rows do not determine.
-pub fn fit_all(training: &[TrainingRow], fresh: &[TrainingRow]) -> Result<Vec<Formula>, String> {
+pub fn fit_all(training: &[TrainingRow], fresh: &[TrainingRow]) -> Result<Vec<FittedForm>, String> {
     let mut all = Vec::new();
     for form in Form::ALL {
         let coefficients = fit(*form, training).ok_or_else(|| {
             format!("{} training rows do not determine the {}", training.len(), form.label())
         })?;
         let errors = of_fxy(fresh, |row| value(*form, &coefficients, &row.cut));
-        all.push(Formula { form: form.label(), coefficients: coefficients.len(), errors });
+        all.push(FittedForm { form: form.label(), coefficients: coefficients.len(), errors });
     }
     all.sort_by(|a, b| a.errors.mean_percent.total_cmp(&b.errors.mean_percent));
     Ok(all)

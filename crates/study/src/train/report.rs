@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::data::{NOTE, TrainingRow};
 use super::errors::{TrainingErrors, of_components};
-use super::formula::{Formula, fit_all};
+use super::formula::{FittedForm, fit_all};
 use super::recipe::TrainingRecipe;
 use super::{TrainingSession, split};
 use crate::base::network::{ScaledNetwork, parse};
@@ -36,7 +36,7 @@ pub struct Report {
     /// Over fresh rows without noise.
     pub fresh: TrainingErrors,
     /// Formulas fitted to the rows trained on, judged over the fresh rows, the best first.
-    pub formulas: Vec<Formula>,
+    pub formulas: Vec<FittedForm>,
     /// The 2013 paper's claim in percent: network, best formula.
     pub paper_claims_percent: [f64; 2],
     /// The network file.

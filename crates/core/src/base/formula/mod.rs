@@ -1,0 +1,385 @@
+//! Formulas that people write: read, evaluated, differentiated, simplified, checked for units, bounded over
+//! ranges, and printed for other programs.
+//!
+//! A formula has `+ - * / ^`, a minus sign, `ln exp sqrt sin cos tanh`, numbers, named inputs and named
+//! constants (`pi` and `e` are known). `^` is [`power`](crate::base::math::power), here and in every export.
+//!
+//! ```
+//! use steadycut_core::base::formula::Formula;
+//!
+//! let law = Formula::parse("286.44 - 5.82e-10 n^3 - 8973 ln(0.039 f) / f", &["f", "n"]);
+//! assert!(law.unwrap_err().to_string().contains("expected an operator"));
+//! let law = Formula::parse("286.44 - 5.82e-10*n^3 - 8973*ln(0.039*f)/f", &["f", "n"]).unwrap();
+//! assert_eq!(law.to_string(), "286.44 - 5.82e-10 * n^3 - 8973 * ln(0.039 * f) / f");
+//! assert_eq!(law.size(), 16);
+//! let value = law.compile().value(&[300.0, 1500.0]);
+//! assert_eq!(value, law.value(&[300.0, 1500.0]));
+//! ```
+
+mod derivative;
+mod parse;
+mod program;
+mod simplify;
+#[cfg(test)]
+mod tests;
+mod text;
+
+use std::fmt;
+
+pub use parse::FormulaError;
+pub use program::CompiledFormula;
+
+use super::math;
+
+/// Deepest nesting of a formula that is read or built: what goes over a formula is recursive.
+pub const MAX_DEPTH: usize = 100;
+/// Most nodes of a formula that is read or built.
+pub const MAX_SIZE: usize = 4000;
+
+/// A function of one operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Function {
+    /// Change of sign.
+    Negative,
+    /// Natural logarithm.
+    Ln,
+    /// Exponential.
+    Exp,
+    /// Square root.
+    Sqrt,
+    /// Sine of radians.
+    Sin,
+    /// Cosine of radians.
+    Cos,
+    /// Hyperbolic tangent.
+    Tanh,
+}
+
+impl Function {
+    /// All of them.
+    pub const ALL: [Self; 7] =
+        [Self::Negative, Self::Ln, Self::Exp, Self::Sqrt, Self::Sin, Self::Cos, Self::Tanh];
+
+    /// The name in a formula; `-` for the sign.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Negative => "-",
+            Self::Ln => "ln",
+            Self::Exp => "exp",
+            Self::Sqrt => "sqrt",
+            Self::Sin => "sin",
+            Self::Cos => "cos",
+            Self::Tanh => "tanh",
+        }
+    }
+
+    /// The value at `x`.
+    #[must_use]
+    #[inline]
+    pub fn at(self, x: f64) -> f64 {
+        match self {
+            Self::Negative => -x,
+            Self::Ln => math::ln(x),
+            Self::Exp => math::exp(x),
+            Self::Sqrt => x.sqrt(),
+            Self::Sin => math::sin(x),
+            Self::Cos => math::cos(x),
+            Self::Tanh => math::tanh(x),
+        }
+    }
+}
+
+/// An operator between two operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Operator {
+    /// Sum.
+    Add,
+    /// Difference.
+    Subtract,
+    /// Product.
+    Multiply,
+    /// Quotient.
+    Divide,
+    /// [`power`](math::power).
+    Power,
+}
+
+impl Operator {
+    /// All of them.
+    pub const ALL: [Self; 5] =
+        [Self::Add, Self::Subtract, Self::Multiply, Self::Divide, Self::Power];
+
+    /// The sign in a formula.
+    #[must_use]
+    pub fn sign(self) -> char {
+        match self {
+            Self::Add => '+',
+            Self::Subtract => '-',
+            Self::Multiply => '*',
+            Self::Divide => '/',
+            Self::Power => '^',
+        }
+    }
+
+    /// The value of `x` and `y` in this order.
+    #[must_use]
+    #[inline]
+    pub fn at(self, x: f64, y: f64) -> f64 {
+        match self {
+            Self::Add => x + y,
+            Self::Subtract => x - y,
+            Self::Multiply => x * y,
+            Self::Divide => x / y,
+            Self::Power => math::power(x, y),
+        }
+    }
+}
+
+/// A constant that a formula calls by its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedConstant {
+    /// The name.
+    pub name: String,
+    /// The value.
+    pub value: f64,
+}
+
+/// A part of a formula: a leaf, or an operation on smaller parts.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Node {
+    /// A number; a negative one is one node, not a minus sign before a number.
+    Number(f64),
+    /// An input, by its place in [`Formula::inputs`].
+    Input(usize),
+    /// A constant with a name.
+    Constant(NamedConstant),
+    /// A function of one operand.
+    Unary(Function, Box<Node>),
+    /// An operator between two operands.
+    Binary(Operator, Box<[Node; 2]>),
+}
+
+impl Node {
+    /// A function of an operand; the sign of a number goes into the number.
+    #[must_use]
+    pub fn unary(function: Function, operand: Self) -> Self {
+        match (function, operand.number()) {
+            (Function::Negative, Some(x)) => Self::Number(-x),
+            (_, _) => Self::Unary(function, Box::new(operand)),
+        }
+    }
+
+    /// An operator between two operands.
+    #[must_use]
+    pub fn binary(operator: Operator, left: Self, right: Self) -> Self {
+        Self::Binary(operator, Box::new([left, right]))
+    }
+
+    /// The number, where it is one.
+    #[must_use]
+    pub fn number(&self) -> Option<f64> {
+        if let Self::Number(x) = self { Some(*x) } else { None }
+    }
+
+    /// Its operands, from left to right.
+    #[must_use]
+    pub fn operands(&self) -> &[Self] {
+        match self {
+            Self::Number(_) | Self::Input(_) | Self::Constant(_) => &[],
+            Self::Unary(_, operand) => std::slice::from_ref(&**operand),
+            Self::Binary(_, pair) => &**pair,
+        }
+    }
+
+    /// The number of nodes: every number, input, constant, function and operator counts.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        1 + self.operands().iter().map(Self::size).sum::<usize>()
+    }
+
+    /// The value at `inputs`; NaN for an input that is not there.
+    #[must_use]
+    pub fn value(&self, inputs: &[f64]) -> f64 {
+        match self {
+            Self::Number(x) => *x,
+            Self::Input(index) => inputs.get(*index).copied().unwrap_or(f64::NAN),
+            Self::Constant(constant) => constant.value,
+            Self::Unary(function, operand) => function.at(operand.value(inputs)),
+            Self::Binary(operator, pair) => {
+                operator.at(pair[0].value(inputs), pair[1].value(inputs))
+            }
+        }
+    }
+
+    /// The number of levels, without recursion deeper than `limit`.
+    fn depth(&self, limit: usize) -> usize {
+        if limit == 0 {
+            return 1;
+        }
+        1 + self.operands().iter().map(|node| node.depth(limit - 1)).max().unwrap_or(0)
+    }
+}
+
+/// A formula of named inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    root: Node,
+    inputs: Vec<String>,
+}
+
+impl Formula {
+    /// A formula from its tree.
+    ///
+    /// # Errors
+    /// Says what is wrong: too deep, too large, an input that is not there, a number that is not finite, or a
+    /// minus sign before a number, which is a negative number ([`Node::unary`] makes it so).
+    pub fn new(root: Node, inputs: &[impl AsRef<str>]) -> Result<Self, String> {
+        let inputs: Vec<String> = inputs.iter().map(|name| name.as_ref().to_owned()).collect();
+        if root.depth(MAX_DEPTH) > MAX_DEPTH {
+            return Err(format!("the formula is nested more than {MAX_DEPTH} deep"));
+        }
+        let size = root.size();
+        if size > MAX_SIZE {
+            return Err(format!("the formula has {size} nodes: allowed are {MAX_SIZE}"));
+        }
+        for (index, name) in inputs.iter().enumerate() {
+            if name.is_empty() || name.contains('"') {
+                return Err(format!(
+                    "`{name}` is no name of an input: allowed is any without `\"`"
+                ));
+            }
+            if inputs[..index].contains(name) {
+                return Err(format!("two inputs have the name `{name}`"));
+            }
+        }
+        check(&root, &inputs)?;
+        Ok(Self { root, inputs })
+    }
+
+    /// Reads a formula whose inputs have these names.
+    ///
+    /// # Errors
+    /// Names the place, what stands there and what was expected.
+    pub fn parse(text: &str, inputs: &[impl AsRef<str>]) -> Result<Self, FormulaError> {
+        parse::parse(text, inputs, &[]).map(|(formula, _)| formula)
+    }
+
+    /// The same with constants of its own; a name of these goes before `pi` and `e`.
+    ///
+    /// # Errors
+    /// As [`Self::parse`].
+    pub fn parse_with(
+        text: &str,
+        inputs: &[impl AsRef<str>],
+        constants: &[NamedConstant],
+    ) -> Result<Self, FormulaError> {
+        parse::parse(text, inputs, constants).map(|(formula, _)| formula)
+    }
+
+    /// The outermost part.
+    #[must_use]
+    pub fn root(&self) -> &Node {
+        &self.root
+    }
+
+    /// The names of the inputs, in the order of their values.
+    #[must_use]
+    pub fn inputs(&self) -> &[String] {
+        &self.inputs
+    }
+
+    /// The number of nodes: every number, input, constant, function and operator counts.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.root.size()
+    }
+
+    /// Which inputs it reads.
+    #[must_use]
+    pub fn reads(&self) -> Vec<bool> {
+        let mut reads = vec![false; self.inputs.len()];
+        mark(&self.root, &mut reads);
+        reads
+    }
+
+    /// The value at inputs in the order of [`Self::inputs`], NaN where there is none. [`Self::compile`] is
+    /// faster and gives the same bits.
+    #[must_use]
+    pub fn value(&self, inputs: &[f64]) -> f64 {
+        self.root.value(inputs)
+    }
+
+    /// The derivative by an input, simplified.
+    ///
+    /// # Errors
+    /// The derivative is too deep or too large, or there is no such input.
+    pub fn derivative(&self, input: usize) -> Result<Self, String> {
+        if input >= self.inputs.len() {
+            return Err(format!("there is no input {input}: there are {}", self.inputs.len()));
+        }
+        let raw = derivative::derivative(&self.root, input);
+        let root = simplify::simplify(&raw);
+        Self::new(root, &self.inputs).map_err(|problem| {
+            format!("the derivative by `{}` cannot be written: {problem}", self.inputs[input])
+        })
+    }
+
+    /// A formula of the same values but for rounding, with no more nodes: constants folded, neutral elements
+    /// dropped, like terms and factors collected. What it keeps is every place where the formula has no value:
+    /// x / x stays, since it has none at 0.
+    #[must_use]
+    pub fn simplified(&self) -> Self {
+        let root = simplify::simplify(&self.root);
+        Self::new(root, &self.inputs).unwrap_or_else(|_| self.clone())
+    }
+
+    /// The form that a loop evaluates, without allocation.
+    #[must_use]
+    pub fn compile(&self) -> CompiledFormula {
+        CompiledFormula::new(&self.root, self.inputs.len())
+    }
+}
+
+/// With as few parentheses as needed and the shortest numbers that read back to the same bits.
+impl fmt::Display for Formula {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&text::print(self).0)
+    }
+}
+
+fn check(node: &Node, inputs: &[String]) -> Result<(), String> {
+    match node {
+        Node::Input(index) if *index >= inputs.len() => {
+            return Err(format!("the formula reads input {index}: there are {}", inputs.len()));
+        }
+        Node::Number(x) if !x.is_finite() => {
+            return Err(format!("the formula has the number {x}: allowed are finite ones"));
+        }
+        Node::Constant(constant) if !constant.value.is_finite() => {
+            let NamedConstant { name, value } = constant;
+            return Err(format!("the constant `{name}` is {value}: allowed are finite ones"));
+        }
+        Node::Constant(constant) if inputs.contains(&constant.name) => {
+            return Err(format!("`{}` is an input and a constant", constant.name));
+        }
+        Node::Unary(Function::Negative, operand) if operand.number().is_some() => {
+            return Err("a minus sign before a number: write a negative number".to_owned());
+        }
+        Node::Number(_)
+        | Node::Input(_)
+        | Node::Constant(_)
+        | Node::Unary(..)
+        | Node::Binary(..) => {}
+    }
+    node.operands().iter().try_for_each(|operand| check(operand, inputs))
+}
+
+fn mark(node: &Node, reads: &mut [bool]) {
+    if let Node::Input(index) = node
+        && let Some(read) = reads.get_mut(*index)
+    {
+        *read = true;
+    }
+    node.operands().iter().for_each(|operand| mark(operand, reads));
+}

@@ -1,0 +1,375 @@
+//! Reading a formula. What is wrong is told with its place, what stands there and what was expected.
+//!
+//! ```text
+//! sum     = product { ("+" | "-") product }
+//! product = signed { ("*" | "/") signed }
+//! signed  = "-" signed | power
+//! power   = leaf [ "^" signed ]
+//! leaf    = number | name | "quoted name" | function "(" sum ")" | "(" sum ")"
+//! ```
+
+use std::ops::Range;
+
+use super::{Formula, Function, MAX_DEPTH, MAX_SIZE, NamedConstant, Node, Operator};
+use crate::base::math;
+
+/// Longest text that is read, bytes.
+const MAX_TEXT: usize = 100_000;
+/// Characters shown on either side of a fault in a long line.
+const SHOWN: usize = 60;
+
+/// Why a text is no formula.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("column {column}: {problem}\n{picture}")]
+pub struct FormulaError {
+    /// The column of the fault, from 1, in characters.
+    pub column: usize,
+    /// What stands there and what was expected.
+    pub problem: String,
+    /// The text with a line of carets below the fault.
+    pub picture: String,
+}
+
+impl FormulaError {
+    /// A fault at bytes of a text.
+    pub(super) fn new(text: &str, at: Range<usize>, problem: String) -> Self {
+        let before = text[..at.start].chars().count();
+        let width = text[at.clone()].chars().count().max(1);
+        // A line break or tab would shift the carets.
+        let shown = |c: char| if c.is_control() { ' ' } else { c };
+        let first = before.saturating_sub(SHOWN);
+        let line: String = text.chars().map(shown).skip(first).take(2 * SHOWN).collect();
+        let carets = "^".repeat(width.min(2 * SHOWN - (before - first)));
+        let picture = format!("  {}\n  {}{carets}", line.trim_end(), " ".repeat(before - first));
+        Self { column: before + 1, problem, picture }
+    }
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Token {
+    Number(f64),
+    Name(String),
+    Sign(char),
+    End,
+}
+
+/// Reads a formula; with it where in the text every node stands, in the order of
+/// [`text::print`](super::text::print).
+pub(super) fn parse(
+    text: &str,
+    inputs: &[impl AsRef<str>],
+    constants: &[NamedConstant],
+) -> Result<(Formula, Vec<Range<usize>>), FormulaError> {
+    if text.len() > MAX_TEXT {
+        let problem = format!("the formula has {} bytes: allowed are {MAX_TEXT}", text.len());
+        return Err(FormulaError::new(text, 0..0, problem));
+    }
+    let inputs: Vec<&str> = inputs.iter().map(AsRef::as_ref).collect();
+    let mut parser =
+        Parser { text, inputs: &inputs, constants, at: 0..0, token: Token::End, nodes: 0 };
+    parser.advance()?;
+    let read = parser.sum(0)?;
+    if parser.token != Token::End {
+        return Err(parser.expected("an operator (+ - * / ^) or the end"));
+    }
+    let mut spans = Vec::new();
+    let root = read.place(&mut spans);
+    let formula = Formula::new(root, &inputs)
+        .map_err(|problem| FormulaError::new(text, 0..text.len(), problem))?;
+    Ok((formula, spans))
+}
+
+/// A node with the places of its parts.
+struct Read {
+    node: Node,
+    /// Levels of the node.
+    depth: usize,
+    /// Of the node, then of its operands' nodes.
+    spans: Vec<Range<usize>>,
+}
+
+impl Read {
+    fn leaf(node: Node, at: Range<usize>) -> Self {
+        Self { node, depth: 1, spans: vec![at] }
+    }
+
+    fn place(self, spans: &mut Vec<Range<usize>>) -> Node {
+        spans.extend(self.spans);
+        self.node
+    }
+}
+
+struct Parser<'a> {
+    text: &'a str,
+    inputs: &'a [&'a str],
+    constants: &'a [NamedConstant],
+    /// Where the token stands.
+    at: Range<usize>,
+    token: Token,
+    nodes: usize,
+}
+
+impl Parser<'_> {
+    fn fault(&self, at: Range<usize>, problem: impl Into<String>) -> FormulaError {
+        FormulaError::new(self.text, at, problem.into())
+    }
+
+    fn expected(&self, what: &str) -> FormulaError {
+        let found = match &self.token {
+            Token::End => "the formula ends here".to_owned(),
+            Token::Number(_) | Token::Name(_) | Token::Sign(_) => {
+                format!("found `{}`", &self.text[self.at.clone()])
+            }
+        };
+        let hint = match &self.token {
+            Token::Sign(',') => "; a number has a decimal point, not a comma",
+            Token::Number(_) | Token::Name(_) | Token::Sign('(') if what.contains("operator") => {
+                "; a product needs its `*`"
+            }
+            Token::Number(_) | Token::Name(_) | Token::Sign(_) | Token::End => "",
+        };
+        self.fault(self.at.clone(), format!("expected {what}, but {found}{hint}"))
+    }
+
+    /// Reads the next token.
+    fn advance(&mut self) -> Result<(), FormulaError> {
+        let rest = &self.text[self.at.end..];
+        let start = self.at.end + (rest.len() - rest.trim_start().len());
+        let rest = &self.text[start..];
+        let Some(first) = rest.chars().next() else {
+            (self.at, self.token) = (start..start, Token::End);
+            return Ok(());
+        };
+        let length =
+            |inside: &dyn Fn(char) -> bool| rest.find(|c: char| !inside(c)).unwrap_or(rest.len());
+        let (token, length) = if first.is_ascii_digit() || first == '.' {
+            self.read_number(start)?
+        } else if first.is_alphabetic() || first == '_' {
+            let length = length(&|c| c.is_alphanumeric() || c == '_');
+            (Token::Name(rest[..length].to_owned()), length)
+        } else if first == '"' {
+            let Some(end) = rest[1..].find('"') else {
+                return Err(self.fault(start..self.text.len(), "a quoted name without its end"));
+            };
+            (Token::Name(rest[1..=end].to_owned()), end + 2)
+        } else if "+-*/^(),".contains(first) {
+            (Token::Sign(first), 1)
+        } else {
+            let at = start..start + first.len_utf8();
+            let problem =
+                format!("`{first}` has no meaning in a formula: allowed are + - * / ^ ( )");
+            return Err(self.fault(at, problem));
+        };
+        (self.at, self.token) = (start..start + length, token);
+        Ok(())
+    }
+
+    fn read_number(&self, start: usize) -> Result<(Token, usize), FormulaError> {
+        let bytes = &self.text.as_bytes()[start..];
+        let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
+        let mut length = digits(0);
+        if bytes.get(length) == Some(&b'.') {
+            length += 1 + digits(length + 1);
+        }
+        if matches!(bytes.get(length), Some(b'e' | b'E')) {
+            let signed = matches!(bytes.get(length + 1), Some(b'+' | b'-'));
+            let from = length + 1 + usize::from(signed);
+            let exponent = if from <= bytes.len() { digits(from) } else { 0 };
+            if exponent > 0 {
+                length = from + exponent;
+            }
+        }
+        let text = &self.text[start..start + length];
+        match text.parse::<f64>() {
+            Ok(x) if x.is_finite() => Ok((Token::Number(x), length)),
+            Ok(_) => Err(self.fault(start..start + length, "the number is too large")),
+            Err(_) => Err(self.fault(start..start + length, "this is no number")),
+        }
+    }
+
+    fn count(&mut self, at: &Range<usize>, depth: usize) -> Result<(), FormulaError> {
+        self.nodes += 1;
+        if self.nodes > MAX_SIZE {
+            let problem = format!("the formula has more than {MAX_SIZE} nodes");
+            return Err(self.fault(at.clone(), problem));
+        }
+        self.deep(at, depth)
+    }
+
+    fn deep(&self, at: &Range<usize>, depth: usize) -> Result<(), FormulaError> {
+        if depth < MAX_DEPTH {
+            return Ok(());
+        }
+        Err(self.fault(at.clone(), format!("the formula is nested more than {MAX_DEPTH} deep")))
+    }
+
+    fn join(&mut self, operator: Operator, left: Read, right: Read) -> Result<Read, FormulaError> {
+        let at = left.spans[0].start..right.spans[0].end;
+        let depth = left.depth.max(right.depth);
+        self.count(&at, depth)?;
+        let mut spans = vec![at];
+        let left = left.place(&mut spans);
+        let right = right.place(&mut spans);
+        Ok(Read { node: Node::binary(operator, left, right), depth: depth + 1, spans })
+    }
+
+    fn sum(&mut self, depth: usize) -> Result<Read, FormulaError> {
+        let mut left = self.product(depth)?;
+        loop {
+            let operator = match self.token {
+                Token::Sign('+') => Operator::Add,
+                Token::Sign('-') => Operator::Subtract,
+                Token::Sign(_) | Token::Number(_) | Token::Name(_) | Token::End => return Ok(left),
+            };
+            self.advance()?;
+            let right = self.product(depth)?;
+            left = self.join(operator, left, right)?;
+        }
+    }
+
+    fn product(&mut self, depth: usize) -> Result<Read, FormulaError> {
+        let mut left = self.signed(depth)?;
+        loop {
+            let operator = match self.token {
+                Token::Sign('*') => Operator::Multiply,
+                Token::Sign('/') => Operator::Divide,
+                Token::Sign(_) | Token::Number(_) | Token::Name(_) | Token::End => return Ok(left),
+            };
+            self.advance()?;
+            let right = self.signed(depth)?;
+            left = self.join(operator, left, right)?;
+        }
+    }
+
+    fn signed(&mut self, depth: usize) -> Result<Read, FormulaError> {
+        if self.token != Token::Sign('-') {
+            return self.power(depth);
+        }
+        let start = self.at.start;
+        self.count(&self.at.clone(), depth)?;
+        self.advance()?;
+        let operand = self.signed(depth + 1)?;
+        let at = start..operand.spans[0].end;
+        if operand.node.number().is_some() {
+            return Ok(Read::leaf(Node::unary(Function::Negative, operand.node), at));
+        }
+        let mut spans = vec![at];
+        let depth = operand.depth + 1;
+        let operand = operand.place(&mut spans);
+        Ok(Read { node: Node::unary(Function::Negative, operand), depth, spans })
+    }
+
+    fn power(&mut self, depth: usize) -> Result<Read, FormulaError> {
+        let base = self.leaf(depth)?;
+        if self.token != Token::Sign('^') {
+            return Ok(base);
+        }
+        self.advance()?;
+        let exponent = self.signed(depth + 1)?;
+        self.join(Operator::Power, base, exponent)
+    }
+
+    fn leaf(&mut self, depth: usize) -> Result<Read, FormulaError> {
+        let at = self.at.clone();
+        self.count(&at, depth)?;
+        match self.token.clone() {
+            Token::Number(x) => {
+                self.advance()?;
+                Ok(Read::leaf(Node::Number(x), at))
+            }
+            Token::Name(name) => {
+                let quoted = self.text[at.clone()].starts_with('"');
+                self.advance()?;
+                self.named(&name, quoted, at, depth)
+            }
+            Token::Sign('(') => {
+                self.advance()?;
+                self.nodes -= 1;
+                let mut inside = self.sum(depth + 1)?;
+                let end = self.close()?;
+                // The place of the whole, with its parentheses.
+                inside.spans[0] = at.start..end;
+                Ok(inside)
+            }
+            Token::Sign(_) | Token::End => {
+                Err(self.expected("a number, a name, a function or `(`"))
+            }
+        }
+    }
+
+    /// Reads `)` and returns its end.
+    fn close(&mut self) -> Result<usize, FormulaError> {
+        if self.token != Token::Sign(')') {
+            return Err(self.expected("`)` or an operator (+ - * / ^)"));
+        }
+        let end = self.at.end;
+        self.advance()?;
+        Ok(end)
+    }
+
+    fn named(
+        &mut self,
+        name: &str,
+        quoted: bool,
+        at: Range<usize>,
+        depth: usize,
+    ) -> Result<Read, FormulaError> {
+        let function = Function::ALL.into_iter().find(|function| function.name() == name);
+        if let Some(function) = function.filter(|_| !quoted) {
+            if self.token != Token::Sign('(') {
+                return Err(self.expected(&format!("`(` behind the function `{name}`")));
+            }
+            self.advance()?;
+            let operand = self.sum(depth + 1)?;
+            let whole = at.start..self.close()?;
+            let mut spans = vec![whole];
+            let depth = operand.depth + 1;
+            let operand = operand.place(&mut spans);
+            return Ok(Read { node: Node::unary(function, operand), depth, spans });
+        }
+        if let Some(index) = self.inputs.iter().position(|input| *input == name) {
+            return Ok(Read::leaf(Node::Input(index), at));
+        }
+        let own = self.constants.iter().find(|constant| constant.name == name).cloned();
+        if let Some(constant) = own.or_else(|| known(name)) {
+            return Ok(Read::leaf(Node::Constant(constant), at));
+        }
+        Err(self.fault(at, self.unknown(name)))
+    }
+
+    fn unknown(&self, name: &str) -> String {
+        let called = self.token == Token::Sign('(');
+        let functions = Function::ALL.into_iter().map(Function::name).filter(|name| *name != "-");
+        if called && ["log", "Log", "LN", "Ln"].contains(&name) {
+            return format!("unknown function `{name}`: the natural logarithm is `ln`");
+        }
+        let constants = self.constants.iter().map(|constant| constant.name.as_str());
+        let names: Vec<&str> = if called {
+            functions.collect()
+        } else {
+            self.inputs.iter().copied().chain(constants).chain(["pi", "e"]).collect()
+        };
+        let near = names
+            .iter()
+            // A single letter is like every word that has it.
+            .filter(|known| known.len() > 1 || name.len() == 1)
+            .map(|known| (strsim::jaro_winkler(&name.to_lowercase(), &known.to_lowercase()), known))
+            .filter(|(likeness, _)| *likeness > 0.7)
+            .max_by(|a, b| a.0.total_cmp(&b.0));
+        let kind = if called { "function" } else { "name" };
+        match near {
+            Some((_, near)) => format!("unknown {kind} `{name}`: did you mean `{near}`?"),
+            None => format!("unknown {kind} `{name}`: known are {}", names.join(", ")),
+        }
+    }
+}
+
+/// The constants that every formula knows.
+fn known(name: &str) -> Option<NamedConstant> {
+    let value = match name {
+        "pi" => math::PI,
+        "e" => math::E,
+        _ => return None,
+    };
+    Some(NamedConstant { name: name.to_owned(), value })
+}
