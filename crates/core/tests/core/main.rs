@@ -3,6 +3,7 @@
 mod chip;
 mod earlier_versions;
 mod edges;
+mod formula_exports;
 mod inputs;
 mod links;
 mod matrix;

@@ -19,6 +19,7 @@
 mod certificate;
 mod derivative;
 mod error;
+mod export;
 mod interval;
 mod node;
 mod parse;
@@ -34,6 +35,7 @@ use std::fmt;
 
 pub use certificate::{Certificate, Trend, UncertifiedPlace, widened};
 pub use error::FormulaError;
+pub use export::FormulaLanguage;
 pub use interval::Interval;
 pub use node::{Function, NamedConstant, Node, Operator};
 pub use program::CompiledFormula;

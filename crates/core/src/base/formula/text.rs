@@ -6,7 +6,7 @@ use super::{Formula, Function, Node, Operator};
 
 /// How tightly the outermost operation of a text binds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Binding {
+pub(super) enum Binding {
     Sum,
     Product,
     Sign,
@@ -47,7 +47,8 @@ struct Printer<'a> {
     spans: Vec<Range<usize>>,
 }
 
-fn binding(node: &Node) -> Binding {
+/// How tightly the text of a node binds.
+pub(super) fn binding(node: &Node) -> Binding {
     match node {
         Node::Number(x) if x.is_sign_negative() => Binding::Sign,
         Node::Number(_) | Node::Input(_) | Node::Constant(_) => Binding::Leaf,

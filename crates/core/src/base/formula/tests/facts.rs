@@ -174,3 +174,25 @@ fn simplification_does_what_people_expect() {
         assert_eq!(read(text).simplified().to_string(), simple, "{text}");
     }
 }
+
+#[test]
+fn latex_is_set_as_in_books() {
+    for (text, latex) in [
+        ("-x^2", r"-x^{2}"),
+        ("(-2)^x", r"\left(-2\right)^{x}"),
+        ("(x/y)^2", r"\left(\frac{x}{y}\right)^{2}"),
+        ("(x - 1) * (y + 2)", r"\left(x - 1\right)\, \left(y + 2\right)"),
+        ("5.82e-10 * x", r"5.82 \cdot 10^{-10}\, x"),
+        ("x * 2", r"x \cdot 2"),
+        ("x - (y - 1)", r"x - \left(y - 1\right)"),
+        ("sqrt(x + 1) / 2", r"\frac{\sqrt{x + 1}}{2}"),
+        ("exp(-pi * x)", r"\exp\left(-\pi\, x\right)"),
+        ("1e-5^x", r"\left(1 \cdot 10^{-5}\right)^{x}"),
+        ("x / (y / 2)", r"\frac{x}{\frac{y}{2}}"),
+    ] {
+        assert_eq!(read(text).export(FormulaLanguage::Latex, ""), latex, "{text}");
+    }
+    let named = Formula::parse("F_d * \"feed mm_min\"", &["F_d", "feed mm_min"]).unwrap();
+    let latex = named.export(FormulaLanguage::Latex, "");
+    assert_eq!(latex, r"F_{\mathrm{d}}\, \mathrm{feed~mm\_min}");
+}
