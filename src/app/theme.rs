@@ -190,6 +190,8 @@ pub enum Look {
     Twin,
     /// The run before the last change.
     Ghost,
+    /// The run after the last change, ahead of a playhead that stands.
+    Future,
     /// The boundary of a constraint of the plan, by its number in the list of seven.
     Constraint(usize),
     /// The searched cutting speed where it is fixed.
@@ -211,6 +213,7 @@ impl Look {
             Self::Limit => (1.2, palette.limit, LineStyle::Dashed { length: 6.0 }),
             Self::Twin => (1.2, palette.twin, LineStyle::Dashed { length: 6.0 }),
             Self::Ghost => (1.3, palette.ghost, LineStyle::Dotted { spacing: 5.0 }),
+            Self::Future => (1.5, palette.produced, LineStyle::Dashed { length: 3.0 }),
             Self::Searched => (1.2, palette.weak, LineStyle::Dashed { length: 6.0 }),
             Self::Axis(0) => (1.4, palette.command, LineStyle::Solid),
             Self::Axis(1) => (1.4, palette.limit, LineStyle::Dashed { length: 8.0 }),

@@ -147,6 +147,31 @@ fn a_drag_is_one_step_of_undo_and_undo_never_moves_the_playhead() {
     assert_eq!(target_um(&window), dragged);
 }
 
+/// A new future and the old one have names of their own in the legend, and a plot does not move when they come.
+#[test]
+fn what_is_to_come_and_what_would_have_come_are_in_the_legend() {
+    let mut window = window(DESKTOP);
+    window.run_steps(60);
+    click(&mut window, "Pause");
+    let shown = |window: &Window, name: &str| {
+        window.query_all_by_role_and_label(Role::CheckBox, name).count()
+    };
+    let roughness = |window: &Window| {
+        let charts = window.query_all_by(|node| {
+            node.label().is_some_and(|label| label.starts_with("Roughness from"))
+        });
+        charts.map(|node| node.rect()).next().expect("the chart of Ra")
+    };
+    assert_eq!(["before", "from now on"].map(|name| shown(&window, name)), [0, 0]);
+    let place = roughness(&window);
+    drag_target(&mut window, 0.66);
+    assert_eq!(["before", "from now on"].map(|name| shown(&window, name)), [1, 1]);
+    assert_eq!(roughness(&window), place);
+    click(&mut window, "Play");
+    window.run_steps(5);
+    assert_eq!(["before", "from now on"].map(|name| shown(&window, name)), [1, 0]);
+}
+
 #[test]
 fn pause_scrub_and_keys_move_the_playhead() {
     let mut window = window(DESKTOP);

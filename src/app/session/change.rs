@@ -3,6 +3,7 @@
 use super::{HAIR_S, MAX_UNDO, Plan, Session, TICKS_PER_FRAME};
 use crate::app::command::{PlaybackCommand, SessionCommand};
 use crate::app::cut::{Ghost, first_difference};
+use crate::app::playback::Speed;
 use crate::base::settings::{SettingError, Value};
 use crate::blocks::control::ControllerKind;
 use crate::models::unks::Stored;
@@ -12,9 +13,9 @@ use crate::run::scenario::param;
 use crate::run::{presets, scenario_file};
 use crate::study::unks_passes::beginning_with;
 
-/// Values of one drag are kept at this distance at least, s: a link must not grow with the frame
-/// rate.
-const DRAG_S: f64 = 0.1;
+/// Values of one drag are kept at this distance of real time at least, s: a link must not grow with the frame
+/// rate, nor with the speed of playing.
+const DRAG_S: f64 = 0.25;
 
 /// A plan with the scenario itself changed, and what that ends.
 struct Rewritten {
@@ -192,8 +193,12 @@ impl Session {
         edits.truncate(at_s + 0.5 * dt_s);
         let later = before - edits.list().len();
         // A drag sends a value every frame: within a short time only the last one is kept.
+        let apart_s = match self.playback.speed {
+            Speed::Times(factor) => DRAG_S * factor.max(1.0),
+            Speed::Max => DRAG_S,
+        };
         let dragged = |edit: &&Edit| {
-            self.gesture.as_deref() == Some(path) && edit.path == path && at_s - edit.at_s < DRAG_S
+            self.gesture.as_deref() == Some(path) && edit.path == path && at_s - edit.at_s < apart_s
         };
         let at_s = edits.list().last().filter(dragged).map_or(at_s, |edit| edit.at_s);
         edits.push(&scenario, Edit { at_s, path: path.to_owned(), value })?;

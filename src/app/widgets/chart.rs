@@ -16,8 +16,8 @@ use super::plot::{near, still, tick};
 use super::zoom::{by_touch, zoom};
 use crate::run::signals::SIGNALS;
 pub use content::{Axes, Chart, ChartCurve};
-use content::{GHOST, TWIN, TWIN_HELP, index};
-use curves::{band, fit_values, lines};
+use content::{FUTURE, FUTURE_HELP, GHOST, GHOST_HELP, TWIN, TWIN_HELP, index};
+use curves::{band, fit_values, future_is_shown, lines};
 use reading::reading;
 
 /// Draws the chart into `ui`, `height` points high with its title and legend; gives back where
@@ -86,6 +86,34 @@ pub fn show(
     response.transform.frame().x_range()
 }
 
+/// The legend of what all charts compare with: the twin, the run before the last change and after it.
+/// A click shows or hides it in all of them.
+pub fn legend_of_all(ui: &mut Ui, session: &Session, axes: &mut Axes) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = egui::vec2(14.0, 1.0);
+        ui.spacing_mut().interact_size.y = 14.0;
+        let changed = session.ghost().is_some();
+        for (name, look, help, shown) in [
+            (TWIN, Look::Twin, TWIN_HELP, true),
+            (GHOST, Look::Ghost, GHOST_HELP, changed),
+            (FUTURE, Look::Future, FUTURE_HELP, future_is_shown(session)),
+        ] {
+            // Its place is kept free: a change, in the middle of a drag mostly, moves no plot.
+            let entry = |ui: &mut Ui| switch(ui, axes, (content::ALL, name), look);
+            ui.add_visible(shown, entry).on_hover_text(help);
+        }
+    });
+}
+
+/// An entry of a legend that shows or hides its line.
+fn switch(ui: &mut Ui, axes: &mut Axes, key: (&'static str, &'static str), look: Look) -> egui::Response {
+    let response = legend::entry(ui, key.1, look, axes.hidden.contains(&key));
+    if response.clicked() && !axes.hidden.remove(&key) {
+        axes.hidden.insert(key);
+    }
+    response
+}
+
 /// Title with unit, the values at the playhead, and the entries of the legend.
 fn legend_row(
     ui: &mut Ui,
@@ -104,23 +132,10 @@ fn legend_row(
             reading(ui, curve, session.row(), chart.write);
         }
         let mut entry = |ui: &mut Ui, name: &'static str, look: Look| {
-            let key = (chart.id, name);
-            let hidden = axes.hidden.contains(&key);
-            let response = legend::entry(ui, name, look, hidden);
-            let response = if name == TWIN { response.on_hover_text(TWIN_HELP) } else { response };
-            if response.clicked() && !axes.hidden.remove(&key) {
-                axes.hidden.insert(key);
-            }
-            response
+            switch(ui, axes, (chart.id, name), look);
         };
         for curve in chart.curves {
             entry(ui, SIGNALS[index(curve.signal)].label, curve.look);
-        }
-        if chart.curves.iter().any(|curve| curve.compared) {
-            entry(ui, TWIN, Look::Twin);
-            // Its place is kept free: a change, in the middle of a drag mostly, moves no plot.
-            let shown = session.ghost().is_some();
-            ui.add_visible(shown, |ui: &mut Ui| entry(ui, GHOST, Look::Ghost));
         }
         // Those out of the picture need no explanation.
         for (name, _) in chart.levels.iter().filter(|(_, level)| (low..=high).contains(level)) {

@@ -1,6 +1,9 @@
 //! The whole state in a link: what differs from the default scenario, as a query string after
-//! `#`: `v=1&target.ra_um=0.9&at.3.5.plant.wear_factor=1.2` (the last is an edit at 3.5 s). Where
-//! that is shorter, all that follows the version is packed: `v=1&z=` and the text of `packed.rs`.
+//! `#`: `v=1&target.ra_um=0.9&at.3.5.plant.wear_factor=1.2` (the last is an edit at 3.5 s). The many edits of a
+//! drag are one part (`series.rs`). Where that is shorter, all that follows the version is packed: `v=1&z=` and
+//! the text of `packed.rs`.
+
+mod series;
 
 use std::borrow::Cow;
 
@@ -102,7 +105,9 @@ fn parse_exactly(fragment: &str) -> Result<(Scenario, Edits), SettingError> {
         if key == "v" {
             continue;
         }
-        if let Some(edit) = key.strip_prefix("at.") {
+        if let Some(path) = key.strip_prefix(series::KEY) {
+            edits.extend(series::read(path, &value).map_err(format_error)?);
+        } else if let Some(edit) = key.strip_prefix("at.") {
             edits.push(parse_edit(edit, &value)?);
         } else {
             changes.push((key.clone(), parse_value(&key, &value)?));
@@ -159,8 +164,16 @@ pub fn write(scenario: &Scenario, edits: &Edits) -> String {
     for (param, value) in chosen.chain(scenario.difference(&choices)) {
         parts.push(format!("{}={}", param.path, encode(&value.to_string())));
     }
-    for edit in edits.list() {
-        parts.push(format!("at.{}.{}={}", edit.at_s, edit.path, encode(&edit.value.to_string())));
+    let mut left = edits.list();
+    while let [first, ..] = left {
+        if let Some((key, value, count)) = series::write(left) {
+            parts.push(format!("{key}={value}"));
+            left = &left[count..];
+        } else {
+            let value = encode(&first.value.to_string());
+            parts.push(format!("at.{}.{}={value}", first.at_s, first.path));
+            left = &left[1..];
+        }
     }
     let version = format!("v={FORMAT_VERSION}");
     if parts.is_empty() {

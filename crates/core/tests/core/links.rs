@@ -125,3 +125,34 @@ fn what_is_packed_wrongly_is_refused_with_a_reason() {
     assert!(message(&packed(&packed("target.ra_um=0.6")[4..])).contains("twice"));
     assert!(message(&packed("target.ra_um=0.6").replace("v=1&", "")).contains("v=1"));
 }
+
+/// A slider dragged to and fro for 40 s as the console keeps it: a value each quarter of a second and up to a
+/// frame more, with the slider's three decimals.
+#[test]
+fn a_storm_of_edits_is_some_hundred_characters() {
+    let scenario = load("first-cut").unwrap();
+    let mut edits = Edits::none();
+    let mut at_us = 1_000_000_u64;
+    for i in 0..160_u64 {
+        let wave = (i as f64 * 0.37).sin() + (i as f64 * 0.113).cos();
+        let value = Value::Float(((1.4 + 0.6 * wave) * 1000.0).round() / 1000.0);
+        edits
+            .push(&scenario, Edit { at_s: at_us as f64 / 1e6, path: "target.ra_um".into(), value })
+            .unwrap();
+        at_us += 250_000 + 1000 * ((i * 7919) % 17);
+    }
+    let link = write(&scenario, &edits);
+    assert!(link.len() < 900, "{} characters", link.len());
+    assert_eq!(parse(&link).unwrap(), (scenario.clone(), edits));
+    // The program of before wrote them one by one; that still opens, and so do both in one link.
+    let mixed = "v=1&at.3.target.ra_um=0.7&series.target.ra_um=0:5,1,1,1:1:5,1,1,1&at.6.5.plant.wear_factor=1.2";
+    let (base, mixed) = parse(mixed).unwrap();
+    let times: Vec<f64> = mixed.list().iter().map(|edit| edit.at_s).collect();
+    assert_eq!(times, [3.0, 5.0, 6.0, 6.5, 7.0, 8.0]);
+    assert_eq!(parse(&write(&base, &mixed)).unwrap().1, mixed);
+    // A series obeys the range and the kind of its setting.
+    let outside = parse("v=1&series.target.ra_um=0:5,1,1,1:0:1,1,1,90").unwrap_err().to_string();
+    assert!(outside.contains("target.ra_um") && outside.contains("93"), "{outside}");
+    let kind = parse("v=1&series.controller.kind=0:5,1,1,1:0:1,1,1,1").unwrap_err().to_string();
+    assert!(kind.contains("controller.kind"), "{kind}");
+}

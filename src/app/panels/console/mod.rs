@@ -215,6 +215,7 @@ impl ConsolePanel {
             let gap = egui::vec2(18.0, ui.spacing().item_spacing.y);
             let beside = columns > 1;
             let mut axis = None;
+            chart::legend_of_all(ui, view.session, &mut self.axes);
             let room = ui.available_height() - bands::total_height(view, beside) - gap.y;
             let height = room / rows as f32 - gap.y;
             let least =

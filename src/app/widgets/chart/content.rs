@@ -51,10 +51,12 @@ pub struct Axes {
     pub(super) zoomed: Option<[f64; 2]>,
     /// Where a drag over a range of time began, points.
     pub(super) drag: Option<f32>,
-    /// Legend entries switched off: chart and name.
+    /// Legend entries switched off: chart (or [`ALL`]) and name.
     pub(super) hidden: BTreeSet<(&'static str, &'static str)>,
 }
 
+/// Stands for the chart where an entry is one of all charts.
+pub(super) const ALL: &str = "all";
 /// The legend's name of the twin.
 pub(super) const TWIN: &str = "constant feed";
 /// What the twin's line is, where it is hovered.
@@ -63,6 +65,12 @@ pub(super) const TWIN_HELP: &str = "The same part cut at the programmed feed, wi
     earlier or later than the cut.";
 /// The legend's name of the run before the last change.
 pub(super) const GHOST: &str = "before";
+/// What that line is, where it is hovered.
+pub(super) const GHOST_HELP: &str = "The run as it went on before the last change.";
+/// The legend's name of the run after the last change.
+pub(super) const FUTURE: &str = "from now on";
+/// What that line is, where it is hovered.
+pub(super) const FUTURE_HELP: &str = "What the run does after the last change, ahead of the playhead.";
 
 impl Axes {
     /// The range of time in the picture.

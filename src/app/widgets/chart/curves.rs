@@ -2,7 +2,7 @@
 
 use egui_plot::{FilledArea, Line, PlotPoints};
 
-use super::content::{Axes, Chart, GHOST, TWIN, index};
+use super::content::{ALL, Axes, Chart, FUTURE, GHOST, TWIN, index};
 use crate::app::cut::Cut;
 use crate::app::session::Session;
 use crate::app::theme::{Look, Palette};
@@ -84,6 +84,12 @@ fn without_flats(points: Vec<[f64; 2]>, span: f64) -> Vec<[f64; 2]> {
     kept
 }
 
+/// Whether what is to come is drawn: after a change, while the playhead stands before the end.
+pub(super) fn future_is_shown(session: &Session) -> bool {
+    let playback = session.playback();
+    session.ghost().is_some() && !playback.playing && !playback.at_end
+}
+
 pub(super) fn lines(
     chart: &Chart,
     session: &Session,
@@ -94,6 +100,7 @@ pub(super) fn lines(
 ) -> Vec<Line<'static>> {
     let span = values[1] - values[0];
     let shown = |name: &'static str| !axes.hidden.contains(&(chart.id, name));
+    let compared = |name: &'static str| !axes.hidden.contains(&(ALL, name));
     let line = |name: &str, look: Look, points: Vec<[f64; 2]>| {
         let (stroke, style) = look.line(palette);
         let lines = pieces(&points).into_iter().map(|piece| {
@@ -110,13 +117,13 @@ pub(super) fn lines(
     for curve in chart.curves {
         let label = SIGNALS[index(curve.signal)].label;
         let chosen = session.chosen();
-        if curve.compared && shown(TWIN) {
+        if curve.compared && compared(TWIN) {
             let end = session.twin().run().recording().index_at(playhead_s) + 1;
             let points = visible(session.twin(), curve.signal, range, end, width);
             lines.extend(line(&format!("{label}, {TWIN}"), Look::Twin, points));
         }
         if curve.compared
-            && shown(GHOST)
+            && compared(GHOST)
             && let Some(ghost) = session.ghost()
         {
             let from = [range[0].max(ghost.from_s), range[1]];
@@ -125,13 +132,11 @@ pub(super) fn lines(
             lines.extend(line(&format!("{label}, {GHOST}"), Look::Ghost, points));
         }
         if shown(label) {
-            // While it stands still after a change, what is to come is shown faintly.
-            if curve.compared && session.ghost().is_some() && !session.playback().playing {
+            // While it stands still after a change, what is to come is shown as well.
+            if curve.compared && compared(FUTURE) && future_is_shown(session) {
                 let from = [range[0].max(playhead_s), range[1]];
                 let points = visible(chosen, curve.signal, from, usize::MAX, width);
-                let preview = line(&format!("{label}, to come"), curve.look, points);
-                let faint = |line: Line<'static>| line.color(palette.dynamics).width(1.2);
-                lines.extend(preview.into_iter().map(faint));
+                lines.extend(line(&format!("{label}, {FUTURE}"), Look::Future, points));
             }
             let points = visible(chosen, curve.signal, range, revealed, width);
             lines.extend(line(label, curve.look, points));
