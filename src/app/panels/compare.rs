@@ -5,6 +5,7 @@ mod boxes;
 mod contest;
 mod controls;
 mod robust;
+mod sheets;
 mod step;
 mod table;
 mod told;
@@ -14,6 +15,7 @@ use egui::{Frame, Margin, RichText, Ui};
 use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
+use crate::app::widgets::save_table::save_table;
 use crate::app::widgets::scaffold;
 use crate::study::compare::outcome::Measure;
 use contest::Contests;
@@ -77,10 +79,12 @@ impl ComparePanel {
         } else {
             table::table(ui, contest.entrants(), compared, printed, commands);
         }
+        let sheet = || sheets::compared(compared, printed);
+        save_table(ui, "comparison", sheet, commands);
         ui.add_space(8.0);
         boxes::show(ui, &contest.runs(), compared, &mut self.measure, printed);
-        step::show(ui, contest, printed);
+        step::show(ui, contest, printed, commands);
         told::show(ui, compared, contest.transients(), printed);
-        robust::show(ui, &mut self.contests.robust, view.jobs);
+        robust::show(ui, &mut self.contests.robust, view.jobs, commands);
     }
 }

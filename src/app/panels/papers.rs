@@ -5,6 +5,7 @@
 
 mod deviations;
 mod machine;
+mod sheets;
 mod table;
 
 use std::collections::BTreeMap;
@@ -16,6 +17,7 @@ use crate::app::command::{Command, SessionCommand, ShellCommand};
 use crate::app::format;
 use crate::app::jobs::Work;
 use crate::app::theme::{self, Palette};
+use crate::app::widgets::save_table::save_table;
 use crate::base::settings::Choice;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::Calibration;
@@ -123,8 +125,10 @@ impl PapersPanel {
         } else {
             table::table(ui, shown, table, commands);
         }
+        let what = format!("table-{}", shown.paper.id());
+        save_table(ui, &what, || sheets::simulated(shown.paper, table), commands);
         if over {
-            deviations::show(ui, shown.paper, table);
+            deviations::show(ui, shown.paper, table, commands);
         }
         errata(ui, table.errata);
     }

@@ -25,6 +25,7 @@ use egui::{CollapsingHeader, Panel as SidePanel, RichText, ScrollArea, Ui};
 use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
+use crate::app::widgets::save_table::save_table;
 use crate::app::widgets::scaffold;
 use map::Map;
 use marks::Moving;
@@ -193,6 +194,7 @@ impl PlanPanel {
         answer::show(ui, found, view.session.scenario(), commands);
         ui.add_space(4.0);
         table::show(ui, &found.optimum().constraints, &mut self.open);
+        save_table(ui, "plan", || table::sheet(found.optimum()), commands);
     }
 
     fn convergence(&mut self, ui: &mut Ui) {

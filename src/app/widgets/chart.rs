@@ -106,7 +106,12 @@ pub fn legend_of_all(ui: &mut Ui, session: &Session, axes: &mut Axes) {
 }
 
 /// An entry of a legend that shows or hides its line.
-fn switch(ui: &mut Ui, axes: &mut Axes, key: (&'static str, &'static str), look: Look) -> egui::Response {
+fn switch(
+    ui: &mut Ui,
+    axes: &mut Axes,
+    key: (&'static str, &'static str),
+    look: Look,
+) -> egui::Response {
     let response = legend::entry(ui, key.1, look, axes.hidden.contains(&key));
     if response.clicked() && !axes.hidden.remove(&key) {
         axes.hidden.insert(key);

@@ -6,6 +6,7 @@ pub mod icon;
 pub mod legend;
 pub mod number;
 pub mod plot;
+pub mod save_table;
 pub mod scaffold;
 pub mod setting;
 pub mod target;

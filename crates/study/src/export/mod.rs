@@ -1,3 +1,4 @@
-//! Exports of a run to any writer.
+//! Exports of a run, and of tables of results.
 
 pub mod csv;
+pub mod sheet;

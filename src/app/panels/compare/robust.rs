@@ -4,10 +4,13 @@
 use egui::{Grid, ProgressBar, RichText, ScrollArea, TextWrapMode, Ui};
 
 use super::contest::Robust;
+use super::sheets;
 use super::table::value;
+use crate::app::command::Command;
 use crate::app::jobs::Jobs;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
+use crate::app::widgets::save_table::save_table;
 use crate::run::job::Progress;
 use crate::study::compare::outcome::Measure;
 use crate::study::compare::robustness::{CONDITIONS, RobustnessRow, material_claim, methods};
@@ -19,7 +22,7 @@ const NOTE: f32 = 11.5;
 const MEASURES: [Measure; 3] = [Measure::Nsn, Measure::Time, Measure::Force];
 
 /// The section.
-pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs) {
+pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
     ui.add_space(8.0);
     ui.heading("Without retuning anything");
@@ -72,6 +75,7 @@ pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs) {
             }
         });
     });
+    save_table(ui, "changed-conditions", || sheets::robustness(rows), commands);
     if let Some(claim) = material_claim(rows) {
         let color = if claim.verdict == Verdict::Holds { palette.good } else { palette.bad };
         let mark = claim.verdict.label();

@@ -3,12 +3,15 @@
 use egui::{Grid, RichText, Ui};
 
 use super::contest::Contest;
+use super::sheets;
 use super::table::printed_of;
+use crate::app::command::Command;
 use crate::app::format;
 use crate::app::theme::Palette;
+use crate::app::widgets::save_table::save_table;
 
 /// The section; the printed table belongs to what is shown or not.
-pub fn show(ui: &mut Ui, contest: &Contest, belongs: bool) {
+pub fn show(ui: &mut Ui, contest: &Contest, belongs: bool, commands: &mut Vec<Command>) {
     if !contest.has_load_step() {
         return;
     }
@@ -45,4 +48,6 @@ pub fn show(ui: &mut Ui, contest: &Contest, belongs: bool) {
             ui.end_row();
         }
     });
+    let sheet = || sheets::load_step(contest.transients(), belongs);
+    save_table(ui, "load-step", sheet, commands);
 }

@@ -7,8 +7,10 @@ use crate::app::format::{deviation, number};
 use crate::app::jobs::Work;
 use crate::app::panels::View;
 use crate::app::theme::Palette;
+use crate::app::widgets::save_table::save_table;
 use crate::base::units::percent_from_ratio;
 use crate::run::scenario::Scenario;
+use crate::study::export::sheet::{Entry, Sheet};
 use crate::study::unks_passes::{BETTER, Pass, Passes, PassesVerdict, beginning_with};
 
 /// How many passes.
@@ -59,6 +61,9 @@ impl PassesView {
             ui.add(bar.desired_height(16.0));
         }
         table(ui, &so_far.done);
+        if !so_far.done.is_empty() {
+            save_table(ui, "passes", || sheet(&so_far.done), commands);
+        }
         if let Some(refused) = &so_far.refused {
             ui.label(RichText::new(format!("No further pass: {refused}")).color(palette.bad));
         }
@@ -107,6 +112,26 @@ fn table(ui: &mut Ui, passes: &[Pass]) {
             ui.end_row();
         }
     });
+}
+
+/// The passes as a file.
+fn sheet(passes: &[Pass]) -> Sheet {
+    let first =
+        ["Pass", "Nsn", "Time [s]", "Largest force [kN]", "Feedback [%]"].map(str::to_owned);
+    let quarters = (1..=4).map(|quarter| format!("Feedback in quarter {quarter} [%]"));
+    let mut sheet = Sheet::new(first.into_iter().chain(quarters));
+    for pass in passes {
+        let first = [
+            f64::from(pass.number).into(),
+            pass.normalized_standard_error.into(),
+            pass.time_of_cut_s.into(),
+            pass.max_force_kn.into(),
+            percent_from_ratio(pass.feedback).into(),
+        ];
+        let quarters = pass.feedback_by_quarter.map(|share| Entry::from(percent_from_ratio(share)));
+        sheet.row(first.into_iter().chain(quarters));
+    }
+    sheet
 }
 
 fn judge(ui: &mut Ui, verdict: &PassesVerdict) {

@@ -169,7 +169,7 @@ impl MachinePanel {
         match (self.part, &self.machine, &self.life) {
             (Part::Vibration, Some(machine), _) => {
                 let force_n = scenario.life.contact_force_n;
-                self.vibration.show(ui, machine, tooth_hz, force_n, height);
+                self.vibration.show(ui, machine, tooth_hz, force_n, height, commands);
             }
             (Part::Life, _, Some(life)) => {
                 self.wear.show(ui, life, (&self.in_cut, view.session), height)

@@ -6,9 +6,13 @@ use super::motion::{Drive, MotionPicture};
 use super::picture;
 use super::response::ResponseView;
 use super::state::MachineState;
+use crate::app::command::Command;
 use crate::app::format;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
+use crate::app::widgets::save_table::save_table;
+use crate::models::structure::parameters::NODES;
+use crate::study::export::sheet::{Entry, Sheet};
 
 /// From this width on, points, picture and response stand beside each other.
 const BESIDE_FROM: f32 = 760.0;
@@ -55,18 +59,19 @@ impl VibrationView {
         tooth_hz: f64,
         force_n: f64,
         seen_height: f32,
+        commands: &mut Vec<Command>,
     ) {
         if ui.available_width() < BESIDE_FROM {
             self.picture(ui, machine, tooth_hz, force_n, PICTURE);
             self.response(ui, machine, tooth_hz, RESPONSE);
-            self.modes(ui, machine);
+            self.modes(ui, machine, commands);
             return;
         }
         let height = seen_height.max(PICTURE + 0.5 * MODES);
         ui.columns_const(|[left, right]| {
             self.picture(left, machine, tooth_hz, force_n, height);
             self.response(right, machine, tooth_hz, height - MODES);
-            self.modes(right, machine);
+            self.modes(right, machine, commands);
         });
     }
 
@@ -136,7 +141,7 @@ impl VibrationView {
     }
 
     /// The modes; a click lets one swing.
-    fn modes(&mut self, ui: &mut Ui, machine: &MachineState) {
+    fn modes(&mut self, ui: &mut Ui, machine: &MachineState, commands: &mut Vec<Command>) {
         let palette = Palette::at(ui);
         ui.add_space(2.0);
         ui.label(RichText::new("Modes").strong());
@@ -161,7 +166,21 @@ impl VibrationView {
                 ui.end_row();
             }
         });
+        save_table(ui, "modes", || sheet(machine), commands);
     }
+}
+
+/// The modes as a file, with the shape of each.
+fn sheet(machine: &MachineState) -> Sheet {
+    let titles = ["Mode", "Frequency [Hz]", "Damping ratio"].map(str::to_owned);
+    let mut sheet =
+        Sheet::new(titles.into_iter().chain(NODES.map(|node| format!("Shape at {node}"))));
+    for (i, mode) in machine.modes.iter().enumerate() {
+        let first = [(i + 1) as f64, mode.free.frequency_hz].map(Entry::from);
+        let shape = mode.free.shape.map(Entry::from);
+        sheet.row(first.into_iter().chain([mode.damping_ratio.into()]).chain(shape));
+    }
+    sheet
 }
 
 fn hertz(f_hz: f64) -> String {
@@ -170,7 +189,6 @@ fn hertz(f_hz: f64) -> String {
 
 /// The nodes that move at least a third as far as the one that moves most.
 fn movers(shape: &[f64; 5]) -> String {
-    use crate::models::structure::parameters::NODES;
     let largest = shape.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
     let mut parts: Vec<(f64, &str)> =
         shape.iter().map(|x| x / largest).zip(NODES).filter(|(x, _)| x.abs() > 1.0 / 3.0).collect();

@@ -2,7 +2,10 @@
 
 use egui::{Grid, ScrollArea, Ui};
 
+use super::sheets;
+use crate::app::command::Command;
 use crate::app::format;
+use crate::app::widgets::save_table::save_table;
 use crate::study::papers::{PaperRow, PaperTable};
 use crate::study::published::PaperId;
 
@@ -12,6 +15,8 @@ fn off(is: f64, wanted: f64) -> f64 {
 
 /// A column: its title, and the deviation in a row in words.
 type Column = (&'static str, fn(&PaperRow) -> String);
+/// The columns of a paper.
+pub type Columns = Vec<&'static Column>;
 
 const RA: [Column; 2] = [
     ("Ra printed", |row| format::deviation(row.ra_deviation_printed_percent)),
@@ -64,7 +69,7 @@ fn extremes(table: &PaperTable) -> String {
 }
 
 /// The section of the screen.
-pub fn show(ui: &mut Ui, paper: PaperId, table: &PaperTable) {
+pub fn show(ui: &mut Ui, paper: PaperId, table: &PaperTable, commands: &mut Vec<Command>) {
     ui.add_space(10.0);
     ui.heading("The paper's own deviations");
     let [findings, runs] = words(paper);
@@ -73,23 +78,25 @@ pub fn show(ui: &mut Ui, paper: PaperId, table: &PaperTable) {
         extremes(table)
     ));
     let force: &[Column] = if paper == PaperId::Sdnrp2007 { &FORCE } else { &[] };
-    let columns = || RA.iter().chain(force);
+    let columns: Columns = RA.iter().chain(force).collect();
     let grid = Grid::new("deviations").striped(true).min_col_width(24.0).spacing([12.0, 3.0]);
     let figures = |ui: &mut Ui| {
         ui.strong("Sim");
-        columns().for_each(|(title, _)| {
+        columns.iter().for_each(|(title, _)| {
             ui.strong(*title);
         });
         ui.end_row();
         for row in &table.rows {
             ui.label(row.sim.to_string());
-            columns().for_each(|(_, text)| {
+            columns.iter().for_each(|(_, text)| {
                 ui.label(text(row));
             });
             ui.end_row();
         }
     };
     ScrollArea::horizontal().id_salt("deviations").show(ui, |ui| grid.show(ui, figures));
+    let what = format!("deviations-{}", paper.id());
+    save_table(ui, &what, || sheets::deviations(&columns, table), commands);
 }
 
 #[cfg(test)]

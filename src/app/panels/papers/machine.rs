@@ -3,8 +3,10 @@
 
 use egui::{Grid, RichText, ScrollArea, TextWrapMode, Ui};
 
+use super::sheets;
 use crate::app::command::{Command, ShellCommand};
 use crate::app::theme::{self, Palette};
+use crate::app::widgets::save_table::save_table;
 use crate::study::papers_2019::{NOT_REPRODUCED, REPRODUCED, table};
 
 /// A number of any size as the paper prints it.
@@ -49,6 +51,7 @@ pub fn show(ui: &mut Ui, measured: &[String], commands: &mut Vec<Command>) {
         });
     });
     ui.horizontal_wrapped(|ui| {
+        save_table(ui, "table-2019", sheets::machine, commands);
         if ui.button("Open Machine").clicked() {
             commands.push(Command::Shell(ShellCommand::ShowScreen("machine")));
         }

@@ -18,12 +18,15 @@ use crate::study::published::PaperId;
 const NOTE: f32 = 11.5;
 
 /// A column of a table.
-struct Column {
-    title: &'static str,
-    unit: &'static str,
+pub struct Column {
+    /// Its title.
+    pub title: &'static str,
+    /// Unit of its values.
+    pub unit: &'static str,
     /// Digits after the point in the paper, at least.
     decimals: usize,
-    cell: fn(&PaperRow) -> &Cell,
+    /// Its cell of a row.
+    pub cell: fn(&PaperRow) -> &Cell,
 }
 
 impl Column {
@@ -36,7 +39,7 @@ impl Column {
 type Read = fn(&PaperRow) -> &Cell;
 
 /// The columns, as in the paper.
-fn columns(paper: PaperId) -> [Column; 8] {
+pub fn columns(paper: PaperId) -> [Column; 8] {
     let columns: [(&'static str, &'static str, usize, Read); 8] = [
         ("Desired Ra", "um", 2, |row| &row.ra_desired_um),
         (paper.start_force(), "N", 1, |row| &row.force_start_n),

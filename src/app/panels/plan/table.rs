@@ -6,8 +6,10 @@ use egui::{Button, Grid, RichText, Role, Ui, WidgetInfo};
 use super::legend::{explain, limits};
 use crate::app::format;
 use crate::app::theme::{self, Look, Palette};
+use crate::study::export::sheet::Sheet;
 use crate::study::plan::constraints::{Checked, ORIGIN};
 use crate::study::plan::machine::Source;
+use crate::study::plan::optimum::Optimum;
 
 /// Width of the names, points: longer ones are cut.
 const NAME_WIDTH: f32 = 161.0;
@@ -83,4 +85,36 @@ fn row(ui: &mut Ui, number: usize, one: &Checked, open: &mut Option<usize>) {
         (false, false) => (margin, palette.text),
     };
     ui.label(RichText::new(text).size(NOTE).color(color));
+}
+
+/// The best cut and its constraints as a file.
+pub fn sheet(optimum: &Optimum) -> Sheet {
+    let mut sheet =
+        Sheet::new(["Name", "Value", "Unit", "Least", "Largest", "Margin [%]", "Limit from"]);
+    for (name, value, unit) in [
+        ("Feed", optimum.feed_mm_min, "mm/min"),
+        ("Speed", optimum.speed_rpm, "1/min"),
+        ("Feed per tooth", optimum.feed_per_tooth_mm, "mm"),
+        ("Cutting speed", optimum.cutting_speed_m_min, "m/min"),
+        ("Force", optimum.force_n, "N"),
+        ("Removal", optimum.removal_rate_cm3_min, "cm3/min"),
+        ("Time of cut", optimum.time_s, "s"),
+        ("Time with tool changes", optimum.production_time_s, "s"),
+        ("Cost of cut", optimum.cost, ""),
+        ("Objective", optimum.score.value, ""),
+    ] {
+        sheet.row([name.into(), value.into(), unit.into()]);
+    }
+    for one in &optimum.constraints {
+        sheet.row([
+            one.constraint.label.into(),
+            one.value.into(),
+            one.constraint.unit.into(),
+            one.low.into(),
+            one.high.into(),
+            one.margin_percent.into(),
+            one.source.id().into(),
+        ]);
+    }
+    sheet
 }

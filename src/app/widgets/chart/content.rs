@@ -70,7 +70,8 @@ pub(super) const GHOST_HELP: &str = "The run as it went on before the last chang
 /// The legend's name of the run after the last change.
 pub(super) const FUTURE: &str = "from now on";
 /// What that line is, where it is hovered.
-pub(super) const FUTURE_HELP: &str = "What the run does after the last change, ahead of the playhead.";
+pub(super) const FUTURE_HELP: &str =
+    "What the run does after the last change, ahead of the playhead.";
 
 impl Axes {
     /// The range of time in the picture.
