@@ -199,6 +199,83 @@ fn cuts_are_edited_in_tables_and_every_change_can_be_undone() {
     }
 }
 
+/// A place in the picture from the side: along the cut and below the surface, mm. `open` as the picture's.
+fn in_side_view(screen: &Screen, open: bool, x_mm: f64, depth_mm: f64) -> egui::Pos2 {
+    let figures = screen.query_all_by(|node| {
+        node.label().is_some_and(|label| label.starts_with("Cut from the side"))
+    });
+    let rect = figures.map(|node| node.rect()).next().expect("the picture");
+    let workpiece = &session(screen).current().workpiece;
+    let length_mm = match workpiece.cuts.first() {
+        Some(sections) => sections.iter().map(|section| section[0]).sum(),
+        None => workpiece.length_mm,
+    };
+    let begin_mm = if open { 9.0 } else { 16.5 };
+    let scale = f64::from(rect.width()) / (begin_mm + length_mm + 9.0);
+    let across = (begin_mm + x_mm) * scale;
+    egui::pos2(rect.left() + across as f32, rect.top() + ((6.5 + depth_mm) * scale.max(4.0)) as f32)
+}
+
+/// With the mouse, which shows itself by moving before it presses.
+fn drag(screen: &mut Screen, from: egui::Pos2, to: egui::Pos2) {
+    screen.hover_at(from);
+    screen.run_steps(2);
+    screen.drag_at(from);
+    screen.run_steps(2);
+    for share in [0.25, 0.5, 1.0] {
+        screen.hover_at(from + share * (to - from));
+        screen.run_steps(2);
+    }
+    screen.drop_at(to);
+    screen.run_steps(3);
+}
+
+#[test]
+fn depths_and_ends_are_dragged_in_the_picture() {
+    let mut screen = at("first-cut", DESKTOP, None, 0);
+    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");
+    let workpiece = |screen: &Screen| session(screen).current().workpiece.clone();
+    let before = workpiece(&screen);
+    let [first_mm, depth_mm] = before.depth_steps[0];
+    // The floor of the first stretch, to 6 mm.
+    let at = |screen: &Screen, x_mm, depth_mm| in_side_view(screen, true, x_mm, depth_mm);
+    let (from, to) =
+        (at(&screen, 0.5 * first_mm, before.axial_depth_mm), at(&screen, 0.5 * first_mm, 6.0));
+    drag(&mut screen, from, to);
+    assert!((workpiece(&screen).axial_depth_mm - 6.0).abs() < 0.051, "{:?}", workpiece(&screen));
+    assert_eq!(workpiece(&screen).depth_steps, before.depth_steps);
+    // The step between the first two, 10 mm on.
+    let (from, to) = (at(&screen, first_mm, 1.0), at(&screen, first_mm + 10.0, 1.0));
+    drag(&mut screen, from, to);
+    let [now_mm, still_mm] = workpiece(&screen).depth_steps[0];
+    assert!(
+        (now_mm - first_mm - 10.0).abs() < 0.51 && still_mm == depth_mm,
+        "{now_mm}, {still_mm}"
+    );
+    // Each drag is one step of undo; a drag over nothing changes nothing.
+    let (from, to) = (at(&screen, 10.0, -5.0), at(&screen, 60.0, -2.0));
+    drag(&mut screen, from, to);
+    press(&mut screen, Modifiers::COMMAND, Key::Z);
+    press(&mut screen, Modifiers::COMMAND, Key::Z);
+    assert_eq!(workpiece(&screen), before);
+}
+
+#[test]
+fn a_cut_is_dragged_within_what_its_table_allows() {
+    let mut screen = at("experiment-1", DESKTOP, None, 0);
+    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");
+    let cut = |screen: &Screen| session(screen).current().workpiece.cuts[0].clone();
+    let before = cut(&screen);
+    let [length_mm, depth_mm, wall_mm] = before[0];
+    let from = in_side_view(&screen, false, 0.5 * length_mm, depth_mm);
+    let far = from - vec2(0.0, 300.0);
+    drag(&mut screen, from, far);
+    assert_eq!(cut(&screen)[0], [length_mm, 0.0, wall_mm], "no depth above the surface");
+    let from = in_side_view(&screen, false, length_mm, 0.5);
+    drag(&mut screen, from, from + vec2(25.0, 0.0));
+    assert!(cut(&screen)[0][0] > length_mm && cut(&screen)[1..] == before[1..]);
+}
+
 #[test]
 fn a_number_that_cannot_be_is_answered_in_the_window() {
     let mut screen = at("experiment-1", DESKTOP, None, 1);

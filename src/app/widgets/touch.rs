@@ -6,6 +6,8 @@ use egui::{Id, Pos2, Response, Ui, vec2};
 
 use super::zoom::by_touch;
 
+/// Least width and height of what a finger is to hit, points.
+pub const TARGET: f32 = 44.0;
 /// Way of a finger before it is known where it goes, points.
 const DECIDED_AFTER: f32 = 8.0;
 /// How much more it has to go across than along to change a value.

@@ -1,6 +1,7 @@
 //! The window "Workpiece": the cuts of the part (or its one path with a depth profile) as tables,
 //! drawn to scale with the tool where it is, and the material's inhomogeneity along them.
 
+mod hand;
 mod material;
 mod picture;
 mod table;
@@ -22,6 +23,7 @@ use crate::models::part::{MAX_CUTS, MAX_SECTIONS, MIN_SECTION_MM, Section};
 use crate::models::tool::Outline;
 use crate::run::presets;
 use crate::study::uses::Screen;
+use hand::{Hand, Moved};
 use material::MaterialPicture;
 use picture::PicturePart;
 
@@ -41,6 +43,7 @@ pub struct WorkpieceWindow {
     /// What was wrong with the last number that was typed.
     said: Option<String>,
     material: MaterialPicture,
+    hand: Hand,
 }
 
 /// The cut that the tool is in, and where its axis is along it, mm.
@@ -118,11 +121,14 @@ impl WorkpieceWindow {
             let part = PicturePart {
                 sections: sections.clone(),
                 open: false,
+                walls: true,
                 tool_mm,
                 outline: view.session.current().tool.outline(),
             };
             let begin_mm = ToolPath::begins_of(workpiece)[self.cut] + APPROACH_MM;
-            self.pictures(ui, view, &part, begin_mm);
+            if let Some(moved) = self.pictures(ui, view, &part, begin_mm) {
+                table::move_section(&mut cuts[self.cut], moved);
+            }
             table::sections(ui, &part.outline, (self.cut, &mut cuts), &mut self.said);
         }
         if cuts != workpiece.cuts {
@@ -176,8 +182,10 @@ impl WorkpieceWindow {
         let sections = if by_teeth { path_sections } else { path_by_formula };
         let outline = scenario.tool.outline();
         let sections = sections(&scenario.workpiece, &outline);
-        let part = PicturePart { sections, open: true, tool_mm, outline };
-        self.pictures(ui, view, &part, 0.0);
+        let part = PicturePart { sections, open: true, walls: false, tool_mm, outline };
+        if let Some(moved) = self.pictures(ui, view, &part, 0.0) {
+            table::move_stretch(&scenario.workpiece, moved, commands);
+        }
         table::profile(ui, scenario, commands, &mut self.said);
         let playback = view.session.playback();
         if playback.playhead_s > 0.0 && !playback.at_end {
@@ -187,7 +195,13 @@ impl WorkpieceWindow {
     }
 
     /// Side view, view from above and material on one axis.
-    fn pictures(&mut self, ui: &mut Ui, view: &View<'_>, part: &PicturePart, begin_mm: f64) {
+    fn pictures(
+        &mut self,
+        ui: &mut Ui,
+        view: &View<'_>,
+        part: &PicturePart,
+        begin_mm: f64,
+    ) -> Option<Moved> {
         let length_mm: f64 = part.sections.iter().map(|section| section[0]).sum();
         let place = match part.tool_mm {
             at if at == f64::NEG_INFINITY => "still to be cut".to_owned(),
@@ -197,10 +211,11 @@ impl WorkpieceWindow {
         };
         let length = format::quantity(length_mm, "mm");
         ui.label(RichText::new(format!("{length} long, {place}")).strong());
-        let map = picture::show(ui, part);
+        let (map, moved) = picture::show(ui, part, &mut self.hand);
         let place_mm = [begin_mm, length_mm];
         self.material.show(ui, view.session.current(), &map, place_mm, part.tool_mm);
         ui.add_space(4.0);
+        moved
     }
 }
 

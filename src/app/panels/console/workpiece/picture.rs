@@ -3,11 +3,10 @@
 
 use std::cmp::Ordering;
 
-use egui::{
-    Align2, FontId, Painter, Pos2, Rangef, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo,
-};
+use egui::{Align2, FontId, Painter, Pos2, Rangef, Rect, Role, Shape, Stroke, Ui, WidgetInfo};
 use egui::{RichText, pos2, vec2};
 
+use super::hand::{Edge, EdgeKind, Hand, Moved};
 use crate::app::format;
 use crate::app::theme::Palette;
 use crate::base::math::{PI, cos, sin};
@@ -15,8 +14,9 @@ use crate::blocks::cutting::tool_path::radial_depth_mm;
 use crate::models::part::Section;
 use crate::models::tool::Outline;
 
-/// Largest and least scale, points per mm. Long cuts are drawn with depths larger than lengths.
-const SCALE: [f32; 2] = [6.0, 2.5];
+/// Largest scale, and the least one of depths, points per mm. Long cuts are drawn with depths larger than
+/// lengths, so that a depth can be seen and dragged.
+const SCALE: [f32; 2] = [6.0, 4.0];
 /// What is seen above the part's surface, mm.
 const ABOVE_MM: f64 = 6.5;
 /// What is seen below the deepest cut, mm.
@@ -35,6 +35,8 @@ pub struct PicturePart {
     pub sections: Vec<Section>,
     /// Whether the tool starts in the material.
     pub open: bool,
+    /// Whether each section has a wall of its own.
+    pub walls: bool,
     /// Where the tool's axis is, mm from the part's edge; infinite before or after this cut.
     pub tool_mm: f64,
     /// The outline of the cutter.
@@ -103,31 +105,62 @@ impl Sheet<'_> {
     }
 }
 
-/// Draws both views and gives back their axis.
-pub fn show(ui: &mut Ui, part: &PicturePart) -> PictureMap {
+/// Draws both views; gives back their axis, and what was dragged in them.
+pub fn show(ui: &mut Ui, part: &PicturePart, hand: &mut Hand) -> (PictureMap, Option<Moved>) {
     let palette = Palette::at(ui);
     let length_mm: f64 = part.sections.iter().map(|section| section[0]).sum();
     let depth_mm = part.sections.iter().map(|section| section[1]).fold(0.0, f64::max);
     let map = PictureMap::new(ui, part, length_mm);
     let rise = map.scale.max(SCALE[1]);
     let scale = if rise > 1.05 * map.scale {
-        format!("depths drawn {:.0} times larger than lengths", rise / map.scale)
+        format!("depths drawn {:.1} times larger than lengths", rise / map.scale)
     } else {
         "to scale".to_owned()
     };
     let title = |ui: &mut Ui, text: String| {
         ui.label(RichText::new(text).small().color(palette.weak));
     };
-    title(ui, format!("From the side, axial depths in mm, {scale}"));
+    title(ui, format!("From the side, axial depths in mm, {scale}. Drag a floor or an end."));
     let said = format!("Cut from the side: {}", listed(part, |section| section[1]));
     let height_mm = [ABOVE_MM, depth_mm + BELOW_MM];
-    let sheet = sheet(ui, &map, rise, height_mm, said);
+    let (response, sheet) = sheet(ui, &map, rise, height_mm, said);
     side(&sheet, part, depth_mm + BELOW_MM);
-    title(ui, "From above, radial depths in mm".to_owned());
+    let in_side = hand.over(ui, &response, &side_edges(&sheet, part));
+    let walls = if part.walls { ". Drag a wall." } else { "" };
+    title(ui, format!("From above, radial depths in mm{walls}"));
     let radial = listed(part, |section| radial_depth_mm(&part.outline, section[1], section[2]));
-    let sheet = self::sheet(ui, &map, rise, [ACROSS_MM; 2], format!("Cut from above: {radial}"));
+    let said = format!("Cut from above: {radial}");
+    let (response, sheet) = self::sheet(ui, &map, rise, [ACROSS_MM; 2], said);
     above(&sheet, part);
-    map
+    let edges = if part.walls { wall_edges(&sheet, part) } else { Vec::new() };
+    let in_plan = hand.over(ui, &response, &edges);
+    (map, in_side.or(in_plan))
+}
+
+/// Floors and ends: an end wins over a floor where both are near, since it is shorter.
+fn side_edges(sheet: &Sheet<'_>, part: &PicturePart) -> Vec<Edge> {
+    let mut edges = Vec::new();
+    for (i, (x_mm, [_, axial_mm, _])) in stretches(part).into_iter().enumerate() {
+        let end = EdgeKind::End(i);
+        let ends = [sheet.at(x_mm[1], 0.0), sheet.at(x_mm[1], -axial_mm.max(1.0))];
+        let per_mm = vec2(sheet.map.scale, 0.0);
+        edges.push(Edge { kind: end, ends, value_mm: x_mm[1], per_mm });
+        let floor = EdgeKind::Depth(i);
+        let ends = x_mm.map(|x_mm| sheet.at(x_mm, -axial_mm));
+        let per_mm = vec2(0.0, sheet.rise);
+        edges.push(Edge { kind: floor, ends, value_mm: axial_mm, per_mm });
+    }
+    edges
+}
+
+fn wall_edges(sheet: &Sheet<'_>, part: &PicturePart) -> Vec<Edge> {
+    let edge = |(i, (x_mm, [_, _, wall_mm])): (usize, ([f64; 2], Section))| Edge {
+        kind: EdgeKind::Wall(i),
+        ends: x_mm.map(|x_mm| sheet.at(x_mm, wall_mm)),
+        value_mm: wall_mm,
+        per_mm: vec2(0.0, -sheet.rise),
+    };
+    stretches(part).into_iter().enumerate().map(edge).collect()
 }
 
 fn listed(part: &PicturePart, value: impl Fn(&Section) -> f64) -> String {
@@ -141,18 +174,19 @@ fn sheet<'a>(
     rise: f32,
     [above_mm, below_mm]: [f64; 2],
     said: String,
-) -> Sheet<'a> {
+) -> (egui::Response, Sheet<'a>) {
     let height = (above_mm + below_mm) as f32 * rise;
-    let (rect, response) = ui.allocate_exact_size(vec2(map.x.span(), height), Sense::hover());
+    let (rect, response) = ui.allocate_exact_size(vec2(map.x.span(), height), Hand::sense(ui));
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, said.clone()));
-    Sheet {
+    let sheet = Sheet {
         painter: ui.painter().with_clip_rect(rect.intersect(ui.clip_rect())),
         map,
         rise,
         zero: rect.top() + above_mm as f32 * rise,
         font: egui::TextStyle::Small.resolve(ui.style()),
         palette: Palette::at(ui),
-    }
+    };
+    (response, sheet)
 }
 
 /// The sections with their ends, mm; a part that the tool starts in reaches to the left.

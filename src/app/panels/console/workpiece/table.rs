@@ -2,18 +2,22 @@
 
 use egui::{Grid, RichText, Ui, WidgetInfo};
 
+use super::hand::{EdgeKind, Moved};
 use crate::app::command::{Command, SessionCommand};
 use crate::app::format;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::number::NumberField;
-use crate::base::settings::Value;
+use crate::base::settings::{Kind, Value};
 use crate::blocks::cutting::tool_path::{radial_depth_mm, wall_mm};
+use crate::blocks::cutting::workpiece::Workpiece;
 use crate::models::part::{DepthStep, MAX_SECTIONS, MAX_STEPS, MIN_SECTION_MM, Section};
 use crate::models::tool::Outline;
 use crate::run::scenario::{Scenario, param};
 
 const STEPS: &str = "workpiece.depth_steps";
+const AXIAL: &str = "workpiece.axial_depth_mm";
+const LENGTH: &str = "workpiece.length_mm";
 /// Least distance between two steps of the profile, mm.
 const STEP_GAP_MM: f64 = 0.01;
 /// Distance behind the last step of the profile at which one is added, mm.
@@ -139,6 +143,52 @@ fn radial(ui: &mut Ui, axial_mm: f64, radial_mm: f64) {
     }
 }
 
+/// Takes over what was dragged in the picture of a cut, within what its table allows.
+pub fn move_section(sections: &mut [Section], moved: Moved) {
+    let (longest_mm, deepest_mm) = limits();
+    let begin_mm = |i: usize, sections: &[Section]| sections[..i].iter().map(|s| s[0]).sum::<f64>();
+    match moved.kind {
+        EdgeKind::Depth(i) => sections[i][1] = moved.to_mm.clamp(0.0, deepest_mm),
+        EdgeKind::Wall(i) => sections[i][2] = moved.to_mm.clamp(-deepest_mm, deepest_mm),
+        EdgeKind::End(i) => {
+            let length_mm = moved.to_mm - begin_mm(i, sections);
+            sections[i][0] = length_mm.clamp(MIN_SECTION_MM, longest_mm);
+        }
+    }
+}
+
+/// Takes over what was dragged in the picture of the one path, within what its table allows.
+pub fn move_stretch(workpiece: &Workpiece, moved: Moved, commands: &mut Vec<Command>) {
+    let mut set = |path: &str, value| {
+        commands.push(Command::Session(SessionCommand::Set { path: path.to_owned(), value }));
+    };
+    let deepest_mm = bound(STEPS, "max_depth_mm");
+    let mut steps = workpiece.depth_steps.clone();
+    match moved.kind {
+        EdgeKind::Depth(0) => {
+            set(AXIAL, Value::Float(moved.to_mm.clamp(0.0, deepest_mm)));
+        }
+        EdgeKind::Depth(i) => {
+            steps[i - 1][1] = moved.to_mm.clamp(0.0, deepest_mm);
+            set(STEPS, Value::from(steps));
+        }
+        // The last of those in sight ends with the path.
+        EdgeKind::End(i) if steps.get(i).is_none_or(|step| step[0] >= workpiece.length_mm) => {
+            let least_mm = if i == 0 { 0.0 } else { steps[i - 1][0] + STEP_GAP_MM };
+            if let Ok(Kind::Float { min, max }) = param(LENGTH).map(|param| &param.spec.allowed) {
+                set(LENGTH, Value::Float(moved.to_mm.clamp(min.max(least_mm), *max)));
+            }
+        }
+        EdgeKind::End(i) => {
+            let low_mm = if i == 0 { 0.0 } else { steps[i - 1][0] + STEP_GAP_MM };
+            let next_mm = steps.get(i + 1).map_or(workpiece.length_mm, |next| next[0]);
+            steps[i][0] = moved.to_mm.clamp(low_mm, (next_mm - STEP_GAP_MM).max(low_mm));
+            set(STEPS, Value::from(steps));
+        }
+        EdgeKind::Wall(_) => {}
+    }
+}
+
 /// The depth profile of the one path: its first row is the axial depth at the start.
 pub fn profile(
     ui: &mut Ui,
@@ -200,7 +250,7 @@ pub fn profile(
         commands.push(Command::Session(SessionCommand::Set { path: path.to_owned(), value }))
     };
     if first_mm != workpiece.axial_depth_mm {
-        set("workpiece.axial_depth_mm", Value::Float(first_mm));
+        set(AXIAL, Value::Float(first_mm));
     }
     if steps != workpiece.depth_steps {
         set(STEPS, Value::from(steps));

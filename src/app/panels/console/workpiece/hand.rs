@@ -1,0 +1,191 @@
+//! Edges of the picture that can be dragged: the floor of a section is its depth, its end its length, the wall
+//! its place across. The mouse takes an edge at once; a finger, which may want to scroll, first chooses it by a
+//! tap and then drags the handle that comes up.
+
+use egui::{CursorIcon, Id, Pos2, Rect, Response, Sense, Stroke, Ui, Vec2, vec2};
+
+use crate::app::theme::Palette;
+use crate::app::widgets::touch::TARGET;
+use crate::app::widgets::zoom::by_touch;
+
+/// What an edge stands for, with the number of its section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EdgeKind {
+    /// The axial depth.
+    Depth(usize),
+    /// Where the section ends.
+    End(usize),
+    /// The place of the side wall.
+    Wall(usize),
+}
+
+/// An edge as it is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Edge {
+    /// What it stands for.
+    pub kind: EdgeKind,
+    /// Its ends on the screen.
+    pub ends: [Pos2; 2],
+    /// The value that it shows, mm.
+    pub value_mm: f64,
+    /// The way on the screen that one more millimetre is.
+    pub per_mm: Vec2,
+}
+
+/// An edge that was moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moved {
+    /// What it stands for.
+    pub kind: EdgeKind,
+    /// Its value now, mm: not yet held against any range.
+    pub to_mm: f64,
+}
+
+/// How near the mouse has to be to an edge, points.
+const REACH: f32 = 7.0;
+/// Steps of depths and walls, and of lengths, mm: the tables take any number.
+const STEPS_MM: [f64; 2] = [0.05, 0.5];
+
+impl Edge {
+    fn middle(&self) -> Pos2 {
+        self.ends[0] + 0.5 * (self.ends[1] - self.ends[0])
+    }
+
+    fn distance(&self, to: Pos2) -> f32 {
+        let along = self.ends[1] - self.ends[0];
+        let share = (to - self.ends[0]).dot(along) / along.length_sq().max(1e-6);
+        (self.ends[0] + share.clamp(0.0, 1.0) * along - to).length()
+    }
+
+    fn cursor(&self) -> CursorIcon {
+        match self.kind {
+            EdgeKind::Depth(_) | EdgeKind::Wall(_) => CursorIcon::ResizeVertical,
+            EdgeKind::End(_) => CursorIcon::ResizeHorizontal,
+        }
+    }
+
+    /// Its value after a way of the pointer, on whole steps.
+    fn after(&self, way: Vec2) -> f64 {
+        let by_mm = f64::from(way.dot(self.per_mm) / self.per_mm.length_sq().max(1e-6));
+        let step_mm = match self.kind {
+            EdgeKind::Depth(_) | EdgeKind::Wall(_) => STEPS_MM[0],
+            EdgeKind::End(_) => STEPS_MM[1],
+        };
+        // A value between two steps stays where it is until it is moved by half a step.
+        let steps = (by_mm / step_mm).round();
+        if steps == 0.0 {
+            self.value_mm
+        } else {
+            ((self.value_mm + by_mm) / step_mm).round() * step_mm
+        }
+    }
+}
+
+/// What is held or chosen.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Hand {
+    /// The edge as it was when the drag began, and where that was.
+    held: Option<(Edge, Pos2)>,
+    chosen: Option<EdgeKind>,
+}
+
+impl Hand {
+    /// What the picture's response has to sense: a finger scrolls, but for the handle.
+    pub fn sense(ui: &Ui) -> Sense {
+        if by_touch(ui) { Sense::click() } else { Sense::click_and_drag() }
+    }
+
+    /// Follows the pointer over a picture with these edges, marks the one in reach, and gives what moved.
+    pub fn over(&mut self, ui: &Ui, response: &Response, edges: &[Edge]) -> Option<Moved> {
+        if by_touch(ui) {
+            self.finger(ui, response, edges)
+        } else {
+            self.mouse(ui, response, edges)
+        }
+    }
+
+    fn mouse(&mut self, ui: &Ui, response: &Response, edges: &[Edge]) -> Option<Moved> {
+        let origin = ui.input(|input| input.pointer.press_origin());
+        if response.drag_started()
+            && let Some(at) = origin
+        {
+            self.held = nearest(edges, at, REACH).map(|edge| (*edge, at));
+        }
+        let held = self.held.filter(|(edge, _)| edges.iter().any(|other| other.kind == edge.kind));
+        let shown = match held {
+            Some((edge, _)) => edges.iter().find(|other| other.kind == edge.kind),
+            None => response.hover_pos().and_then(|at| nearest(edges, at, REACH)),
+        };
+        if let Some(edge) = shown {
+            ui.set_cursor_icon(edge.cursor());
+            mark(ui, edge, 3.5);
+        }
+        let (edge, from) = held.filter(|_| response.dragged())?;
+        let moved = moved(&edge, response.interact_pointer_pos()? - from);
+        moved.filter(|moved| shown.is_none_or(|now| now.value_mm != moved.to_mm))
+    }
+
+    fn finger(&mut self, ui: &Ui, response: &Response, edges: &[Edge]) -> Option<Moved> {
+        if response.clicked()
+            && let Some(at) = response.interact_pointer_pos()
+        {
+            self.chosen = nearest(edges, at, 0.5 * TARGET).map(|edge| edge.kind);
+        }
+        let chosen = self.chosen?;
+        let edge = edges.iter().find(|edge| edge.kind == chosen)?;
+        mark(ui, edge, 8.0);
+        let area = Rect::from_center_size(edge.middle(), vec2(TARGET, TARGET));
+        let handle = ui.interact(area, Id::unique(("handle", response.id)), Sense::drag());
+        if handle.drag_started() {
+            let from = ui.input(|input| input.pointer.press_origin());
+            self.held = from.map(|from| (*edge, from));
+        }
+        let (held, from) = self.held.filter(|_| handle.dragged())?;
+        let moved = moved(&held, handle.interact_pointer_pos()? - from);
+        moved.filter(|moved| moved.to_mm != edge.value_mm)
+    }
+}
+
+fn moved(edge: &Edge, way: Vec2) -> Option<Moved> {
+    let to_mm = edge.after(way);
+    to_mm.is_finite().then_some(Moved { kind: edge.kind, to_mm })
+}
+
+/// The nearest edge within reach; at the same distance the first one.
+fn nearest(edges: &[Edge], at: Pos2, reach: f32) -> Option<&Edge> {
+    let near = edges.iter().filter(|edge| edge.distance(at) <= reach);
+    near.min_by(|a, b| a.distance(at).total_cmp(&b.distance(at)))
+}
+
+fn mark(ui: &Ui, edge: &Edge, radius: f32) {
+    let palette = Palette::at(ui);
+    ui.painter().line_segment(edge.ends, Stroke::new(2.5, palette.accent));
+    ui.painter().circle_filled(edge.middle(), radius, palette.accent);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn edge(value_mm: f64) -> Edge {
+        let ends = [Pos2::new(10.0, 50.0), Pos2::new(110.0, 50.0)];
+        Edge { kind: EdgeKind::Depth(0), ends, value_mm, per_mm: vec2(0.0, 20.0) }
+    }
+
+    #[test]
+    fn an_edge_goes_with_the_pointer_in_whole_steps() {
+        assert_eq!(edge(2.0).after(vec2(300.0, 20.0)), 3.0);
+        assert_eq!(edge(2.0).after(vec2(0.0, -10.0)), 1.5);
+        // A value between two steps is kept until it is moved.
+        assert_eq!(edge(2.013).after(vec2(0.0, 0.1)), 2.013);
+        assert!((edge(2.013).after(vec2(0.0, 2.0)) - 2.1).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_nearest_edge_within_reach_is_taken() {
+        let edges = [edge(1.0), Edge { kind: EdgeKind::End(0), ..edge(2.0) }];
+        assert_eq!(nearest(&edges, Pos2::new(60.0, 54.0), REACH).unwrap().kind, EdgeKind::Depth(0));
+        assert!(nearest(&edges, Pos2::new(60.0, 58.0), REACH).is_none());
+        assert!(nearest(&edges, Pos2::new(120.0, 50.0), REACH).is_none());
+    }
+}
