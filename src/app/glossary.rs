@@ -70,6 +70,23 @@ fn line_at(text: &TextShape, place: Pos2) -> String {
     row.map_or_else(|| galley.text().to_owned(), |row| row.text())
 }
 
+/// What has the focus, and for how long, s.
+fn focus(ctx: &Context) -> Option<(Id, f32)> {
+    let focused = ctx.memory(|memory| memory.focused());
+    let now_s = ctx.input(|input| input.time);
+    let id = Id::unique("focused since");
+    let before = ctx.data(|data| data.get_temp::<(Option<Id>, f64)>(id));
+    let since_s = match before {
+        Some((same, since_s)) if same == focused => since_s,
+        Some(_) | None => now_s,
+    };
+    ctx.data_mut(|data| data.insert_temp(id, (focused, since_s)));
+    if focused.is_some() && now_s - since_s < f64::from(REST_S) {
+        ctx.request_repaint_after_secs(REST_S);
+    }
+    focused.map(|focused| (focused, (now_s - since_s) as f32))
+}
+
 /// What is asked about: where, in which layer.
 fn asked(ctx: &Context) -> Option<(LayerId, Rect)> {
     let touch = |place: Pos2| Rect::from_center_size(place, Vec2::splat(2.0));
@@ -84,8 +101,12 @@ fn asked(ctx: &Context) -> Option<(LayerId, Rect)> {
             pointer.is_decidedly_dragging(),
         )
     });
+    let focus = focus(ctx);
+    // Whichever moved last is asked: a pointer that lies still does not hold up the keyboard.
+    let keyboard = focus.filter(|(_, for_s)| *for_s < rests);
     if let Some(place) = pointer
         && !dragged
+        && keyboard.is_none()
     {
         let long_press = down && ctx.input(|input| input.any_touches());
         let asks = if down {
@@ -101,8 +122,8 @@ fn asked(ctx: &Context) -> Option<(LayerId, Rect)> {
     if ctx.text_edit_focused() {
         return None;
     }
-    // The keyboard: a pointer that moves wins.
-    let focused = ctx.memory(|memory| memory.focused()).filter(|_| rests >= REST_S)?;
+    let (focused, _) =
+        keyboard.or(focus).filter(|(_, for_s)| *for_s >= REST_S && rests >= REST_S)?;
     let response = ctx.read_response(focused)?;
     Some((response.layer_id, response.rect))
 }

@@ -252,6 +252,7 @@ impl Console {
         }
         let middle = ui.available_rect_before_wrap();
         CentralPanel::no_frame().frame(strip(ui, 0).inner_margin(0)).show(ui, |ui| {
+            focus::begin_screen(ui);
             self.panels[self.shown].ui(ui, &view, commands);
         });
         self.messages.show(ui.ctx(), middle, self.session.notices(), commands);

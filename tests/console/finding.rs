@@ -2,7 +2,7 @@
 //! they stand.
 
 use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers, Vec2, vec2};
+use egui::{Event, Key, Modifiers, Vec2, pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use steadycut::base::settings::Value;
 use steadycut::run::glossary::{GLOSSARY, terms_in};
@@ -121,6 +121,22 @@ fn a_pointer_that_rests_on_a_word_is_told_what_it_means() {
     screen.event(Event::PointerMoved(place + vec2(0.0, 300.0)));
     screen.run_steps(3);
     assert!(!explained(&screen, "in tolerance"));
+}
+
+#[test]
+fn the_keyboard_is_told_too_while_the_pointer_lies_still() {
+    let mut screen = open("first-cut", DESKTOP, "Console", &[]);
+    screen.event(Event::PointerMoved(pos2(640.0, 700.0)));
+    screen.run_steps(20);
+    assert!(!explained(&screen, "Ra"));
+    screen.get_by_role_and_label(Role::SpinButton, "Target Ra").focus();
+    screen.run_steps(20);
+    // A field that is being typed in is told nothing; the slider below it is.
+    screen.get_by_role_and_label(Role::Slider, "Target Ra").focus();
+    screen.run_steps(20);
+    screen.get_by_role_and_label(Role::ComboBox, "Controller").focus();
+    screen.run_steps(20);
+    assert!(explained(&screen, "SDNRP"));
 }
 
 /// Words that everybody here knows, names, and what stands in files.

@@ -277,6 +277,25 @@ fn a_cut_is_dragged_within_what_its_table_allows() {
 }
 
 #[test]
+fn feeds_per_cut_are_numbers_each_with_its_cut() {
+    let mut screen = at("experiment-2-per-cut", DESKTOP, None, 0);
+    for fold in ["More settings", "NC program"] {
+        open(&mut screen, fold);
+    }
+    let feeds = |screen: &Screen| session(screen).scenario().program.cut_feeds_mm_min.clone();
+    let before = feeds(&screen);
+    assert_eq!(before.len(), 5);
+    let brackets = format!("[{}", before[0]);
+    assert!(!texts(&screen).contains(&brackets), "{}", texts(&screen));
+    screen.get_by_label("cut 2: Feeds per cut").set_value_accesskit(512.5);
+    screen.run_steps(3);
+    assert_eq!(feeds(&screen)[1], 512.5);
+    open(&mut screen, "Remove Feeds per cut of cut 1");
+    open(&mut screen, "Add one for cut 5");
+    assert_eq!(feeds(&screen), [512.5, before[2], before[3], before[4], before[4]]);
+}
+
+#[test]
 fn a_number_that_cannot_be_is_answered_in_the_window() {
     let mut screen = at("experiment-1", DESKTOP, None, 1);
     open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");

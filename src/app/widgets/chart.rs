@@ -11,6 +11,7 @@ use egui_plot::{HLine, HoverPosition, VLine};
 use super::super::format;
 use super::super::session::Session;
 use super::super::theme::{Look, Palette};
+use super::focus::pointer_only;
 use super::legend;
 use super::plot::{near, still, tick};
 use super::zoom::{by_touch, zoom};
@@ -39,7 +40,7 @@ pub fn show(
     let unit = SIGNALS[index(chart.curves[0].signal)].unit;
     let lines = lines(chart, session, axes, [range, values], width, palette);
     let band = band(chart, session, range, width, palette);
-    let drags = if by_touch(ui) { egui::Sense::click() } else { egui::Sense::click_and_drag() };
+    let drags = pointer_only(!by_touch(ui));
     let group = egui::Id::unique("time");
     let write = chart.write;
     let label = move |hover: &HoverPosition<'_>| {

@@ -5,6 +5,7 @@ use egui::Ui;
 
 use super::super::command::{Command, SessionCommand};
 use super::super::theme::Palette;
+use super::focus::pointer_only;
 use super::setting::{Size, setting, slider_rect};
 use crate::base::math::ln;
 use crate::base::settings::{Kind, Value};
@@ -35,7 +36,7 @@ pub fn target(ui: &mut Ui, screen: Screen, scenario: &Scenario, commands: &mut V
         let place =
             egui::Rect::from_center_size(egui::pos2(x, row.center().y), egui::vec2(30.0, 20.0));
         let id = ui.scope_id().with(name);
-        let response = ui.interact(place, id, egui::Sense::click());
+        let response = ui.interact(place, id, pointer_only(false));
         let chosen = (scenario.target.ra_um - ra_um).abs() < 1e-9;
         response.widget_info(|| {
             let label = format!("{name}: Ra {ra_um} µm");

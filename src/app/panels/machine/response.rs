@@ -9,6 +9,7 @@ use super::plot::{Figure, Marks, PlotCurve, decades_of};
 use super::state::MachineState;
 use crate::app::format;
 use crate::app::theme::{self, Look, Palette};
+use crate::app::widgets::focus::pointer_only;
 use crate::app::widgets::legend;
 use crate::app::widgets::touch;
 use crate::app::widgets::zoom::by_touch;
@@ -66,7 +67,7 @@ impl ResponseView {
         let phase_height = if self.phase { PHASE_FRACTION * height } else { 0.0 };
         let sizes = self.sizes(ui, machine, tooth_hz, last_hz);
         // Fingers that drag scroll the page; a tap sets the cursor.
-        let sense = if by_touch(ui) { Sense::click() } else { Sense::click_and_drag() };
+        let sense = pointer_only(!by_touch(ui));
         let plot = sizes.show(ui, height - phase_height, sense);
         let pointed = plot.response.clicked() || plot.response.dragged();
         if let Some(at) = plot.response.interact_pointer_pos().filter(|_| pointed) {

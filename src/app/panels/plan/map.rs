@@ -1,6 +1,6 @@
 //! The map: cutting speed across, feed per tooth up, the force as colour, and the swarm over it.
 
-use egui::{Color32, PointerButton, Pos2, Rect, Sense, Stroke, Ui, WidgetInfo, vec2};
+use egui::{Color32, PointerButton, Pos2, Rect, Stroke, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, Plot, PlotImage, PlotPoint, PlotPoints, PlotTransform, VLine};
 
 use super::layers::{Layers, MapLayer};
@@ -10,6 +10,7 @@ use super::readout::readout;
 use super::search::Found;
 use crate::app::format;
 use crate::app::theme::{Look, Palette};
+use crate::app::widgets::focus::pointer_only;
 use crate::app::widgets::plot::{grid, tick};
 use crate::app::widgets::zoom::by_touch;
 use crate::run::scenario::Scenario;
@@ -57,7 +58,7 @@ impl Map {
         let palette = Palette::at(ui);
         let dark = ui.visuals().dark_mode;
         let texture = found.picture.texture(ui.ctx(), palette, dark);
-        let drags = if by_touch(ui) { Sense::click() } else { Sense::click_and_drag() };
+        let drags = pointer_only(!by_touch(ui));
         let width = ui.available_width();
         let picture = &found.picture;
         let wanted = self.wanted.take();

@@ -1,10 +1,11 @@
 //! The measured profile over the distance along the line: as the teeth left it, and filtered.
 
-use egui::{RichText, Role, Sense, Ui, WidgetInfo};
+use egui::{RichText, Role, Ui, WidgetInfo};
 use egui_plot::{HoverPosition, Line, PlotPoints};
 
 use crate::app::format;
 use crate::app::theme::{Look, Palette};
+use crate::app::widgets::focus::pointer_only;
 use crate::app::widgets::legend;
 use crate::app::widgets::plot::{grid, near, still, tick};
 use crate::base::math::extent;
@@ -80,7 +81,7 @@ pub fn show(ui: &mut Ui, curves: &Curves) {
         Some(format!("{name}: {height}\n{along} along the line"))
     };
     let response = still("profile", palette, [width, HEIGHT])
-        .sense(Sense::click())
+        .sense(pointer_only(false))
         .y_axis_min_width(40.0)
         .x_grid_spacer(move |input| grid(input, width / 70.0))
         .y_grid_spacer(|input| grid(input, HEIGHT / 30.0))

@@ -5,8 +5,9 @@ use egui::{Response, Ui, WidgetInfo};
 use super::super::icon::{self, Icon};
 use super::super::number::NumberField;
 use super::labelled;
-use crate::base::settings::{Editor, Rows, Value};
-use crate::run::scenario::{Param, parse_value};
+use crate::app::format;
+use crate::base::settings::{Editor, Numbers, Rows, Value};
+use crate::run::scenario::Param;
 
 /// The editor that the shape of a setting asks for.
 pub(super) fn edit(
@@ -19,7 +20,8 @@ pub(super) fn edit(
 ) -> Response {
     match editor {
         Editor::Rows(shown) => rows(ui, param, shown, now, change, said),
-        Editor::Lines => lines(ui, param, now, change, said),
+        Editor::Numbers(shown) => numbers(ui, param, shown, now, change, said),
+        Editor::Count(what) => count(ui, param, what, now),
         Editor::Presence => presence(ui, param, now, change),
     }
 }
@@ -103,31 +105,72 @@ fn rows(
     response
 }
 
-/// A list, or lists of lists, as text: taken over when the field is left, faults are answered.
-fn lines(
+/// A list of numbers, a line for each; a new one is as the last, or in the middle of what is allowed.
+fn numbers(
     ui: &mut Ui,
     param: &Param,
+    shown: &Numbers,
     now: &Value,
     change: &mut dyn FnMut(Value),
     said: &mut Option<String>,
 ) -> Response {
-    let label = ui.label(param.spec.label);
-    let id = ui.scope_id().with("draft");
-    // An entry a line, as long as nothing else is being written.
-    let shown = now.to_string().replace("]], [[", "]],\n[[");
-    let mut draft = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
-    let edit = egui::TextEdit::multiline(&mut draft).desired_rows(2).desired_width(f32::INFINITY);
-    let response = ui.add(edit.code_editor()).labelled_by(label.id);
-    if response.has_focus() {
-        ui.data_mut(|data| data.insert_temp(id, draft));
-    } else {
-        if response.lost_focus() && draft != shown {
-            match parse_value(&param.path, &draft) {
-                Ok(value) => change(value),
-                Err(error) => *said = Some(error.to_string()),
+    let Numbers { each, range, most } = shown;
+    let mut list = now.numbers().unwrap_or_default();
+    let before = list.clone();
+    let unit = format::unit(param.spec.unit);
+    let response = ui.label(param.spec.label);
+    if list.is_empty() {
+        ui.weak(format!("the same for every {each}"));
+    }
+    let mut removed = None;
+    for (i, value) in list.iter_mut().enumerate() {
+        ui.horizontal(|ui| {
+            let name = format!("{} {}: {}", each, i + 1, param.spec.label);
+            let field = NumberField {
+                name: &name,
+                unit: param.spec.unit,
+                range: *range,
+                speed: (range[1] - range[0]) * 2e-4,
+                decimals: 2,
+                suffix: &format!(" {unit}"),
+            };
+            ui.label(format!("{each} {}", i + 1));
+            let response = field.show(ui, value, said);
+            response.widget_info(|| WidgetInfo {
+                label: Some(name.clone()),
+                ..WidgetInfo::drag_value(true, *value)
+            });
+            let name = format!("Remove {} of {each} {}", param.spec.label, i + 1);
+            if icon::button(ui, Icon::Close, &name, &name, true).clicked() {
+                removed = Some(i);
             }
-        }
-        ui.data_mut(|data| data.remove::<String>(id));
+        });
+    }
+    if let Some(i) = removed {
+        list.remove(i);
+    }
+    let room = list.len() < *most;
+    let button = egui::Button::new(format!("Add one for {each} {}", list.len() + 1));
+    if ui.add_enabled(room, button).clicked() {
+        list.push(list.last().copied().unwrap_or(middle(*range)));
+    }
+    if list != before {
+        change(Value::from(list));
     }
     response
+}
+
+/// The middle of a range, by ratio where that is positive.
+fn middle([least, largest]: [f64; 2]) -> f64 {
+    if least > 0.0 { (least * largest).sqrt().round() } else { 0.5 * (least + largest) }
+}
+
+/// How many there are.
+fn count(ui: &mut Ui, param: &Param, what: &str, now: &Value) -> Response {
+    let text = match now.list().map_or(0, <[Value]>::len) {
+        0 => "none".to_owned(),
+        1 => format!("1 {what}"),
+        n => format!("{n} {what}s"),
+    };
+    labelled(ui, param, |ui| ui.label(text)).0
 }

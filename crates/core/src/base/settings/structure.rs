@@ -46,8 +46,10 @@ pub trait Structure: Sized + 'static {
 pub enum Editor {
     /// Rows of numbers, to be added and removed.
     Rows(Rows),
-    /// The text itself, taken over when its field is left.
-    Lines,
+    /// A list of numbers.
+    Numbers(Numbers),
+    /// How many of what there are; a window of its own edits them.
+    Count(&'static str),
     /// Whether there is something, and a button that removes it; files bring it.
     Presence,
 }
@@ -65,6 +67,17 @@ pub struct Rows {
     pub gap: f64,
     /// A new row: the first number counts from that of the last row.
     pub next: Vec<f64>,
+}
+
+/// A list of numbers, each with its place in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Numbers {
+    /// What a number belongs to.
+    pub each: &'static str,
+    /// What is allowed.
+    pub range: [f64; 2],
+    /// Most numbers.
+    pub most: usize,
 }
 
 /// A number of a row.

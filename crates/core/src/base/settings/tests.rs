@@ -26,7 +26,7 @@ impl Structure for Blend {
         (fit && shares.iter().sum::<f64>() <= 1.0).then_some(Self(shares))
     }
     fn editor(_: [f64; 2]) -> Editor {
-        Editor::Lines
+        Editor::Count("share")
     }
     fn example([least, largest]: [f64; 2], share: f64, _: u32) -> Value {
         Value::from([least + share * (largest - least); 3])
@@ -52,7 +52,7 @@ fn a_structured_setting_is_read_printed_bounded_and_listed_by_its_type_alone() {
     assert_eq!(listed["default"], serde_json::json!([0.5, 0.25, 0.0]));
 
     let Kind::Structured(shape) = &spec.allowed else { panic!("{:?}", spec.allowed) };
-    assert_eq!(shape.editor(), Editor::Lines);
+    assert_eq!(shape.editor(), Editor::Count("share"));
     let mut paint = Paint::default();
     for (text, taken) in [("[0.1, 0, 0.2]", true), ("[0.5, 0.5, 0.5]", false), ("[1, 2]", false)] {
         let value = shape.parse(text).unwrap();

@@ -1,6 +1,6 @@
 //! What describes a part as settings: a depth profile, straight cuts, and what belongs to each cut.
 
-use crate::base::settings::{Column, Editor, Rows, Structure, Value};
+use crate::base::settings::{Column, Editor, Numbers, Rows, Structure, Value};
 
 /// A point of the depth profile: from `position_mm` along the path on, the axial depth of cut is
 /// `axial_depth_mm`.
@@ -99,7 +99,7 @@ impl Structure for Vec<Vec<Section>> {
         (cuts.len() <= MAX_CUTS && cuts.iter().all(cut_fits)).then_some(cuts)
     }
     fn editor(_: [f64; 2]) -> Editor {
-        Editor::Lines
+        Editor::Count("cut")
     }
     fn example([max_depth_mm, max_length_mm]: [f64; 2], share: f64, _: u32) -> Value {
         Value::from(vec![
@@ -129,8 +129,8 @@ impl Structure for Vec<f64> {
         // + 0.0 turns -0.0 into 0.0, so that equal settings have equal bits.
         (fit && numbers.len() <= MAX_CUTS).then(|| numbers.iter().map(|x| x + 0.0).collect())
     }
-    fn editor(_: [f64; 2]) -> Editor {
-        Editor::Lines
+    fn editor(range: [f64; 2]) -> Editor {
+        Editor::Numbers(Numbers { each: "cut", range, most: MAX_CUTS })
     }
     fn example([min, max]: [f64; 2], share: f64, pick: u32) -> Value {
         Value::from(vec![min + share * (max - min); pick as usize % 3])

@@ -11,6 +11,7 @@ use super::{Axis, LINES, RevolutionWindow};
 use crate::app::format;
 use crate::app::panels::View;
 use crate::app::theme::{self, Look, Palette};
+use crate::app::widgets::focus::pointer_only;
 use crate::app::widgets::plot::{grid, near, still, tick};
 use crate::app::widgets::zoom::{by_touch, zoom};
 use crate::base::units::ms_from_s;
@@ -112,7 +113,7 @@ impl RevolutionWindow {
             ui.available_width(),
             ui.available_height().max(theme::PLOT_HEIGHT_SCROLLED),
         );
-        let sense = if by_touch(ui) { egui::Sense::click() } else { egui::Sense::click_and_drag() };
+        let sense = pointer_only(!by_touch(ui));
         let response = still("revolution", palette, [size.x, size.y])
             .allow_zoom([true, false])
             .sense(sense)

@@ -5,6 +5,7 @@
 use egui::{CursorIcon, Id, Pos2, Rect, Response, Sense, Stroke, Ui, Vec2, vec2};
 
 use crate::app::theme::Palette;
+use crate::app::widgets::focus::pointer_only;
 use crate::app::widgets::touch::TARGET;
 use crate::app::widgets::zoom::by_touch;
 
@@ -92,7 +93,7 @@ pub struct Hand {
 impl Hand {
     /// What the picture's response has to sense: a finger scrolls, but for the handle.
     pub fn sense(ui: &Ui) -> Sense {
-        if by_touch(ui) { Sense::click() } else { Sense::click_and_drag() }
+        pointer_only(!by_touch(ui))
     }
 
     /// Follows the pointer over a picture with these edges, marks the one in reach, and gives what moved.
