@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, TypedValueParser, ValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use super::files::{InPath, OutFolder, OutPath, ScenarioPath};
+use super::files::{FormulaPath, InPath, OutFolder, OutPath, ScenarioPath};
 use super::machine_args::MachineArgs;
 use crate::base::network::Activation;
 use crate::blocks::control::ControllerKind;
@@ -45,6 +45,8 @@ pub enum CliCommand {
     Papers(PapersArgs),
     /// Identify the default models from the published tables and from the milling simulator.
     Identify(IdentifyArgs),
+    /// Evaluate a formula on a table, or print it in other languages with derivatives, units and certificate.
+    Formula(FormulaArgs),
     /// Train the neural force model; repeat the paper's comparison of 40 networks.
     Train(TrainArgs),
     /// Print static peak forces of the mechanistic force model beside published values.
@@ -415,6 +417,57 @@ pub struct CheckArgs {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Arguments of `formula`.
+#[derive(Debug, Args)]
+pub struct FormulaArgs {
+    /// A formula, for example `"8973*ln(0.039*f)/f"`, or the file of a formula's model (TOML or JSON).
+    #[arg(value_name = "MODEL|TEXT", allow_hyphen_values = true)]
+    pub formula: FormulaPath,
+    /// A table with a column for every input; it is printed with the column `predicted`, and for a model with
+    /// ranges with the column `extrapolated`. Without a table the formula is printed in all its forms.
+    #[arg(long, value_name = "FILE.csv")]
+    pub data: Option<InPath>,
+    /// Where to write the table; without it, it goes to standard output.
+    #[arg(long, value_name = "FILE.csv", requires = "data")]
+    pub out: Option<OutPath>,
+    /// Range of an input of a TEXT, for example `--range f=70..600`; it makes the formula a model, with ranges
+    /// for all inputs.
+    #[arg(long, value_name = "NAME=LOW..HIGH", value_parser = range_of)]
+    pub range: Vec<(String, [f64; 2])>,
+    /// Unit of an input of a TEXT, for example `--unit f=mm/min`; without it, it is a plain number.
+    #[arg(long, value_name = "NAME=UNIT", value_parser = unit_of)]
+    pub unit: Vec<(String, String)>,
+    /// Name of the result of a TEXT, and its unit: `F=N`.
+    #[arg(long, value_name = "NAME=UNIT", value_parser = unit_of)]
+    pub result: Option<(String, String)>,
+    /// Write the formula as a model file, which a scenario takes; it needs all ranges.
+    #[arg(long, value_name = "FILE.toml")]
+    pub save: Option<OutPath>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+fn range_of(text: &str) -> Result<(String, [f64; 2]), String> {
+    let parts = text.rsplit_once('=').and_then(|(name, range)| {
+        let (low, high) = range.split_once("..")?;
+        Some((name.trim(), low.trim().parse().ok()?, high.trim().parse().ok()?))
+    });
+    match parts {
+        Some((name, low, high)) if !name.is_empty() => Ok((name.to_owned(), [low, high])),
+        Some(_) | None => Err("allowed is NAME=LOW..HIGH with two numbers".to_owned()),
+    }
+}
+
+fn unit_of(text: &str) -> Result<(String, String), String> {
+    match text.rsplit_once('=') {
+        Some((name, unit)) if !name.trim().is_empty() => {
+            Ok((name.trim().to_owned(), unit.trim().to_owned()))
+        }
+        Some(_) | None => Err("allowed is NAME=UNIT".to_owned()),
+    }
 }
 
 /// Arguments of `recommend`.

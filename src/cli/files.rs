@@ -101,6 +101,28 @@ impl ScenarioPath {
     }
 }
 
+/// A formula as it is written, or the file of a formula's model.
+#[derive(Clone, Debug)]
+pub struct FormulaPath(OsString);
+
+impl FormulaPath {
+    /// The file, or the text of a formula; a name that ends like a model's file, or that is there, is one, for
+    /// a formula may hold a full stop or a slash.
+    ///
+    /// # Errors
+    /// The text.
+    pub fn source(&self) -> Result<InPath, String> {
+        let path = Path::new(&self.0);
+        let ending =
+            path.extension().is_some_and(|ending| ["toml", "json"].iter().any(|e| ending == *e));
+        let is_file = self.0.as_os_str() == STANDARD || ending || path.is_file();
+        match self.0.to_str() {
+            Some(text) if !is_file => Err(text.to_owned()),
+            Some(_) | None => Ok(InPath(path.to_owned())),
+        }
+    }
+}
+
 /// A file that is written.
 #[derive(Clone, Debug)]
 pub struct OutPath(PathBuf);
@@ -196,4 +218,4 @@ macro_rules! paths {
         }
     )+};
 }
-paths!(InPath ScenarioPath OutPath OutFolder);
+paths!(InPath ScenarioPath FormulaPath OutPath OutFolder);

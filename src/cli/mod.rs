@@ -6,6 +6,8 @@ mod combine;
 mod errata;
 mod files;
 mod force;
+mod formula;
+mod formula_told;
 mod given;
 mod identify;
 mod list;
@@ -48,6 +50,7 @@ pub fn execute(command: &CliCommand) -> ExitCode {
         CliCommand::Run(args) => run::execute(args),
         CliCommand::Papers(args) => papers::execute(args),
         CliCommand::Identify(args) => identify::execute(args),
+        CliCommand::Formula(args) => formula::execute(args),
         CliCommand::Train(args) => train::execute(args),
         CliCommand::Force(args) => force::execute(args),
         CliCommand::List(args) => list::execute(args),

@@ -56,7 +56,12 @@ fn commands(text: &str) -> Vec<String> {
 
 /// The arguments of a command of the program, shortened unless `whole`.
 fn arguments(command: &str, whole: bool) -> Vec<String> {
-    let mut arguments: Vec<String> = command.split_whitespace().map(str::to_owned).collect();
+    // What a shell leaves of it: quoted parts stay together.
+    let parts = command.split('\'').enumerate().flat_map(|(index, part)| match index % 2 {
+        1 => vec![part.to_owned()],
+        _ => part.split_whitespace().map(str::to_owned).collect(),
+    });
+    let mut arguments: Vec<String> = parts.collect();
     for (start, option, value) in SHORTER {
         if whole || !command.starts_with(start) {
             continue;

@@ -5,6 +5,7 @@ mod combined;
 mod commands;
 mod contributing;
 mod documents;
+mod formulas;
 mod jobs;
 mod manual;
 mod planning;

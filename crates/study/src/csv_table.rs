@@ -64,6 +64,27 @@ impl CsvTable {
     /// # Errors
     /// Names the columns found and those that are missing, or the line that does not fit them.
     pub fn parse(text: &str, columns: &[ColumnNames]) -> Result<Self, String> {
+        Self::read(text, |header| places(header, columns)).map(|(_, table)| table)
+    }
+
+    /// Reads all of its columns, with the names in its header.
+    ///
+    /// # Errors
+    /// There is no header, or a line does not fit it.
+    pub fn whole(text: &str) -> Result<(Vec<String>, Self), String> {
+        let all = |header: &csv::StringRecord| {
+            // Spreadsheets end a line with separators of columns that are not there.
+            let last = (0..header.len()).rfind(|place| !header[*place].is_empty());
+            let last = last.ok_or("there is no line with the names of the columns")?;
+            Ok((0..=last).collect())
+        };
+        Self::read(text, all)
+    }
+
+    fn read(
+        text: &str,
+        places: impl Fn(&csv::StringRecord) -> Result<Vec<usize>, String>,
+    ) -> Result<(Vec<String>, Self), String> {
         let (separator, text) = separated(text);
         let mut reader = csv::ReaderBuilder::new()
             .delimiter(separator)
@@ -72,7 +93,7 @@ impl CsvTable {
             .flexible(true)
             .from_reader(text.as_bytes());
         let header = reader.headers().map_err(|error| error.to_string())?.clone();
-        let places = places(&header, columns)?;
+        let places = places(&header)?;
         let mut table = Self { rows: Vec::new(), separator, commas: false };
         for record in reader.records() {
             let record = record.map_err(|error| error.to_string())?;
@@ -85,7 +106,20 @@ impl CsvTable {
             table.rows.push(CsvRow { line, cells });
         }
         table.one_decimal_sign()?;
-        Ok(table)
+        Ok((places.iter().map(|place| header[*place].to_owned()).collect(), table))
+    }
+
+    /// What separates its values.
+    #[must_use]
+    pub fn separator(&self) -> u8 {
+        self.separator
+    }
+
+    /// A number with the decimal sign of the table.
+    #[must_use]
+    pub fn text(&self, x: f64) -> String {
+        let text = format!("{x}");
+        if self.commas { text.replace('.', ",") } else { text }
     }
 
     /// Spreadsheets fill rows up with empty cells; any other cell needs its column.

@@ -14,6 +14,7 @@
 //! | Are the bits the same here as elsewhere? | [`golden`] |
 //! | Which command and screen uses which setting? | [`uses`] |
 //! | How does a run get into a spreadsheet, and a table out of one? | [`export`], [`csv_table`] |
+//! | What does a formula make of a table? | [`formula_table`] |
 //!
 //! One run is `steadycut_core`: dead time, controllers and plant are there, in `blocks`.
 
@@ -31,6 +32,7 @@ pub mod csv_table;
 pub mod errata;
 pub mod errata_2019;
 pub mod export;
+pub mod formula_table;
 pub mod golden;
 pub mod identify;
 pub mod machine_life;

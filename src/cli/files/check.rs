@@ -8,7 +8,7 @@ use std::path::Path;
 use clap::{Arg, ArgMatches, Command, ValueHint};
 use same_file::Handle;
 
-use super::{InPath, OutFolder, OutPath, STANDARD, ScenarioPath};
+use super::{FormulaPath, InPath, OutFolder, OutPath, STANDARD, ScenarioPath};
 use crate::disk::{self, OutFile};
 
 /// The files of a command, each with the argument that names it.
@@ -39,6 +39,10 @@ impl Files {
                 self.read.extend(paths.map(|path| (name(), path.clone())));
             }
             if let Ok(Some(paths)) = matches.try_get_many::<ScenarioPath>(id) {
+                let files = paths.filter_map(|path| path.source().ok());
+                self.read.extend(files.map(|path| (name(), path)));
+            }
+            if let Ok(Some(paths)) = matches.try_get_many::<FormulaPath>(id) {
                 let files = paths.filter_map(|path| path.source().ok());
                 self.read.extend(files.map(|path| (name(), path)));
             }
@@ -154,9 +158,14 @@ pub fn hinted(command: Command) -> Command {
         let is = |hinted: TypeId| arg.get_value_parser().type_id() == hinted;
         if is(TypeId::of::<OutFolder>()) {
             arg.value_hint(ValueHint::DirPath)
-        } else if [TypeId::of::<InPath>(), TypeId::of::<ScenarioPath>(), TypeId::of::<OutPath>()]
-            .into_iter()
-            .any(is)
+        } else if [
+            TypeId::of::<InPath>(),
+            TypeId::of::<ScenarioPath>(),
+            TypeId::of::<FormulaPath>(),
+            TypeId::of::<OutPath>(),
+        ]
+        .into_iter()
+        .any(is)
         {
             arg.value_hint(ValueHint::FilePath)
         } else {

@@ -3,6 +3,7 @@
 pub mod ball_end;
 pub mod feed_drive;
 pub mod feed_speed;
+pub mod formula_model;
 pub mod genetic;
 pub mod machine_trend;
 pub mod neural_force;

@@ -9,6 +9,8 @@ use super::{Formula, Node, text};
 
 /// Most parts of the box that are looked at for one question.
 const PARTS: usize = 4096;
+/// Parts that are halved to make the bounds of the values narrow.
+const NARROWED: usize = 400;
 /// Most places that are named for one question.
 const PLACES: usize = 8;
 
@@ -74,12 +76,36 @@ pub fn widened(ranges: &[Interval], physical: &[Interval], part: f64) -> Vec<Int
     ranges.iter().zip(physical).map(wider).collect()
 }
 
+/// The same, where an input that is nowhere negative in its range stays so: a length or a speed.
+#[must_use]
+pub fn widened_physically(ranges: &[Interval], part: f64) -> Vec<Interval> {
+    let own = |range: &Interval| {
+        let low = if range.low >= 0.0 { 0.0 } else { f64::NEG_INFINITY };
+        Interval::new(low, f64::INFINITY)
+    };
+    widened(ranges, &ranges.iter().map(own).collect::<Vec<_>>(), part)
+}
+
 impl Formula {
     /// What is certain over ranges of the inputs, in the order of [`Formula::inputs`].
     ///
     /// # Errors
     /// Names a range that is none, or a wrong number of them.
     pub fn certify(&self, ranges: &[Interval]) -> Result<Certificate, String> {
+        let (values, not_finite) = self.certify_values(ranges)?;
+        let trends = (0..ranges.len()).map(|input| self.trend(input, ranges)).collect();
+        Ok(Certificate { ranges: ranges.to_vec(), values, not_finite, trends })
+    }
+
+    /// Bounds of the values over ranges of the inputs, and where they are not certified to be finite: the first
+    /// part of [`Self::certify`].
+    ///
+    /// # Errors
+    /// As [`Self::certify`].
+    pub fn certify_values(
+        &self,
+        ranges: &[Interval],
+    ) -> Result<(Option<Interval>, Vec<UncertifiedPlace>), String> {
         let [given, needed] = [ranges.len(), self.inputs().len()];
         if given != needed {
             return Err(format!("{given} ranges were given for {needed} inputs"));
@@ -91,15 +117,40 @@ impl Formula {
                 ));
             }
         }
-        let mut values: Option<Interval> = None;
-        let not_finite = search(self, ranges, |found| {
-            let known = values.unwrap_or(found);
-            values = Some(Interval::new(known.low.min(found.low), known.high.max(found.high)));
-            Verdict::Decided
-        });
-        let values = values.filter(|_| not_finite.is_empty());
-        let trends = (0..needed).map(|input| self.trend(input, ranges)).collect();
-        Ok(Certificate { ranges: ranges.to_vec(), values, not_finite, trends })
+        let not_finite = search(self, ranges, |_| Verdict::Decided);
+        let values = not_finite.is_empty().then(|| self.narrow_bounds(ranges)).flatten();
+        Ok((values, not_finite))
+    }
+
+    /// Bounds over a box where it is finite, made narrow by halving the parts that give the ends.
+    fn narrow_bounds(&self, ranges: &[Interval]) -> Option<Interval> {
+        let of = |part: &[Interval]| bounds(self.root(), part, &mut 0).ok();
+        let mut parts = Vec::new();
+        let mut open = vec![ranges.to_vec()];
+        // As far as every part has bounds.
+        while let Some(part) = open.pop() {
+            match of(&part) {
+                Some(found) => parts.push((part, found)),
+                None if parts.len() + open.len() < PARTS => open.extend(halves(&part, ranges)?),
+                None => return None,
+            }
+        }
+        for round in 0..NARROWED {
+            let order = |a: &Interval, b: &Interval| match round % 2 {
+                0 => a.low.total_cmp(&b.low),
+                _ => b.high.total_cmp(&a.high),
+            };
+            let place = (0..parts.len()).min_by(|a, b| order(&parts[*a].1, &parts[*b].1))?;
+            let Some(both) = halves(&parts[place].0, ranges) else { continue };
+            let [one, other] = both.map(|half| of(&half).map(|found| (half, found)));
+            if let (Some(one), Some(other)) = (one, other) {
+                parts[place] = one;
+                parts.push(other);
+            }
+        }
+        let low = parts.iter().map(|(_, found)| found.low).fold(f64::INFINITY, f64::min);
+        let high = parts.iter().map(|(_, found)| found.high).fold(f64::NEG_INFINITY, f64::max);
+        Some(Interval::new(low, high))
     }
 
     fn trend(&self, input: usize, ranges: &[Interval]) -> Trend {
@@ -163,23 +214,27 @@ fn search(
                 format!("`{}`: {}", &printed[at], hole.why)
             }
         };
-        // The input whose range is widest beside its whole, if any can still be halved.
-        let share = |i: usize| part[i].width() / ranges[i].width().max(f64::MIN_POSITIVE);
-        let widest = (0..part.len()).max_by(|a, b| share(*a).total_cmp(&share(*b)).then(b.cmp(a)));
-        match widest {
-            Some(widest) if looked_at + open.len() < PARTS && part[widest].width() > 0.0 => {
-                let Interval { low, high } = part[widest];
-                let middle = 0.5 * (low + high);
-                for half in [Interval::new(low, middle), Interval::new(middle, high)] {
-                    let mut part = part.clone();
-                    part[widest] = half;
-                    open.push_back(part);
-                }
-            }
-            Some(_) | None => places.push(UncertifiedPlace { at: part, why }),
+        match halves(&part, ranges).filter(|_| looked_at + open.len() < PARTS) {
+            Some(both) => open.extend(both),
+            None => places.push(UncertifiedPlace { at: part, why }),
         }
     }
     joined(places)
+}
+
+/// Both halves of a part by the input whose range is widest beside its whole; none of a point.
+fn halves(part: &[Interval], ranges: &[Interval]) -> Option<[Vec<Interval>; 2]> {
+    let share = |i: usize| part[i].width() / ranges[i].width().max(f64::MIN_POSITIVE);
+    let widest = (0..part.len()).max_by(|a, b| share(*a).total_cmp(&share(*b)).then(b.cmp(a)))?;
+    let Interval { low, high } = part[widest];
+    let middle = 0.5 * (low + high);
+    let half = |range: Interval| {
+        let mut half = part.to_vec();
+        half[widest] = range;
+        half
+    };
+    (low < middle && middle < high)
+        .then(|| [half(Interval::new(low, middle)), half(Interval::new(middle, high))])
 }
 
 /// Places with the same fault joined to one while there are too many: what holds all of them.

@@ -1,5 +1,9 @@
-//! Bounds of a formula over ranges of its inputs, by interval arithmetic rounded outwards: whatever values the
-//! inputs take, the value that [`Formula::value`](super::Formula::value) computes lies within.
+//! Bounds of a formula over ranges of its inputs, by interval arithmetic: whatever values the inputs take, the
+//! value that [`Formula::value`](super::Formula::value) computes lies within.
+//!
+//! Sums, products, quotients, roots and whole powers are rounded the same way for neighbours, so their order is
+//! kept and the ends bound all between; functions of the mathematics library may be wrong in the last bits, so
+//! their ends are moved outwards.
 
 use super::{Function, Node, Operator};
 use crate::base::math;
@@ -98,7 +102,7 @@ fn of_function(function: Function, x: Interval) -> Result<Interval, &'static str
         Function::Negative => Ok(Interval::new(-x.high, -x.low)),
         Function::Ln if x.low <= 0.0 => Err("the logarithm of 0 or a negative number"),
         Function::Sqrt if x.low < 0.0 => Err("the root of a negative number"),
-        Function::Sqrt => Ok(Interval::hull(ends).outward()),
+        Function::Sqrt => Ok(Interval::hull(ends)),
         Function::Exp => Ok(nonnegative(Interval::hull(ends).outward_by(FUNCTION_ERROR))),
         Function::Ln | Function::Tanh => Ok(Interval::hull(ends).outward_by(FUNCTION_ERROR)),
         Function::Sin => Ok(wave(x, ends, 0.25)),
@@ -128,7 +132,7 @@ fn wave(x: Interval, ends: [f64; 2], crest: f64) -> Interval {
 
 fn of_operator(operator: Operator, a: Interval, b: Interval) -> Result<Interval, &'static str> {
     let corners = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
-    let all = || Interval::hull(corners.map(|(x, y)| operator.at(x, y))).outward();
+    let all = || Interval::hull(corners.map(|(x, y)| operator.at(x, y)));
     match operator {
         Operator::Add | Operator::Subtract | Operator::Multiply => Ok(all()),
         Operator::Divide if b.contains(0.0) => Err("a division by 0"),
@@ -139,7 +143,7 @@ fn of_operator(operator: Operator, a: Interval, b: Interval) -> Result<Interval,
 
 /// By [`math::power`]: products for fixed whole and half exponents, exp(y ln x) otherwise.
 fn of_power(base: Interval, exponent: Interval) -> Result<Interval, &'static str> {
-    // The products' errors: at most 2 x 6 of them.
+    // Where a range of exponents meets one that is multiplied out: at most 2 x 6 products.
     const PRODUCTS: f64 = 32.0 * f64::EPSILON;
     let y = exponent.low;
     let fixed = y == exponent.high;
@@ -159,12 +163,13 @@ fn of_power(base: Interval, exponent: Interval) -> Result<Interval, &'static str
         if even && y > 0.0 && base.contains(0.0) {
             found.low = 0.0;
         }
-        let found = found.outward_by(PRODUCTS);
-        return Ok(if even { nonnegative(found) } else { found });
+        return Ok(found);
+    }
+    if fixed && y.fract().abs() == 0.5 && y.abs() <= math::MAX_HALF {
+        return Ok(found);
     }
     // The exponent's error is relative to itself, and so grows with its magnitude.
     let exponent = [found.low, found.high].map(|x| if x > 0.0 { math::ln(x).abs() } else { 0.0 });
     let error = FUNCTION_ERROR * (16.0 + exponent[0].max(exponent[1]));
-    // An exponent range that meets products on the way has their errors too.
     Ok(nonnegative(found.outward_by(error + PRODUCTS)))
 }

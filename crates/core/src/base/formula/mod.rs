@@ -33,7 +33,7 @@ mod units;
 
 use std::fmt;
 
-pub use certificate::{Certificate, Trend, UncertifiedPlace, widened};
+pub use certificate::{Certificate, Trend, UncertifiedPlace, widened, widened_physically};
 pub use error::FormulaError;
 pub use export::FormulaLanguage;
 pub use interval::Interval;
@@ -69,16 +69,7 @@ impl Formula {
         if size > MAX_SIZE {
             return Err(format!("the formula has {size} nodes: allowed are {MAX_SIZE}"));
         }
-        for (index, name) in inputs.iter().enumerate() {
-            if name.is_empty() || name.contains('"') {
-                return Err(format!(
-                    "`{name}` is no name of an input: allowed is any without `\"`"
-                ));
-            }
-            if inputs[..index].contains(name) {
-                return Err(format!("two inputs have the name `{name}`"));
-            }
-        }
+        check_names(&inputs)?;
         check(&root, &inputs)?;
         Ok(Self { root, inputs })
     }
@@ -89,6 +80,16 @@ impl Formula {
     /// Names the place, what stands there and what was expected.
     pub fn parse(text: &str, inputs: &[impl AsRef<str>]) -> Result<Self, FormulaError> {
         parse::parse(text, inputs, &[]).map(|(formula, _)| formula)
+    }
+
+    /// The names that a formula reads besides functions, `pi` and `e`, in the order of their first place: its
+    /// inputs, where nothing else names them.
+    ///
+    /// # Errors
+    /// As [`Self::parse`].
+    pub fn names(text: &str) -> Result<Vec<String>, FormulaError> {
+        let names = parse::names(text)?;
+        Self::parse(text, &names).map(|_| names)
     }
 
     /// The same with constants of its own; a name of these goes before `pi` and `e`.
@@ -119,6 +120,14 @@ impl Formula {
     #[must_use]
     pub fn size(&self) -> usize {
         self.root.size()
+    }
+
+    /// The named constants that it has, other than `pi` and `e`.
+    #[must_use]
+    pub fn own_constants(&self) -> Vec<NamedConstant> {
+        let mut found = Vec::new();
+        constants(&self.root, &mut found);
+        found
     }
 
     /// Which inputs it reads.
@@ -180,6 +189,19 @@ impl fmt::Display for Formula {
     }
 }
 
+/// Whether inputs can have these names.
+fn check_names(inputs: &[impl AsRef<str>]) -> Result<(), String> {
+    for (index, name) in inputs.iter().map(AsRef::as_ref).enumerate() {
+        if name.is_empty() || name.contains('"') {
+            return Err(format!("`{name}` is no name of an input: allowed is any without `\"`"));
+        }
+        if inputs[..index].iter().any(|other| other.as_ref() == name) {
+            return Err(format!("two inputs have the name `{name}`"));
+        }
+    }
+    Ok(())
+}
+
 fn check(node: &Node, inputs: &[String]) -> Result<(), String> {
     match node {
         Node::Input(index) if *index >= inputs.len() => {
@@ -214,4 +236,14 @@ fn mark(node: &Node, reads: &mut [bool]) {
         *read = true;
     }
     node.operands().iter().for_each(|operand| mark(operand, reads));
+}
+
+fn constants(node: &Node, found: &mut Vec<NamedConstant>) {
+    if let Node::Constant(constant) = node
+        && !parse::is_known(constant)
+        && !found.contains(constant)
+    {
+        found.push(constant.clone());
+    }
+    node.operands().iter().for_each(|operand| constants(operand, found));
 }

@@ -34,6 +34,8 @@ pub(super) fn parse(
         let problem = format!("the formula has {} bytes: allowed are {MAX_TEXT}", text.len());
         return Err(FormulaError::new(text, 0..0, problem));
     }
+    super::check_names(inputs)
+        .map_err(|problem| FormulaError::new(text, 0..text.len(), problem))?;
     let inputs: Vec<&str> = inputs.iter().map(AsRef::as_ref).collect();
     let mut parser =
         Parser { text, inputs: &inputs, constants, at: 0..0, token: Token::End, nodes: 0 };
@@ -47,6 +49,30 @@ pub(super) fn parse(
     let formula = Formula::new(root, &inputs)
         .map_err(|problem| FormulaError::new(text, 0..text.len(), problem))?;
     Ok((formula, spans))
+}
+
+/// The names in a text that are neither functions nor known constants.
+pub(super) fn names(text: &str) -> Result<Vec<String>, FormulaError> {
+    let mut parser =
+        Parser { text, inputs: &[], constants: &[], at: 0..0, token: Token::End, nodes: 0 };
+    let mut names = Vec::new();
+    loop {
+        parser.advance()?;
+        let quoted = text[parser.at.clone()].starts_with('"');
+        match &parser.token {
+            Token::End => return Ok(names),
+            Token::Name(name) => {
+                let function = Function::ALL.iter().any(|function| function.name() == name);
+                // A name before a parenthesis is meant as a function, and is told as an unknown one.
+                let called = text[parser.at.end..].trim_start().starts_with('(');
+                let taken = (function || called) && !quoted;
+                if !taken && known(name).is_none() && !names.contains(name) {
+                    names.push(name.clone());
+                }
+            }
+            Token::Number(_) | Token::Sign(_) => {}
+        }
+    }
 }
 
 /// A node with the places of its parts.
@@ -342,4 +368,9 @@ fn known(name: &str) -> Option<NamedConstant> {
         _ => return None,
     };
     Some(NamedConstant { name: name.to_owned(), value })
+}
+
+/// Whether it is one of these.
+pub(super) fn is_known(constant: &NamedConstant) -> bool {
+    known(&constant.name).as_ref() == Some(constant)
 }

@@ -196,3 +196,11 @@ fn latex_is_set_as_in_books() {
     let latex = named.export(FormulaLanguage::Latex, "");
     assert_eq!(latex, r"F_{\mathrm{d}}\, \mathrm{feed~mm\_min}");
 }
+
+#[test]
+fn the_names_of_a_text_are_its_inputs() {
+    let names = Formula::names("ln(f) * \"a b\" + f - pi * n").unwrap();
+    assert_eq!(names, ["f", "a b", "n"]);
+    assert!(Formula::names("log(f)").unwrap_err().problem.contains("unknown function `log`"));
+    assert!(Formula::names("f +").unwrap_err().problem.contains("ends here"));
+}

@@ -90,6 +90,11 @@ fn a_certificate_says_what_holds_everywhere_and_where_it_is_open() {
     assert!(certificate.is_finite());
     assert_eq!(certificate.trends, [Trend::Rising, Trend::Falling]);
     let values = certificate.values.unwrap();
+    let corners = [formula.value(&[150.0, 2500.0]), formula.value(&[600.0, 800.0])];
+    assert!(
+        (values.low - corners[0]).abs() < 2.0 && (values.high - corners[1]).abs() < 2.0,
+        "{values:?}"
+    );
     for f in 0..=30 {
         for n in 0..=30 {
             let at = [150.0 + f64::from(f) * 15.0, 800.0 + f64::from(n) * 1700.0 / 30.0];

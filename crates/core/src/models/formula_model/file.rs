@@ -1,0 +1,135 @@
+//! The file of a formula's model: TOML as people write it, or JSON in one line as a scenario holds it.
+
+use serde::{Deserialize, Serialize};
+
+use super::{FormulaInput, FormulaModel, FormulaOutput};
+use crate::base::files::{JsonLayout, from_json, from_toml, to_json};
+use crate::base::formula::{Formula, Interval, NamedConstant, Unit};
+
+/// Version of the format.
+pub const FORMULA_MODEL_VERSION: u64 = 1;
+/// Most inputs of a formula's model.
+pub const MAX_MODEL_INPUTS: usize = 8;
+/// Longest text read, bytes.
+const MAX_BYTES: usize = 60_000;
+
+/// What every version has.
+#[derive(Deserialize)]
+#[serde(expecting = "the model of a formula")]
+struct Version {
+    version: u64,
+}
+
+/// The fields of the file, in order.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "the model of a formula")]
+pub(super) struct ModelText {
+    version: u64,
+    formula: String,
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    source: String,
+    output: OutputText,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    constants: Vec<ConstantText>,
+    inputs: Vec<InputText>,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "name and unit")]
+struct OutputText {
+    name: String,
+    unit: String,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "name and value")]
+struct ConstantText {
+    name: String,
+    value: f64,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "name, unit, low and high")]
+struct InputText {
+    name: String,
+    unit: String,
+    low: f64,
+    high: f64,
+}
+
+fn from_text<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, String> {
+    if text.trim_start().starts_with('{') { from_json(text) } else { from_toml(text) }
+}
+
+fn unit(path: &str, text: &str) -> Result<Unit, String> {
+    Unit::parse(text).map_err(|problem| format!("`{path}`: {problem}"))
+}
+
+impl ModelText {
+    pub(super) fn read(text: &str) -> Result<Self, String> {
+        if text.len() > MAX_BYTES {
+            return Err(format!("{} bytes; at most {MAX_BYTES} are read", text.len()));
+        }
+        // The version comes first: a file of another version may hold anything.
+        let Version { version } = from_text(text)?;
+        if version != FORMULA_MODEL_VERSION {
+            return Err(format!(
+                "`version` cannot be {version}: allowed is {FORMULA_MODEL_VERSION}"
+            ));
+        }
+        from_text(text)
+    }
+
+    pub(super) fn model(self) -> Result<FormulaModel, String> {
+        let names: Vec<&str> = self.inputs.iter().map(|input| input.name.as_str()).collect();
+        let constants: Vec<NamedConstant> = (self.constants.iter())
+            .map(|ConstantText { name, value }| NamedConstant { name: name.clone(), value: *value })
+            .collect();
+        let formula = Formula::parse_with(&self.formula, &names, &constants)
+            .map_err(|error| format!("`formula`: {error}"))?;
+        let mut inputs = Vec::new();
+        for (index, InputText { name, unit: text, low, high }) in
+            self.inputs.into_iter().enumerate()
+        {
+            if !(low.is_finite() && high.is_finite() && low < high) {
+                return Err(format!(
+                    "`inputs[{index}]`: the range {low} to {high} of `{name}` is none: allowed is low below high"
+                ));
+            }
+            let unit = unit(&format!("inputs[{index}].unit"), &text)?;
+            inputs.push(FormulaInput { name, unit, range: Interval::new(low, high) });
+        }
+        let unit = unit("output.unit", &self.output.unit)?;
+        let output = FormulaOutput { name: self.output.name, unit };
+        FormulaModel::new(formula, inputs, output, self.source)
+    }
+
+    pub(super) fn of(model: &FormulaModel) -> Self {
+        let output = model.output();
+        let input = |input: &FormulaInput| InputText {
+            name: input.name.clone(),
+            unit: input.unit.to_string(),
+            low: input.range.low,
+            high: input.range.high,
+        };
+        let constants = model.formula().own_constants().into_iter();
+        Self {
+            version: FORMULA_MODEL_VERSION,
+            formula: model.formula().to_string(),
+            source: model.source().to_owned(),
+            output: OutputText { name: output.name.clone(), unit: output.unit.to_string() },
+            constants: constants
+                .map(|NamedConstant { name, value }| ConstantText { name, value })
+                .collect(),
+            inputs: model.inputs().iter().map(input).collect(),
+        }
+    }
+
+    pub(super) fn toml(&self) -> String {
+        toml::to_string(self).unwrap_or_default()
+    }
+
+    pub(super) fn json(&self) -> String {
+        to_json(self, JsonLayout::Line)
+    }
+}

@@ -1,0 +1,282 @@
+//! A model that is a formula: with the units of its inputs and its result, and the ranges in which it holds.
+//!
+//! Beyond a range it goes on with its end slopes, as every identified model does, and its answer is marked. So
+//! its value and its slopes must be finite on the whole of its ranges: interval arithmetic certifies that, or
+//! the model is refused.
+
+mod file;
+mod setting;
+
+use self::file::ModelText;
+use super::Valued;
+use crate::base::formula::{
+    CompiledFormula, Formula, FormulaError, Interval, NumberUnits, Unit, UnitReport,
+};
+
+pub use file::{FORMULA_MODEL_VERSION, MAX_MODEL_INPUTS};
+pub use setting::{FormulaRole, OwnFormula};
+
+/// An input of a formula's model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FormulaInput {
+    /// Its name in the formula.
+    pub name: String,
+    /// Its unit.
+    pub unit: Unit,
+    /// Where the formula holds.
+    pub range: Interval,
+}
+
+/// The result of a formula's model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FormulaOutput {
+    /// Its name.
+    pub name: String,
+    /// Its unit.
+    pub unit: Unit,
+}
+
+/// A formula with units and ranges, certified to be finite on them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FormulaModel {
+    formula: Formula,
+    inputs: Vec<FormulaInput>,
+    output: FormulaOutput,
+    source: String,
+    compiled: CompiledFormula,
+    slopes: Vec<CompiledFormula>,
+    bounds: Interval,
+}
+
+impl FormulaModel {
+    /// A model of a formula; `source` says where it comes from.
+    ///
+    /// # Errors
+    /// Says what does not fit: inputs of other names than the formula's, too many, a range that is none, a
+    /// value or a slope that is not certified to be finite, with the place.
+    pub fn new(
+        formula: Formula,
+        inputs: Vec<FormulaInput>,
+        output: FormulaOutput,
+        source: String,
+    ) -> Result<Self, String> {
+        if inputs.len() > MAX_MODEL_INPUTS {
+            return Err(format!("{} inputs: allowed are at most {MAX_MODEL_INPUTS}", inputs.len()));
+        }
+        if !inputs.iter().map(|input| &input.name).eq(formula.inputs()) {
+            return Err("the inputs are not those of the formula".to_owned());
+        }
+        let ranges: Vec<Interval> = inputs.iter().map(|input| input.range).collect();
+        let bounds = finite(&formula, &ranges, "the formula")?;
+        let mut slopes = Vec::new();
+        for (index, input) in inputs.iter().enumerate() {
+            let slope = formula.derivative(index)?;
+            finite(&slope, &ranges, &format!("its slope by `{}`, {slope},", input.name))?;
+            slopes.push(slope.compile());
+        }
+        let compiled = formula.compile();
+        Ok(Self { formula, inputs, output, source, compiled, slopes, bounds })
+    }
+
+    /// Reads a model file: TOML, or JSON where it begins with a brace.
+    ///
+    /// # Errors
+    /// Names the entry, its value and what is allowed, or the place in the formula.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        ModelText::read(text)?.model()
+    }
+
+    /// The text of a model file (TOML).
+    #[must_use]
+    pub fn write(&self) -> String {
+        ModelText::of(self).toml()
+    }
+
+    /// The same in one line (JSON): the value of a setting.
+    #[must_use]
+    pub fn write_line(&self) -> String {
+        ModelText::of(self).json()
+    }
+
+    /// The formula.
+    #[must_use]
+    pub fn formula(&self) -> &Formula {
+        &self.formula
+    }
+
+    /// Its inputs, in the order of their values.
+    #[must_use]
+    pub fn inputs(&self) -> &[FormulaInput] {
+        &self.inputs
+    }
+
+    /// Its result.
+    #[must_use]
+    pub fn output(&self) -> &FormulaOutput {
+        &self.output
+    }
+
+    /// Where it comes from, in words; may be empty.
+    #[must_use]
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// Bounds of its values on its ranges.
+    #[must_use]
+    pub fn bounds(&self) -> Interval {
+        self.bounds
+    }
+
+    /// The value at inputs in the order of [`Self::inputs`]; beyond a range straight on with the slopes at
+    /// the nearest place of the ranges, and marked. NaN where there are fewer inputs than it has.
+    #[must_use]
+    #[inline]
+    pub fn at(&self, inputs: &[f64]) -> Valued {
+        let within = |(x, input): (&f64, &FormulaInput)| input.range.contains(*x);
+        if inputs.len() == self.inputs.len() && inputs.iter().zip(&self.inputs).all(within) {
+            return Valued::new(self.compiled.value(inputs), true);
+        }
+        self.continued(inputs)
+    }
+
+    fn continued(&self, inputs: &[f64]) -> Valued {
+        let mut nearest = [0.0; MAX_MODEL_INPUTS];
+        let nearest = &mut nearest[..self.inputs.len()];
+        if inputs.len() != nearest.len() {
+            return Valued::new(f64::NAN, false);
+        }
+        for ((place, input), x) in nearest.iter_mut().zip(&self.inputs).zip(inputs) {
+            *place = x.max(input.range.low).min(input.range.high);
+        }
+        let mut value = self.compiled.value(nearest);
+        for ((slope, place), x) in self.slopes.iter().zip(&*nearest).zip(inputs) {
+            if x != place {
+                value += slope.value(nearest) * (x - place);
+            }
+        }
+        Valued::new(value, false)
+    }
+
+    /// The slope by an input, at the nearest place of the ranges: that of [`Self::at`].
+    #[must_use]
+    pub fn slope(&self, input: usize, inputs: &[f64]) -> f64 {
+        let nearest: Vec<f64> = (self.inputs.iter().zip(inputs))
+            .map(|(input, x)| x.max(input.range.low).min(input.range.high))
+            .collect();
+        self.slopes.get(input).map_or(f64::NAN, |slope| slope.value(&nearest))
+    }
+
+    /// Whether it is right in its units, and the units of its constants.
+    ///
+    /// # Errors
+    /// Names the part of the formula whose units do not fit.
+    pub fn units(&self) -> Result<UnitReport, FormulaError> {
+        let units: Vec<Unit> = self.inputs.iter().map(|input| input.unit.clone()).collect();
+        self.formula.check_units(&units, &self.output.unit, NumberUnits::Solved)
+    }
+}
+
+/// Bounds over the ranges, or why it may not be finite.
+fn finite(formula: &Formula, ranges: &[Interval], what: &str) -> Result<Interval, String> {
+    let (values, places) = formula.certify_values(ranges)?;
+    let place = match (values, places.first()) {
+        (Some(values), None) => return Ok(values),
+        (_, place) => place,
+    };
+    let Some(place) = place else { return Err(format!("{what} has no bounds on its ranges")) };
+    let at: Vec<String> = (formula.inputs().iter().zip(&place.at))
+        .map(|(name, Interval { low, high })| format!("`{name}` from {low} to {high}"))
+        .collect();
+    Err(format!(
+        "{what} is not certain to have a finite value on its ranges: for {}, {}",
+        at.join(" and "),
+        place.why
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MODEL: &str = r#"
+version = 1
+formula = "253.66 - 5.82e-10*n^3 - 8973*ln(0.039*f)/f"
+source = "K4 of 2007, restored"
+
+[output]
+name = "F"
+unit = "N"
+
+[[inputs]]
+name = "f"
+unit = "mm/min"
+low = 69.7
+high = 600
+
+[[inputs]]
+name = "n"
+unit = "1/min"
+low = 412.5
+high = 4000
+"#;
+
+    #[test]
+    fn file_and_line_give_the_model_back() {
+        let model = FormulaModel::parse(MODEL).unwrap();
+        assert_eq!(FormulaModel::parse(&model.write()).unwrap(), model);
+        assert_eq!(FormulaModel::parse(&model.write_line()).unwrap(), model);
+        assert!(!model.write_line().contains('\n'));
+        assert_eq!(model.source(), "K4 of 2007, restored");
+        assert_eq!(model.units().unwrap().constants[0].unit, "N");
+    }
+
+    #[test]
+    fn beyond_its_ranges_it_goes_straight_on_and_is_marked() {
+        let model = FormulaModel::parse(MODEL).unwrap();
+        let inside = model.at(&[300.0, 2000.0]);
+        assert!(inside.valid);
+        assert_eq!(inside.value, model.formula().value(&[300.0, 2000.0]));
+        let [edge, near, far] = [600.0, 610.0, 700.0].map(|f| model.at(&[f, 2000.0]));
+        assert!(edge.valid && !near.valid && !far.valid);
+        let slope = model.slope(0, &[600.0, 2000.0]);
+        assert_eq!(model.slope(0, &[650.0, 2000.0]), slope);
+        assert!((near.value - edge.value - 10.0 * slope).abs() < 1e-9);
+        assert!((far.value - edge.value - 100.0 * slope).abs() < 1e-9);
+        // At a corner by both slopes.
+        let corner = model.at(&[600.0, 4000.0]).value;
+        let both = [0, 1].map(|input| model.slope(input, &[600.0, 4000.0]));
+        let beyond = model.at(&[620.0, 4100.0]);
+        assert!((beyond.value - corner - 20.0 * both[0] - 100.0 * both[1]).abs() < 1e-9);
+        assert!(model.at(&[300.0]).value.is_nan());
+    }
+
+    #[test]
+    fn what_is_no_model_is_refused_by_name() {
+        for (from, to, parts) in [
+            ("version = 1", "version = 2", ["`version` cannot be 2", "allowed is 1"]),
+            ("ln(0.039", "log(0.039", ["`formula`: column 30", "`ln`"]),
+            ("*n^3", "*m^3", ["`formula`: column 19", "known are f, n"]),
+            ("low = 69.7", "low = 0", ["for `f` from 0 to", "the logarithm of 0"]),
+            ("low = 69.7", "low = 700", ["`inputs[0]`", "low below high"]),
+            ("low = 69.7", "low = nan", ["`inputs[0]`", "NaN"]),
+            ("low = 69.7", "low = \"x\"", ["`inputs[0].low`", "a number"]),
+            ("unit = \"N\"", "unit = \"newton\"", ["`output.unit`", "`newton` is no unit"]),
+            ("name = \"F\"", "nam = \"F\"", ["unknown field `nam`", "line"]),
+            ("source =", "origin =", ["unknown field `origin`", "line"]),
+            ("name = \"n\"", "name = \"f\"", ["`formula`", "two inputs have the name `f`"]),
+            ("8973*ln(0.039*f)/f", "1/(f-100)", ["a division by 0", "`1 / (f - 100)`"]),
+            ("8973*ln(0.039*f)/f", "sqrt(f-69.7)", ["its slope by `f`", "finite"]),
+        ] {
+            let text = MODEL.replacen(from, to, 1);
+            assert_ne!(text, MODEL, "{from}");
+            let error = FormulaModel::parse(&text).unwrap_err();
+            for part in parts {
+                assert!(error.contains(part), "{to}: {part}: {error}");
+            }
+        }
+        let two = MODEL.replacen("*n^3", "", 1);
+        let two = FormulaModel::parse(&two).unwrap();
+        assert_eq!(two.slope(1, &[300.0, 2000.0]), 0.0, "an input need not be read");
+    }
+}

@@ -1,0 +1,132 @@
+//! A formula's model as a setting, or none: its value is the text of the model's file in one line, so that a run
+//! stays a pure function of its scenario.
+
+use std::marker::PhantomData;
+use std::sync::Arc;
+
+use super::FormulaModel;
+use crate::base::formula::Unit;
+use crate::base::settings::{Editor, Structure, Value};
+
+/// What a model stands for: the units of its inputs, in their order, and of its result.
+pub trait FormulaRole: Clone + std::fmt::Debug + PartialEq + 'static {
+    /// Name of the setting's kind.
+    const ID: &'static str;
+    /// Units of the inputs, in this order; their names are free.
+    const INPUTS: &'static [&'static str];
+    /// What the inputs are, in words.
+    const MEANING: &'static str;
+    /// Unit of the result.
+    const OUTPUT: &'static str;
+    /// A model for tests and as an example, in one line.
+    const EXAMPLE: &'static str;
+}
+
+/// A formula of a user's own in a role, or none. Shared, so that a scenario is copied quickly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OwnFormula<R: FormulaRole> {
+    model: Option<Arc<FormulaModel>>,
+    role: PhantomData<R>,
+}
+
+impl<R: FormulaRole> Default for OwnFormula<R> {
+    fn default() -> Self {
+        Self { model: None, role: PhantomData }
+    }
+}
+
+impl<R: FormulaRole> OwnFormula<R> {
+    /// The model, if there is one.
+    #[must_use]
+    pub fn get(&self) -> Option<&Arc<FormulaModel>> {
+        self.model.as_ref()
+    }
+
+    /// Takes a model into this role.
+    ///
+    /// # Errors
+    /// Says which inputs and which result the role has.
+    pub fn of(model: FormulaModel) -> Result<Self, String> {
+        let known = |text: &str| Unit::parse(text).unwrap_or_else(|_| Unit::none());
+        let output = &model.output().unit;
+        let inputs = model.inputs().iter().map(|input| &input.unit);
+        let fits = inputs.len() == R::INPUTS.len()
+            && inputs.zip(R::INPUTS).all(|(unit, text)| unit.is_same(&known(text)))
+            && output.is_same(&known(R::OUTPUT));
+        if !fits {
+            let given: Vec<String> = model
+                .inputs()
+                .iter()
+                .map(|input| format!("`{}` in {}", input.name, input.unit))
+                .collect();
+            return Err(format!(
+                "it makes {} of {}: allowed is {} of {}",
+                output,
+                given.join(" and "),
+                R::OUTPUT,
+                R::MEANING
+            ));
+        }
+        Ok(Self { model: Some(Arc::new(model)), role: PhantomData })
+    }
+
+    /// Reads the setting's text; none for no text.
+    fn from_text(text: &str) -> Result<Self, String> {
+        if text.trim().is_empty() {
+            Ok(Self::default())
+        } else {
+            Self::of(FormulaModel::parse(text)?)
+        }
+    }
+}
+
+impl<R: FormulaRole> Structure for OwnFormula<R> {
+    const ID: &'static str = R::ID;
+
+    fn bounds(_: [f64; 2]) -> Vec<(&'static str, f64)> {
+        Vec::new()
+    }
+    fn allowed(_: [f64; 2], _: &str) -> String {
+        format!(
+            "nothing, or the text of a formula's model file: {} of {}, finite on its ranges",
+            R::OUTPUT,
+            R::MEANING
+        )
+    }
+    fn write(&self) -> Value {
+        Value::Text(self.model.as_ref().map_or_else(String::new, |model| model.write_line()))
+    }
+    fn read(value: &Value, _: [f64; 2]) -> Option<Self> {
+        let Value::Text(text) = value else { return None };
+        Self::from_text(text).ok()
+    }
+    fn parse(text: &str) -> Option<Value> {
+        Some(Value::Text(text.to_owned()))
+    }
+    fn fault(value: &Value) -> Option<String> {
+        let Value::Text(text) = value else { return None };
+        // The line with the caret does not go into a message of one line.
+        let fault = Self::from_text(text).err()?;
+        Some(fault.lines().next().unwrap_or_default().to_owned())
+    }
+    fn editor(_: [f64; 2]) -> Editor {
+        Editor::Presence
+    }
+    fn example(_: [f64; 2], _: f64, _: u32) -> Value {
+        Value::Text(R::EXAMPLE.to_owned())
+    }
+}
+
+impl<R: FormulaRole> crate::base::settings::Field for OwnFormula<R> {
+    fn kind(min: f64, max: f64) -> crate::base::settings::Kind {
+        let shape = crate::base::settings::Structured::new::<Self>([min, max]);
+        crate::base::settings::Kind::Structured(shape)
+    }
+    fn to_value(&self) -> Value {
+        Structure::write(self)
+    }
+    fn from_value(value: &Value, kind: &crate::base::settings::Kind) -> Option<Self> {
+        let crate::base::settings::Kind::Structured(shape) = kind else { return None };
+        <Self as Structure>::read(value, shape.range())
+    }
+}
