@@ -6,7 +6,7 @@ use crate::run::signals::{Row, SIGNALS, flag};
 /// Rows in a bucket of the first level.
 const FIRST: usize = 8;
 /// Buckets of a level in one of the next.
-const FACTOR: usize = 4;
+const FACTOR: usize = 2;
 
 /// Rows in a bucket of a level; level 0 are the rows themselves.
 fn rows_in_bucket(level: usize) -> usize {

@@ -12,5 +12,6 @@ mod plan;
 mod screen;
 mod screens;
 mod shell;
+mod weight;
 mod windows;
 mod workpiece;

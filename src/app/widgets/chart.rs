@@ -39,7 +39,7 @@ pub fn show(
     let palette = Palette::at(ui);
     let unit = SIGNALS[index(chart.curves[0].signal)].unit;
     let lines = lines(chart, session, axes, [range, values], width, palette);
-    let band = band(chart, session, range, width, palette);
+    let band = band(chart, session, [range, values], width, palette);
     let drags = pointer_only(!by_touch(ui));
     let group = egui::Id::unique("time");
     let write = chart.write;

@@ -150,12 +150,13 @@ pub fn table(
             for (index, one) in compared.iter().enumerate() {
                 let printed = printed_of(&one.name, belongs);
                 ui.vertical(|ui| {
-                    ui.strong(&one.name);
+                    ui.horizontal(|ui| ui.strong(&one.name));
                     if let Some(trouble) = trouble(one) {
                         ui.label(RichText::new(trouble).size(NOTE).color(palette.bad));
                     }
                 });
-                load(ui, entrants, index, commands);
+                // At the height of the name.
+                ui.vertical(|ui| load(ui, entrants, index, commands));
                 for measure in Measure::ALL {
                     let figure = figure(one, compared, *measure, printed);
                     ui.vertical(|ui| {

@@ -42,12 +42,13 @@ pub(super) fn fit_values(chart: &Chart, session: &Session, zoomed: Option<[f64; 
 pub(super) fn band(
     chart: &Chart,
     session: &Session,
-    range: [f64; 2],
+    [range, values]: [[f64; 2]; 2],
     width: f32,
     palette: &Palette,
 ) -> Option<FilledArea> {
     let (signal, fraction) = chart.band?;
     let points = visible(session.chosen(), signal, range, session.revealed().len(), width);
+    let points = without_flats(points, values[1] - values[0]);
     if points.len() < 2 {
         return None;
     }
@@ -58,9 +59,15 @@ pub(super) fn band(
     Some(area.fill_color(palette.band).stroke(edge).allow_hover(false))
 }
 
+/// Buckets for a curve of a width, points: at most two points of it a pixel, a least and a largest value. More
+/// are not seen, and drawing them is most of the work of a frame.
+fn buckets(width: f32) -> usize {
+    (0.5 * width) as usize
+}
+
 fn visible(cut: &Cut, signal: &str, range: [f64; 2], end: usize, width: f32) -> Vec<[f64; 2]> {
     let rows = cut.run().recording().rows();
-    cut.traces().points(index(signal), range, end, width as usize, Some(rows))
+    cut.traces().points(index(signal), range, end, buckets(width), Some(rows))
 }
 
 /// Leaves out the points between two that look equal: a level needs only its ends. Dashes would
@@ -128,7 +135,7 @@ pub(super) fn lines(
         {
             let from = [range[0].max(ghost.from_s), range[1]];
             let signal = index(curve.signal);
-            let points = ghost.traces.points(signal, from, usize::MAX, width as usize, None);
+            let points = ghost.traces.points(signal, from, usize::MAX, buckets(width), None);
             lines.extend(line(&format!("{label}, {GHOST}"), Look::Ghost, points));
         }
         if shown(label) {

@@ -1,0 +1,64 @@
+//! How much a frame draws. Time differs from machine to machine; what it is made of does not: under software
+//! drawing the vertices are most of it.
+
+use eframe::egui;
+use egui::epaint::Primitive;
+use egui::{Event, Key, Modifiers, Pos2, RawInput, Rect, vec2};
+use steadycut::app::Console;
+use steadycut::run::edits::Edits;
+use steadycut::run::{Start, presets};
+
+/// Most vertices of a frame of each screen in the middle of a noisy cut, by its key. The console had 102 538 when
+/// its curves were drawn with four points a pixel.
+const MOST: [(Key, usize); 6] = [
+    (Key::Num1, 60_000),
+    (Key::Num2, 30_000),
+    (Key::Num3, 30_000),
+    (Key::Num4, 30_000),
+    (Key::Num5, 30_000),
+    (Key::Num7, 30_000),
+];
+
+fn vertices(screen: Key) -> usize {
+    let ctx = egui::Context::default();
+    let scenario = presets::load("first-cut").unwrap();
+    let mut console = Console::new(&ctx, Start { scenario, edits: Edits::none(), notice: None });
+    let mut time_s = 0.0;
+    let mut frame = |events: Vec<Event>| {
+        time_s += 0.05;
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 800.0))),
+            time: Some(time_s),
+            events,
+            ..RawInput::default()
+        };
+        let mut output = ctx.run_ui(input, |ui| console.ui(ui));
+        // Nobody takes the textures.
+        output.textures_delta.clear();
+        let drawn = ctx.tessellate(output.shapes, output.pixels_per_point);
+        let of = |primitive: &Primitive| match primitive {
+            Primitive::Mesh(mesh) => mesh.vertices.len(),
+            Primitive::Callback(_) => 0,
+        };
+        drawn.iter().map(|clipped| of(&clipped.primitive)).sum()
+    };
+    frame(Vec::new());
+    let key = Event::Key {
+        key: screen,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::COMMAND,
+    };
+    frame(vec![key]);
+    // 18 s of the cut: the plots are full.
+    (0..360).map(|_| frame(Vec::new())).last().expect("frames")
+}
+
+#[test]
+fn no_screen_draws_more_than_can_be_seen() {
+    for (screen, most) in MOST {
+        let drawn = vertices(screen);
+        assert!((1000..most).contains(&drawn), "{screen:?}: {drawn} vertices");
+    }
+}
