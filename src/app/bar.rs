@@ -1,7 +1,7 @@
 //! The strip at the head of the window: screens, files, undo and redo, light or dark, messages, and what is
 //! worked at.
 
-use egui::{RichText, Role, ThemePreference, Ui, WidgetInfo};
+use egui::{Button, RichText, Role, ThemePreference, Ui, WidgetInfo};
 
 use super::command::{Command, FileCommand, SessionCommand, ShellCommand};
 use super::jobs;
@@ -10,6 +10,7 @@ use super::panels::View;
 use super::shortcuts;
 use super::theme::Palette;
 use super::widgets::icon::{self, Icon};
+use super::widgets::touch;
 
 /// A screen as the tabs show it.
 pub struct Tab {
@@ -24,7 +25,7 @@ pub fn show(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &
     let palette = Palette::at(ui);
     ui.horizontal(|ui| {
         if !view.narrow {
-            ui.label(RichText::new("SteadyCut").size(17.0).strong().color(palette.accent));
+            ui.label(RichText::new("SteadyCut").heading().strong().color(palette.accent));
             ui.add_space(8.0);
         }
         let id = egui::Id::unique("room of the commands");
@@ -124,13 +125,14 @@ fn find(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     let command = Command::Shell(ShellCommand::ShowSearch(true));
     let keys = shortcuts::hint(ui.ctx(), view.place, &command);
     let help = format!("Find a setting, scenario, screen, command or word{keys}");
-    if ui.button("Find").on_hover_text(help).clicked() {
+    if ui.add(Button::new("Find").min_size(touch::least(ui))).on_hover_text(help).clicked() {
         commands.push(command);
     }
 }
 
 fn help(ui: &mut Ui, commands: &mut Vec<Command>) {
-    let response = ui.button("?").on_hover_text("Keyboard (?)");
+    let response =
+        ui.add(Button::new("?").min_size(touch::least(ui))).on_hover_text("Keyboard (?)");
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Keyboard"));
     if response.clicked() {
         commands.push(Command::Shell(ShellCommand::ShowShortcuts(true)));

@@ -4,6 +4,8 @@
 use egui::text::{CCursor, CCursorRange};
 use egui::{Align2, Context, TextEdit, Ui, Vec2};
 
+use super::widgets::window;
+
 /// The address is brought up to date at most this often, s: browsers refuse more.
 const EVERY_S: f64 = 0.5;
 
@@ -53,18 +55,16 @@ impl Address {
 #[must_use]
 pub fn show(ctx: &Context, link: &str) -> bool {
     let mut open = true;
-    egui::Window::new("Link to this state")
-        .open(&mut open)
+    let title = "Link to this state";
+    let window = egui::Window::new(title)
         .collapsible(false)
         .resizable(false)
-        .anchor(Align2::CENTER_CENTER, Vec2::ZERO)
-        .show(ctx, |ui| {
-            ui.set_width(460.0_f32.min(ctx.content_rect().width() - 40.0));
-            ui.label(
-                "There is no clipboard here. Copy the link by hand (Ctrl+C, or a long press):",
-            );
-            egui::ScrollArea::vertical().max_height(160.0).show(ui, |ui| field(ui, link));
-        });
+        .anchor(Align2::CENTER_CENTER, Vec2::ZERO);
+    let width = 460.0_f32.min(ctx.content_rect().width() - 40.0);
+    window::closable(ctx, title, window, Some(width), &mut open, |ui| {
+        ui.label("There is no clipboard here. Copy the link by hand (Ctrl+C, or a long press):");
+        egui::ScrollArea::vertical().max_height(160.0).show(ui, |ui| field(ui, link));
+    });
     open
 }
 

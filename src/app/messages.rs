@@ -134,7 +134,7 @@ fn list(ui: &mut Ui, notices: &[Notice]) {
     ui.set_width(WIDTH.min(screen.width() - 4.0 * EDGE));
     ui.label(RichText::new("Messages, the newest first").strong());
     let spacing = ui.spacing_mut();
-    spacing.scroll = egui::style::ScrollStyle::solid();
+    spacing.scroll = theme::solid_bars();
     ScrollArea::vertical().max_height(0.6 * screen.height()).show(ui, |ui| {
         for notice in notices.iter().rev() {
             ui.separator();

@@ -181,6 +181,7 @@ impl Console {
             self.session.end_gesture();
         }
         self.messages.follow(self.session.notices(), dt_s);
+        theme::fit(ui);
         self.draw(ui, &mut commands);
         shortcuts::sheet(&ctx, &Reach { timeline, ..reach }, &mut self.shortcuts);
         if let Some(link) = self.link.take() {

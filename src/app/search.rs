@@ -9,6 +9,7 @@ use super::panels::View;
 use super::shortcuts;
 use super::theme::Palette;
 use super::widgets::setting::{Size, setting};
+use super::widgets::window;
 use crate::run::glossary::{GLOSSARY, Term};
 use crate::run::presets::{PRESETS, Preset};
 use crate::run::scenario::{Param, table};
@@ -124,15 +125,14 @@ impl Finder {
         }
         let screen = ctx.content_rect();
         let mut open = true;
-        egui::Window::new("Find")
-            .open(&mut open)
+        let window = egui::Window::new("Find")
             .collapsible(false)
             .resizable(false)
-            .anchor(Align2::CENTER_TOP, Vec2::new(0.0, 48.0))
-            .show(ctx, |ui| {
-                ui.set_width(WIDTH.min(screen.width() - 24.0));
-                self.body(ui, view, screens, commands);
-            });
+            .anchor(Align2::CENTER_TOP, Vec2::new(0.0, 48.0));
+        let width = WIDTH.min(screen.width() - 24.0);
+        window::closable(ctx, "Find", window, Some(width), &mut open, |ui| {
+            self.body(ui, view, screens, commands);
+        });
         self.open &= open;
     }
 

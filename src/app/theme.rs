@@ -1,8 +1,12 @@
 //! The one place for colours, sizes and line styles. The palette is that of Okabe
 //! and Ito, which people with colour-blind eyes can distinguish; lines differ in style as well.
 
+mod fit;
+
 use egui::{Color32, CornerRadius, Stroke, Theme};
 use egui_plot::LineStyle;
+
+pub use fit::{FINGER, Fit, figure, fingers, note, value};
 
 /// Below this width of the window, in points, everything stands in one column.
 pub const NARROW: f32 = 900.0;
@@ -79,12 +83,13 @@ pub struct Palette {
 }
 
 /// The part in space, light and dark alike since a lamp shines on it: bare metal; within the
-/// tolerance, up to twice as far off, farther; body and edges of the cutter.
+/// tolerance, up to twice as far off, farther, each also darker or lighter than the others; body and
+/// edges of the cutter, in none of their colours.
 pub const METAL: Color32 = rgb(0xa8b0ba);
 /// See [`METAL`].
 pub const MACHINED: [Color32; 3] = [rgb(0x2aa584), rgb(0xe9c63a), rgb(0xcf4a1c)];
 /// See [`METAL`].
-pub const CUTTER: [Color32; 2] = [rgb(0x6b7482), rgb(0xd6ba5c)];
+pub const CUTTER: [Color32; 2] = [rgb(0x6b7482), rgb(0x5f8fe0)];
 
 const fn rgb(hex: u32) -> Color32 {
     Color32::from_rgb((hex >> 16) as u8, (hex >> 8) as u8, hex as u8)
@@ -93,14 +98,14 @@ const fn rgb(hex: u32) -> Color32 {
 const LIGHT: Palette = Palette {
     produced: rgb(0x0072b2),
     dynamics: rgb(0x9ccbe8),
-    command: rgb(0xd55e00),
+    command: rgb(0xb84e00),
     reference: rgb(0x00795a),
     band: Color32::from_rgba_premultiplied(0, 38, 28, 42),
     limit: rgb(0xa04a7a),
     twin: rgb(0x6b6b6b),
     ghost: rgb(0xb07a00),
     playhead: rgb(0x1f2933),
-    good: rgb(0x00795a),
+    good: rgb(0x006b4f),
     bad: rgb(0xb3431a),
     warn: rgb(0x8a6100),
     card: rgb(0xf3f6f9),
@@ -110,13 +115,13 @@ const LIGHT: Palette = Palette {
     text: rgb(0x18212b),
     accent: rgb(0x0072b2),
     constraints: [
-        rgb(0x7a5200),
+        rgb(0x6b4a1f),
         rgb(0x6a3d9a),
-        rgb(0xd14a00),
+        rgb(0xc24400),
         rgb(0x18212b),
-        rgb(0xb8528f),
+        rgb(0xa8447f),
         rgb(0x00795a),
-        rgb(0xc78500),
+        rgb(0x946300),
     ],
     force: [rgb(0xb9e0f6), rgb(0x3f96cf)],
     barred: [rgb(0xe7e5e2), rgb(0xb1aeaa)],
@@ -132,7 +137,7 @@ const DARK: Palette = Palette {
     twin: rgb(0xa8a8a8),
     ghost: rgb(0xe6b94a),
     playhead: rgb(0xe8edf2),
-    good: rgb(0x2fc79c),
+    good: rgb(0x3fd2a8),
     bad: rgb(0xff9166),
     warn: rgb(0xf0c24a),
     card: rgb(0x202830),
@@ -235,17 +240,17 @@ impl Look {
     }
 }
 
-/// Sets fonts, spacing and colours of both themes.
+/// Sets spacing and colours of both themes, and sizes as for a desktop.
 pub fn install(ctx: &egui::Context) {
+    fit::sizes(ctx, Fit::default());
     for theme in [Theme::Light, Theme::Dark] {
         let palette = Palette::of(theme);
         ctx.style_mut_of(theme, |style| {
-            style.text_styles.insert(egui::TextStyle::Small, egui::FontId::proportional(10.5));
             style.spacing.item_spacing = egui::vec2(8.0, 5.0);
-            style.spacing.button_padding = egui::vec2(8.0, 4.0);
-            style.spacing.interact_size.y = 24.0;
             style.spacing.slider_rail_height = 6.0;
             style.spacing.scroll = egui::style::ScrollStyle::thin();
+            // What fades towards the edge is hard to read there.
+            style.spacing.scroll.fade.strength = 0.0;
             let visuals = &mut style.visuals;
             visuals.selection.bg_fill = palette.accent.gamma_multiply(0.35);
             visuals.selection.stroke = Stroke::new(1.0, palette.text);
@@ -254,6 +259,7 @@ pub fn install(ctx: &egui::Context) {
             visuals.widgets.noninteractive.fg_stroke.color = palette.text;
             visuals.widgets.inactive.fg_stroke.color = palette.text;
             visuals.weak_text_color = Some(palette.weak);
+            visuals.disabled_alpha = 0.7;
             let fill = if theme == Theme::Light { rgb(0xffffff) } else { rgb(0x161b21) };
             visuals.panel_fill = fill;
             visuals.window_fill = fill;
@@ -271,6 +277,23 @@ pub fn install(ctx: &egui::Context) {
             }
         });
     }
+}
+
+/// Fits the sizes to the window in which `ui` is the whole, and says to what.
+pub fn fit(ui: &mut egui::Ui) -> Fit {
+    let fit = Fit::of(ui);
+    fit::sizes(ui.ctx(), fit);
+    // It was made with the style of the frame's start.
+    ui.reset_style();
+    fit
+}
+
+/// Bars that are always seen, for what would not be thought to scroll; nothing fades at its edge either.
+#[must_use]
+pub fn solid_bars() -> egui::style::ScrollStyle {
+    let mut style = egui::style::ScrollStyle::solid();
+    style.fade.strength = 0.0;
+    style
 }
 
 /// A frame for a card or strip.

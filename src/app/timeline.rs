@@ -1,6 +1,6 @@
 //! The strip at the foot of the window: the playhead over the whole run, and what moves it.
 
-use egui::{ComboBox, Label, RichText, Role, Slider, TextWrapMode, Ui, WidgetInfo};
+use egui::{Align, ComboBox, Label, Layout, RichText, Role, Slider, TextWrapMode, Ui, WidgetInfo};
 
 use super::command::{Command, PlaybackCommand};
 use super::format;
@@ -10,15 +10,24 @@ use super::shortcuts::hint;
 use super::theme::Palette;
 use super::widgets::focus;
 use super::widgets::icon::{self, Icon};
+use super::widgets::standing::Standing;
 use crate::run::one_run::End;
 
 /// The whole strip.
 pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-    scrub(ui, view, commands);
+    if view.narrow {
+        ui.spacing_mut().item_spacing.x = 5.0;
+        // Beside the bar: below it the buttons need the width.
+        ui.horizontal(|ui| {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                time(ui, view);
+                scrub(ui, view, commands);
+            });
+        });
+    } else {
+        scrub(ui, view, commands);
+    }
     ui.horizontal_wrapped(|ui| {
-        if view.narrow {
-            ui.spacing_mut().item_spacing.x = 5.0;
-        }
         let playback = view.session.playback();
         if icon::button(ui, Icon::Restart, "Restart", "Again from the start", true).clicked() {
             commands.push(Command::Playback(PlaybackCommand::Restart));
@@ -36,10 +45,9 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         if icon::button(ui, Icon::End, "End", "To the end of the cut (End)", true).clicked() {
             commands.push(Command::Playback(PlaybackCommand::SeekToEnd));
         }
-        let text = format::time_of(playback.playhead_s, view.session.length_s());
-        let text = RichText::new(text).monospace();
-        let text = if view.narrow { text.small() } else { text };
-        ui.add(Label::new(text).selectable(false));
+        if !view.narrow {
+            time(ui, view);
+        }
         speed(ui, view, commands);
         let mut follow = playback.follow;
         let help = "Plots show the last seconds before the playhead; otherwise the whole run.";
@@ -48,6 +56,14 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         }
         state(ui, view, commands);
     });
+}
+
+/// The time at the playhead and the length of the cut.
+fn time(ui: &mut Ui, view: &View<'_>) {
+    let at_s = view.session.playback().playhead_s;
+    let text = RichText::new(format::time_of(at_s, view.session.length_s())).monospace();
+    let text = if view.narrow { text.small() } else { text };
+    ui.add(Label::new(text).selectable(false));
 }
 
 fn speed(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
@@ -76,14 +92,14 @@ fn state(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
     let progress = view.session.progress();
     if let Some(end) = view.session.finished() {
-        let color = match end {
-            End::PathDone => palette.good,
-            End::TimeLimit => palette.warn,
-            End::Overload(_) | End::Crash(_) | End::Fault(_) | End::Refused(_) => palette.bad,
+        let standing = match end {
+            End::PathDone => Standing::Good,
+            End::TimeLimit => Standing::Watch,
+            End::Overload(_) | End::Crash(_) | End::Fault(_) | End::Refused(_) => Standing::Bad,
         };
         // Whole, on the next line where this one has no room for it.
-        let text = RichText::new(end.to_string()).color(color).strong();
-        ui.add(Label::new(text).wrap_mode(TextWrapMode::Extend));
+        let text = RichText::new(end.to_string()).strong();
+        standing.line(ui, text, TextWrapMode::Extend);
         if ui.button("Restart the cut").on_hover_text("Space does the same").clicked() {
             commands.push(Command::Playback(PlaybackCommand::Restart));
         }

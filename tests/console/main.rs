@@ -2,16 +2,20 @@
 
 mod compare;
 mod conclusions;
+mod contrast;
 mod drawn;
 mod finding;
+mod fingers;
 mod jobs;
 mod learning;
+mod legible;
 mod machine;
 mod panels;
 mod plan;
 mod screen;
 mod screens;
 mod shell;
+mod views;
 mod weight;
 mod windows;
 mod workpiece;

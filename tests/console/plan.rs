@@ -225,6 +225,8 @@ fn an_error_names_its_setting_and_goes_away_with_it() {
 #[test]
 fn every_constraint_has_an_entry_and_its_explanation() {
     let mut screen = open(LONG, &fixed_limit(665.0));
+    // Fingers get the switches in a list.
+    click(&mut screen, "Lines of the map");
     let toggled = |screen: &Screen, name: &str| {
         screen.get_by_role_and_label(Role::CheckBox, name).accesskit_node().toggled()
     };
@@ -232,6 +234,8 @@ fn every_constraint_has_an_entry_and_its_explanation() {
     screen.get_by_role_and_label(Role::CheckBox, "Tool life").click();
     screen.run_steps(2);
     assert_eq!(toggled(&screen, "Tool life"), Some(Toggled::False));
+    screen.key_press(Key::Escape);
+    screen.run_steps(3);
     // Those that do not cross the map are named as such.
     assert!(texts(&screen).contains("Outside the map:"));
     screen.get_by_role_and_label(Role::Label, "Spindle power");

@@ -218,7 +218,7 @@ fn load_brings_a_row_into_the_console() {
         screen::rest(&mut harness);
         harness.get_by_label("restored").click();
         screen::rest(&mut harness);
-        harness.get_by_label("Load table3-2").click();
+        harness.get_by_label("Load table3-2").click_accesskit();
         harness.run_steps(3);
         let scenario = console(&harness).session().scenario();
         assert_eq!(scenario.info.name, "table3-2 (restored)");

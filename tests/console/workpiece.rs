@@ -29,8 +29,9 @@ fn console<'a>(screen: &'a Screen<'_>) -> &'a Console {
     screen.state().as_ref().expect("made in the first frame")
 }
 
+/// By its name alone: it may be scrolled out of sight.
 fn click(screen: &mut Screen, name: &str) {
-    screen.get_by_label(name).click();
+    screen.get_by_label(name).click_accesskit();
     screen.run_steps(3);
 }
 

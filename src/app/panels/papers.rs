@@ -18,6 +18,7 @@ use crate::app::format;
 use crate::app::jobs::Work;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::standing::Standing;
 use crate::base::settings::Choice;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::Calibration;
@@ -215,17 +216,17 @@ fn summary(ui: &mut Ui, table: &PaperTable, over: bool) {
     };
     let (met, all) =
         (judged().filter(|cell| cell.verdict == CellVerdict::Met).count(), judged().count());
-    let (text, color) = if table.rows.is_empty() {
-        ("No simulation is done yet".to_owned(), palette.weak)
+    let (text, standing) = if table.rows.is_empty() {
+        ("No simulation is done yet".to_owned(), Standing::Plain)
     } else if all == 0 {
         let text = "Final values as they are: the table's forces come from the formula, another \
                     force model of the plant gives others by nature";
-        (text.to_owned(), palette.text)
+        (text.to_owned(), Standing::Plain)
     } else {
-        let color = if met == all { palette.good } else { palette.bad };
-        (format!("{met} of {all} final values met{}", if over { "" } else { " so far" }), color)
+        let text = format!("{met} of {all} final values met{}", if over { "" } else { " so far" });
+        (text, Standing::either(met == all))
     };
-    ui.label(RichText::new(text).strong().color(color));
+    standing.label(ui, &text, RichText::strong);
     let run = "Each row is run in time from its printed start values, noise off, SDNRP; the final \
                values are means over the last of 15 s.";
     let bands = &table.bands;
@@ -251,7 +252,7 @@ fn errata(ui: &mut Ui, errata: &[Erratum]) {
             let title = format!("{}. {}", erratum.number, erratum.printed);
             ui.label(RichText::new(title).strong());
             ui.label(erratum.problem);
-            ui.label(RichText::new(format!("Here: {}", erratum.resolution)).color(palette.good));
+            ui.label(RichText::new(format!("Here: {}", erratum.resolution)).color(palette.weak));
         });
     }
     ui.add_space(8.0);

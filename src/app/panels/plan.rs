@@ -27,6 +27,8 @@ use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::save_table::save_table;
 use crate::app::widgets::scaffold;
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
 use map::Map;
 use marks::Moving;
 use recommended::RecommendedCard;
@@ -34,9 +36,9 @@ use relief::Relief;
 use search::Search;
 
 /// Width of the column with the answer, points.
-const ANSWER_WIDTH: f32 = 392.0;
+const ANSWER_WIDTH: f32 = 440.0;
 /// From this width on, points, the map stands between settings and answer.
-const WIDE_FROM: f32 = 1080.0;
+const WIDE_FROM: f32 = 1128.0;
 /// Height of the map where it is scrolled, as a fraction of the width, and at most, points.
 const MAP_FRACTION: f32 = 0.86;
 const MAP_HEIGHT_SCROLLED: f32 = 460.0;
@@ -164,7 +166,7 @@ impl PlanPanel {
         ui.horizontal_wrapped(|ui| {
             readout::scale(ui, &found.picture);
             let help = "The force as a surface in space, cut by the plane of its limit";
-            let button = egui::Button::selectable(self.in_space, "3-D").small();
+            let button = touch::small(ui, egui::Button::selectable(self.in_space, "3-D"));
             if ui.add(button).on_hover_text(help).clicked() {
                 self.in_space = !self.in_space;
             }
@@ -218,7 +220,7 @@ fn no_plan(ui: &mut Ui, error: &str, height: f32) {
     theme::card(palette).show(ui, |ui| {
         ui.set_width(ui.available_width());
         ui.set_min_height(0.3 * height);
-        ui.label(RichText::new("No plan can be made").strong().color(palette.bad));
+        Standing::Bad.label(ui, "No plan can be made", RichText::strong);
         ui.label(error);
         ui.label(RichText::new("The settings are beside or below.").color(palette.weak));
     });

@@ -10,8 +10,8 @@ mod profile_chart;
 mod profilometer;
 mod view;
 
-use egui::{CentralPanel, Frame, Margin, Panel as SidePanel};
-use egui::{RichText, ScrollArea, Ui};
+use egui::{CentralPanel, Color32, Frame, Margin, Panel as SidePanel, Rect};
+use egui::{RichText, ScrollArea, Stroke, Ui, Vec2};
 
 use super::{Panel, View};
 use crate::app::command::Command;
@@ -19,6 +19,7 @@ use crate::app::format;
 use crate::app::session::Session;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::legend;
+use crate::app::widgets::standing::Standing;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::reference::Reference;
 use crate::run::tooth_marks::MarkedPart;
@@ -31,6 +32,8 @@ use view::Looking;
 const BESIDE_WIDTH: f32 = 360.0;
 /// Height of the picture where everything stands in one column, as a fraction of the width.
 const NARROW_FRACTION: f32 = 0.85;
+/// How a place within the tolerance, up to twice as far off, and farther, stands.
+const SIGNS: [Standing; 3] = [Standing::Good, Standing::Watch, Standing::Bad];
 
 /// The screen.
 #[derive(Default)]
@@ -152,14 +155,24 @@ impl WorkpiecePanel {
         };
         ui.label(RichText::new(format!("Colour: {judged_by}")).strong());
         let lengths = self.marks.as_ref().map_or([0.0; 3], |marked| marked.lengths.mm);
+        let spacing = ui.spacing().clone();
+        ui.spacing_mut().interact_size.y = 18.0;
         ui.horizontal_wrapped(|ui| {
             for (i, name) in ["within", "up to twice as far", "farther: scrap"].iter().enumerate() {
                 let text = format!("{name}, {} mm", format::number(lengths[i], "N"));
                 legend::sample_of(ui, &text, theme::MACHINED[i], |painter, rect, color| {
                     painter.rect_filled(rect.shrink(1.0), 3.0, color);
+                    let square = Rect::from_center_size(rect.center(), Vec2::splat(8.0));
+                    SIGNS[i].paint(painter, square, Color32::BLACK, color);
                 });
             }
+            let [body, edges] = theme::CUTTER;
+            legend::sample_of(ui, "cutting edges", edges, |painter, rect, color| {
+                painter.rect_filled(rect.shrink(1.0), 3.0, body);
+                painter.hline(rect.shrink(1.0).x_range(), rect.center().y, Stroke::new(4.0, color));
+            });
         });
+        *ui.spacing_mut() = spacing;
         let mut text = format!(
             "The cutter is drawn turning {SLOWER} times slower. What stands in front of the wall \
              was taken by an earlier cut."

@@ -1,10 +1,11 @@
 //! The sheet that lists all keys: it fits the window, and shows that it can be scrolled where it does not.
 
-use egui::style::ScrollStyle;
 use egui::{Align2, Context, Key, KeyboardShortcut, Label, RichText, ScrollArea, Ui, Vec2, vec2};
 
 use super::{DIGITS, Host, Reach, screen_key, table};
 use crate::app::command::Command;
+use crate::app::theme;
+use crate::app::widgets::window;
 
 /// Largest size of its content, points, and what its title and the edges of the window take.
 const LARGEST: Vec2 = vec2(440.0, 620.0);
@@ -42,18 +43,17 @@ fn screens_line(ctx: &Context, reach: &Reach<'_>) -> Option<(String, &'static st
 pub fn sheet(ctx: &Context, reach: &Reach<'_>, open: &mut bool) {
     let room = ctx.content_rect().size() - AROUND;
     let size = LARGEST.min(room).max(Vec2::splat(80.0));
-    egui::Window::new("Keyboard")
-        .open(open)
+    let title = "Keyboard";
+    let window = egui::Window::new(title)
         .collapsible(false)
         .resizable(false)
         .default_size(size)
-        .anchor(Align2::CENTER_CENTER, Vec2::ZERO)
-        .show(ctx, |ui| {
-            ui.set_width(size.x);
-            ui.spacing_mut().scroll = ScrollStyle::solid();
-            let area = ScrollArea::vertical().max_height(size.y).auto_shrink([false, true]);
-            area.show(ui, |ui| lines(ui, reach));
-        });
+        .anchor(Align2::CENTER_CENTER, Vec2::ZERO);
+    window::closable(ctx, title, window, Some(size.x), open, |ui| {
+        ui.spacing_mut().scroll = theme::solid_bars();
+        let area = ScrollArea::vertical().max_height(size.y).auto_shrink([false, true]);
+        area.show(ui, |ui| lines(ui, reach));
+    });
 }
 
 fn lines(ui: &mut Ui, reach: &Reach<'_>) {

@@ -90,9 +90,10 @@ pub fn show(
 /// The legend of what all charts compare with: the twin, the run before the last change and after it.
 /// A click shows or hides it in all of them.
 pub fn legend_of_all(ui: &mut Ui, session: &Session, axes: &mut Axes) {
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing = egui::vec2(14.0, 1.0);
-        ui.spacing_mut().interact_size.y = 14.0;
+    let spacing = ui.spacing().clone();
+    ui.spacing_mut().item_spacing = egui::vec2(14.0, 1.0);
+    ui.spacing_mut().interact_size.y = 14.0;
+    legend::row(ui, "all plots", |ui| {
         let changed = session.ghost().is_some();
         for (name, look, help, shown) in [
             (TWIN, Look::Twin, TWIN_HELP, true),
@@ -104,6 +105,7 @@ pub fn legend_of_all(ui: &mut Ui, session: &Session, axes: &mut Axes) {
             ui.add_visible(shown, entry).on_hover_text(help);
         }
     });
+    *ui.spacing_mut() = spacing;
 }
 
 /// An entry of a legend that shows or hides its line.
@@ -113,8 +115,9 @@ fn switch(
     key: (&'static str, &'static str),
     look: Look,
 ) -> egui::Response {
-    let response = legend::entry(ui, key.1, look, axes.hidden.contains(&key));
-    if response.clicked() && !axes.hidden.remove(&key) {
+    let hidden = axes.hidden.contains(&key);
+    let legend::LegendEntry { response, pressed } = legend::entry(ui, key.1, look, hidden);
+    if pressed && !axes.hidden.remove(&key) {
         axes.hidden.insert(key);
     }
     response
@@ -131,7 +134,7 @@ fn legend_row(
     let spacing = ui.spacing().clone();
     ui.spacing_mut().item_spacing = egui::vec2(10.0, 1.0);
     ui.spacing_mut().interact_size.y = 14.0;
-    ui.horizontal_wrapped(|ui| {
+    legend::row(ui, chart.title, |ui| {
         let unit = format::unit(SIGNALS[index(chart.curves[0].signal)].unit);
         ui.add(egui::Label::new(egui::RichText::new(format!("{} [{unit}]", chart.title)).strong()));
         for curve in chart.foremost() {

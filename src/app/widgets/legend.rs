@@ -1,20 +1,84 @@
 //! Entries of a legend: a sample of the line in its colour and style, and its name. A click shows
-//! or hides the entry's curve.
+//! or hides the entry's curve; fingers get all of a legend as one target, which opens the switches as a list.
 
-use egui::{Color32, Painter, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo};
+use egui::{
+    Color32, Id, Painter, Popup, PopupCloseBehavior, Rect, Response, Role, Sense, Stroke, Ui,
+};
+use egui::{WidgetInfo, vec2};
 use egui_plot::LineStyle;
 
-use super::super::theme::{Look, Palette};
+use super::super::theme::{self, Look, Palette};
 
 const SAMPLE: f32 = 18.0;
 
+/// An entry that was drawn.
+pub struct LegendEntry {
+    /// Where it stands.
+    pub response: Response,
+    /// Whether it was pressed, here or in the list of its legend.
+    pub pressed: bool,
+}
+
+/// The legend whose entries are being drawn for fingers: their names, and whether they are hidden.
+#[derive(Clone, Default)]
+struct Listed {
+    entries: Vec<(String, bool)>,
+    /// The one that was pressed in the list of the frame before.
+    pressed: Option<String>,
+}
+
+fn listed() -> Id {
+    Id::unique("legend being drawn")
+}
+
+/// A legend in as many lines as it needs, `title` for the list of its switches.
+pub fn row(ui: &mut Ui, title: &str, add: impl FnOnce(&mut Ui)) {
+    if !theme::fingers(ui.ctx()) {
+        ui.horizontal_wrapped(add);
+        return;
+    }
+    let id = ui.scope_id().with(("legend", title));
+    let pressed = ui.data_mut(|data| data.remove_temp::<String>(id));
+    let begun = Listed { pressed, ..Listed::default() };
+    ui.data_mut(|data| data.insert_temp(listed(), begun));
+    let row = |ui: &mut Ui| {
+        // As low as its text: all of it is the target.
+        ui.spacing_mut().interact_size.y = 14.0;
+        ui.horizontal_wrapped(add).response.rect
+    };
+    let rect = ui.scope(row).inner;
+    let entries =
+        ui.data_mut(|data| data.remove_temp::<Listed>(listed())).unwrap_or_default().entries;
+    if entries.is_empty() {
+        return;
+    }
+    let missing = theme::FINGER - rect.height();
+    if missing > 0.0 {
+        ui.allocate_space(vec2(0.0, missing - ui.spacing().item_spacing.y));
+    }
+    let target = rect.with_max_y(rect.bottom().max(rect.top() + theme::FINGER));
+    let response = ui.interact(target, id, Sense::click());
+    let name = format!("Lines of {title}");
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.clone()));
+    let list = Popup::menu(&response).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    list.show(|ui| {
+        for (name, hidden) in entries {
+            let mut shown = !hidden;
+            if ui.checkbox(&mut shown, &name).changed() {
+                ui.data_mut(|data| data.insert_temp(id, name));
+            }
+        }
+    });
+}
+
 /// The entry of a line; a click shows or hides it.
-pub fn entry(ui: &mut Ui, name: &str, look: Look, hidden: bool) -> Response {
+pub fn entry(ui: &mut Ui, name: &str, look: Look, hidden: bool) -> LegendEntry {
     let (stroke, style) = look.line(Palette::at(ui));
-    let response = entry_of(ui, name, hidden, stroke.color, |painter, rect, color| {
+    let entry = entry_of(ui, name, hidden, stroke.color, |painter, rect, color| {
         line(painter, rect, Stroke { color, ..stroke }, style);
     });
-    response.on_hover_text(if hidden { "Show this line" } else { "Hide this line" })
+    let help = if hidden { "Show this line" } else { "Hide this line" };
+    LegendEntry { response: entry.response.on_hover_text(help), ..entry }
 }
 
 /// The entry of anything that can be shown and hidden: `sample` paints it into a small rectangle
@@ -25,18 +89,36 @@ pub fn entry_of(
     hidden: bool,
     color: Color32,
     sample: impl FnOnce(&Painter, Rect, Color32),
-) -> Response {
+) -> LegendEntry {
     let palette = Palette::at(ui);
-    let ink = if hidden { palette.line } else { palette.weak };
-    let (rect, response) = named(ui, name, ink, Sense::click());
-    response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, !hidden, name));
+    let fingers = theme::fingers(ui.ctx());
+    let sense = if fingers { Sense::hover() } else { Sense::click() };
+    let (rect, response) = named(ui, name, palette.weak, sense);
+    if fingers {
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name));
+    } else {
+        response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, !hidden, name));
+    }
     let place = rect.with_max_x(rect.left() + SAMPLE);
     sample(ui.painter(), place, if hidden { palette.line } else { color });
+    if hidden {
+        // Struck out rather than faint: it is a switch, and must be read.
+        let struck = Stroke::new(1.0, palette.weak);
+        ui.painter().hline(rect.x_range(), rect.center().y, struck);
+    }
     if response.has_focus() {
         let focus = Stroke::new(1.0, palette.accent);
         ui.painter().rect_stroke(rect.expand(2.0), 2.0, focus, egui::StrokeKind::Outside);
     }
-    response
+    let mut pressed = response.clicked();
+    if fingers && ui.is_visible() {
+        ui.data_mut(|data| {
+            let list = data.get_temp_mut_or_default::<Listed>(listed());
+            pressed |= list.pressed.as_deref() == Some(name);
+            list.entries.push((name.to_owned(), hidden != pressed));
+        });
+    }
+    LegendEntry { response, pressed }
 }
 
 /// The name of a line that is always shown.
@@ -66,9 +148,9 @@ pub fn sample_of(
 fn named(ui: &mut Ui, name: &str, ink: Color32, sense: Sense) -> (Rect, Response) {
     let font = egui::TextStyle::Small.resolve(ui.style());
     let text = ui.painter().layout_no_wrap(name.to_owned(), font, ink);
-    let size = egui::vec2(SAMPLE + 4.0 + text.size().x, text.size().y.max(14.0));
+    let size = vec2(SAMPLE + 4.0 + text.size().x, text.size().y.max(14.0));
     let (rect, response) = ui.allocate_exact_size(size, sense);
-    let at = rect.right_center() - egui::vec2(text.size().x, 0.5 * text.size().y);
+    let at = rect.right_center() - vec2(text.size().x, 0.5 * text.size().y);
     ui.painter().galley(at, text, ink);
     (rect, response)
 }

@@ -9,6 +9,7 @@ pub mod plot;
 pub mod save_table;
 pub mod scaffold;
 pub mod setting;
+pub mod standing;
 pub mod target;
 pub mod touch;
 pub mod window;

@@ -1,6 +1,7 @@
 //! What all plots have in common: their look, their grid, and what the pointer is near to.
 
-use egui_plot::{GridInput, GridMark, HoverPosition, Plot, PlotPoint};
+use egui::Rangef;
+use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Plot, PlotPoint};
 
 use super::super::format::{log10, round_step};
 use super::super::theme::Palette;
@@ -18,14 +19,27 @@ pub fn still<'a>(title: &str, palette: &Palette, [width, height]: [f32; 2]) -> P
         .allow_double_click_reset(false)
         .allow_axis_zoom_drag(false)
         .sense(egui::Sense::hover())
-        .y_axis_min_width(44.0)
+        .custom_x_axes(vec![level_axis()])
+        .custom_y_axes(vec![upright_axis(44.0)])
         .grid_color(palette.grid)
         .grid_fade(0.0)
         .x_grid_spacer(move |input| grid(input, width / 80.0))
         .y_grid_spacer(move |input| grid(input, height / 27.0))
         .x_axis_formatter(|mark, _| tick(mark))
         .y_axis_formatter(|mark, _| tick(mark))
-        .grid_spacing(egui::Rangef::new(16.0, 300.0))
+        .grid_spacing(Rangef::new(16.0, 300.0))
+}
+
+/// A horizontal axis. Its labels do not fade in as they get room, which would be hard to read.
+#[must_use]
+pub fn level_axis<'a>() -> AxisHints<'a> {
+    AxisHints::new_x().label_spacing(Rangef::new(60.0, 60.1))
+}
+
+/// A vertical axis with labels in `width` points, which do not fade in either.
+#[must_use]
+pub fn upright_axis<'a>(width: f32) -> AxisHints<'a> {
+    AxisHints::new_y().label_spacing(Rangef::new(20.0, 20.1)).min_thickness(width)
 }
 
 /// Grid lines at round values, about `count` of them.

@@ -174,8 +174,7 @@ fn labelled(
     edit: impl FnOnce(&mut Ui) -> Response,
 ) -> (Response, Response) {
     ui.horizontal(|ui| {
-        let label =
-            ui.add(egui::Label::new(param.spec.label).truncate().sense(focus::pointer_only(false)));
+        let label = touch::name(ui, param.spec.label);
         let right = egui::Layout::right_to_left(egui::Align::Center);
         let response = ui.with_layout(right, edit).inner.labelled_by(label.id);
         (label, response)
@@ -230,7 +229,7 @@ fn choice(
     let (name, needed) = (wide(ui, param.spec.label), wide(ui, chosen) + around);
     if name + gap + needed > room {
         // Below each other, rather than both cut off.
-        let label = ui.add(egui::Label::new(param.spec.label).sense(focus::pointer_only(false)));
+        let label = touch::name(ui, param.spec.label);
         let response = combo(ui, room).labelled_by(label.id);
         return label.union(response);
     }

@@ -4,7 +4,7 @@
 use egui::Ui;
 
 use super::super::command::{Command, SessionCommand};
-use super::super::theme::Palette;
+use super::super::theme::{self, Palette};
 use super::focus::pointer_only;
 use super::setting::{Size, setting, slider_rect};
 use crate::base::math::ln;
@@ -27,14 +27,15 @@ pub fn target(ui: &mut Ui, screen: Screen, scenario: &Scenario, commands: &mut V
     let (Ok(param), Some(rail)) = (param(PATH), slider_rect(ui.ctx(), PATH)) else { return };
     let Kind::Float { min, max } = param.spec.allowed else { return };
     let palette = Palette::at(ui);
-    let (row, _) = ui.allocate_exact_size(egui::vec2(rail.width(), 20.0), egui::Sense::hover());
+    // Fingers get more than the names of the grades take.
+    let size = if theme::fingers(ui.ctx()) { [theme::FINGER; 2] } else { [30.0, 20.0] };
+    let (row, _) = ui.allocate_exact_size(egui::vec2(rail.width(), size[1]), egui::Sense::hover());
     let handle = 0.4 * rail.height();
     let span = rail.x_range().shrink(handle);
     for (name, ra_um) in GRADES {
         let fraction = (ln(ra_um / min) / ln(max / min)) as f32;
         let x = egui::lerp(span.min..=span.max, fraction);
-        let place =
-            egui::Rect::from_center_size(egui::pos2(x, row.center().y), egui::vec2(30.0, 20.0));
+        let place = egui::Rect::from_center_size(egui::pos2(x, row.center().y), size.into());
         let id = ui.scope_id().with(name);
         let response = ui.interact(place, id, pointer_only(false));
         let chosen = (scenario.target.ra_um - ra_um).abs() < 1e-9;

@@ -1,9 +1,16 @@
 //! A finger that begins on a slider or a field may want to scroll: only a drag that goes across more than
-//! along changes a value, everything else scrolls what the widget stands in.
+//! along changes a value, everything else scrolls what the widget stands in. And what is pressed has room for
+//! a finger.
 
 use egui::style::ScrollAnimation;
-use egui::{Id, Pos2, Response, Ui, vec2};
+use egui::text::{LayoutJob, TextWrapping};
+use egui::{
+    Button, Grid, Id, Label, Pos2, Response, Role, TextStyle, Ui, Vec2, WidgetInfo, WidgetText,
+    pos2, vec2,
+};
 
+use super::super::theme;
+use super::focus::pointer_only;
 use super::zoom::by_touch;
 
 /// Least width and height of what a finger is to hit, points.
@@ -52,6 +59,56 @@ fn swipe(ui: &Ui) -> Swipe {
     now
 }
 
+/// Rows of a table may be so low, points, but for fingers that press what stands in them.
+pub fn low_rows(ui: &mut Ui, height: f32) {
+    if !theme::fingers(ui.ctx()) {
+        ui.spacing_mut().interact_size.y = height;
+    }
+}
+
+/// Least size of a button whose text is short: none, but for fingers.
+#[must_use]
+pub fn least(ui: &Ui) -> Vec2 {
+    if theme::fingers(ui.ctx()) { Vec2::splat(theme::FINGER) } else { Vec2::ZERO }
+}
+
+/// A choice of several, for [`least`].
+pub fn choice(ui: &mut Ui, chosen: bool, text: impl Into<WidgetText>) -> Response {
+    let least = least(ui);
+    ui.add(Button::selectable(chosen, text.into()).min_size(least))
+}
+
+/// A table with rows as high as what stands in them.
+pub fn grid(ui: &Ui, id: impl egui::AsIdSalt) -> Grid {
+    /// Least height of a row where fingers would have it higher, points.
+    const ROW: f32 = 18.0;
+    let grid = Grid::new(id);
+    if theme::fingers(ui.ctx()) { grid.min_row_height(ROW) } else { grid }
+}
+
+/// A button that is small beside others, but for fingers.
+pub fn small<'a>(ui: &Ui, button: Button<'a>) -> Button<'a> {
+    if theme::fingers(ui.ctx()) { button.min_size(least(ui)) } else { button.small() }
+}
+
+/// The name of a setting at its left, which is pressed for its menu: as high as what stands beside it.
+pub fn name(ui: &mut Ui, text: &str) -> Response {
+    if !theme::fingers(ui.ctx()) {
+        return ui.add(Label::new(text).truncate().sense(pointer_only(false)));
+    }
+    let font = TextStyle::Body.resolve(ui.style());
+    let color = ui.visuals().text_color();
+    let mut job = LayoutJob::simple_singleline(text.to_owned(), font, color);
+    job.wrap = TextWrapping::truncate_at_width(ui.available_width());
+    let galley = ui.painter().layout_job(job);
+    let least = ui.spacing().interact_size;
+    let (rect, response) = ui.allocate_exact_size(galley.size().max(least), pointer_only(false));
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
+    let at = pos2(rect.left(), rect.center().y - 0.5 * galley.size().y);
+    ui.painter().galley(at, galley, color);
+    response
+}
+
 /// Gives a slider or field back the value `before` that it had, unless it is dragged across, by the mouse, or
 /// changed by keys; a finger that goes along scrolls.
 pub fn only_across<T>(ui: &Ui, response: &Response, value: &mut T, before: T) {
@@ -74,7 +131,6 @@ pub fn only_across<T>(ui: &Ui, response: &Response, value: &mut T, before: T) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use egui::pos2;
 
     #[test]
     fn a_swipe_is_decided_once_and_across_only_where_it_is_mostly_so() {

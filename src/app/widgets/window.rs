@@ -1,9 +1,10 @@
 //! A window over a screen: it can be moved on the desktop and takes the screen of a phone; Escape
 //! closes it.
 
-use egui::{Context, Key, Modifiers, Rect, Ui, Vec2, vec2};
+use egui::{Align, Context, Key, Layout, Modifiers, Rect, ScrollArea, Ui, Vec2, vec2};
 
 use super::super::theme;
+use super::icon::{self, Icon};
 
 /// Where a window may stand.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +39,8 @@ pub fn show(
     {
         *open = false;
     }
-    let window = egui::Window::new(title).open(open).collapsible(false).vscroll(true);
+    let fingers = theme::fingers(ctx);
+    let window = egui::Window::new(title).collapsible(false).vscroll(!fingers);
     let screen = place.screen;
     let window = if place.narrow {
         let size = (screen.size() - vec2(14.0, TITLE + 4.0)).max(LEAST);
@@ -51,5 +53,46 @@ pub fn show(
         let at = screen.min + vec2(theme::CONTROLS_WIDTH + 40.0, top);
         window.default_pos(at).default_size(vec2(width, height)).constrain_to(screen)
     };
-    window.show(ctx, body);
+    closable(ctx, title, window, None, open, |ui| {
+        if fingers {
+            // What is too wide for a phone is moved across.
+            ScrollArea::both().auto_shrink([false, true]).show(ui, body);
+        } else {
+            body(ui);
+        }
+    });
+}
+
+/// Shows a window `width` points wide while it is `open`, with a button that closes it and is large enough
+/// for a finger where one presses.
+pub fn closable(
+    ctx: &Context,
+    title: &str,
+    window: egui::Window<'_>,
+    width: Option<f32>,
+    open: &mut bool,
+    body: impl FnOnce(&mut Ui),
+) {
+    let sized = |ui: &mut Ui| width.into_iter().for_each(|width| ui.set_width(width));
+    if !theme::fingers(ctx) {
+        window.open(open).show(ctx, |ui| {
+            sized(ui);
+            body(ui);
+        });
+        return;
+    }
+    if !*open {
+        return;
+    }
+    window.title_bar(false).show(ctx, |ui| {
+        sized(ui);
+        ui.horizontal(|ui| {
+            ui.heading(title);
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let name = "Close window";
+                *open &= !icon::button(ui, Icon::Close, name, name, true).clicked();
+            });
+        });
+        body(ui);
+    });
 }

@@ -10,14 +10,15 @@ use super::layout::{Course, Style};
 use super::moment::Now;
 use crate::app::panels::equation_cards::Block;
 use crate::app::panels::equation_cards::formula::{number, typeset};
-use crate::app::theme::Palette;
+use crate::app::theme::{self, Palette};
 use crate::run::diagram::Lamp;
 use crate::run::explanation::explain_controller;
 
-const TITLE: f32 = 13.0;
-const TEXT: f32 = 11.5;
-const NAME: f32 = 11.0;
-const VALUE: f32 = 12.5;
+/// Sizes of text at scale 1, points; none is drawn smaller than the smallest of the theme.
+const TITLE: f32 = 13.5;
+const TEXT: f32 = 12.0;
+const NAME: f32 = 12.0;
+const VALUE: f32 = 13.0;
 const PADDING: f32 = 6.0;
 const LAMP_RADIUS: f32 = 4.0;
 const ARROW: f32 = 7.0;
@@ -74,17 +75,24 @@ pub struct Brush {
     painter: Painter,
     palette: &'static Palette,
     scale: f32,
+    /// Size of the smallest text, points.
+    least: f32,
 }
 
 impl Brush {
     /// A brush for `ui` at the scale of a layout.
     #[must_use]
     pub fn new(ui: &egui::Ui, scale: f32) -> Self {
-        Self { painter: ui.painter().clone(), palette: Palette::at(ui), scale }
+        let least = theme::note(ui.ctx()).size;
+        Self { painter: ui.painter().clone(), palette: Palette::at(ui), scale, least }
     }
 
     fn s(&self, x: f32) -> f32 {
         x * self.scale
+    }
+
+    fn size(&self, text: f32) -> f32 {
+        self.s(text).max(self.least)
     }
 
     /// Text in at most `lines` lines of `width`; what does not fit ends in an ellipsis.
@@ -105,7 +113,8 @@ impl Brush {
     }
 
     fn plain(&self, text: &str, size: f32, color: Color32) -> LayoutJob {
-        LayoutJob::simple(text.to_owned(), FontId::proportional(self.s(size)), color, f32::INFINITY)
+        let font = FontId::proportional(self.size(size));
+        LayoutJob::simple(text.to_owned(), font, color, f32::INFINITY)
     }
 
     /// A wire with all its branches.
@@ -144,7 +153,7 @@ impl Brush {
             Style::Across => {
                 // A name that does not fit gives way to the symbol.
                 let name = if self.painter.layout_job(name()).size().x > width {
-                    typeset(course.wire.symbol, self.s(NAME), self.palette.weak)
+                    typeset(course.wire.symbol, self.size(NAME), self.least, self.palette.weak)
                 } else {
                     name()
                 };
@@ -160,7 +169,8 @@ impl Brush {
                 self.text(rect.right_center(), Align2::RIGHT_TOP, shown(), width, 1);
             }
             Style::Short => {
-                let symbol = typeset(course.wire.symbol, self.s(VALUE), self.palette.weak);
+                let symbol =
+                    typeset(course.wire.symbol, self.size(VALUE), self.least, self.palette.weak);
                 let used = self.text(rect.left_center(), Align2::LEFT_CENTER, symbol, width, 1);
                 let from = pos2(used.right() + self.s(5.0), middle.y);
                 self.text(from, Align2::LEFT_CENTER, shown(), rect.right() - from.x, 1);

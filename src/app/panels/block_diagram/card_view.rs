@@ -1,6 +1,6 @@
 //! The equation card of a block on the screen.
 
-use egui::{Color32, Label, Response, RichText, Role, Sense, Stroke, Ui, Vec2, WidgetInfo};
+use egui::{Button, Color32, Label, Response, RichText, Role, TextWrapMode, Ui, WidgetInfo};
 
 use super::moment::Now;
 use crate::app::command::Command;
@@ -8,12 +8,13 @@ use crate::app::panels::equation_cards::formula::typeset;
 use crate::app::panels::equation_cards::{Block, Live, live};
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::setting::{Size, setting};
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
 use crate::run::diagram::{WIRES, Wire};
 use crate::run::signals::signal;
 use crate::study::uses::Screen;
 
 const FORMULA: f32 = 14.0;
-const NOTE: f32 = 11.5;
 
 /// Shows the card of `block`, with the editors of its settings; gives back a signal that was asked to be
 /// plotted.
@@ -31,7 +32,7 @@ pub fn show(
             ui.set_width(ui.available_width());
             ui.horizontal(|ui| {
                 ui.heading(info.title(now.moment.scenario));
-                let help = ui.selectable_label(*explain, "?").on_hover_text("What is this?");
+                let help = touch::choice(ui, *explain, "?").on_hover_text("What is this?");
                 help.widget_info(|| {
                     WidgetInfo::selected(Role::Button, true, *explain, "What is this?")
                 });
@@ -50,7 +51,7 @@ pub fn show(
             section(ui, "As printed");
             for printed in block.printed(now.moment.scenario) {
                 formula(ui, printed.formula, palette.text);
-                ui.label(RichText::new(printed.source).size(NOTE).color(palette.weak));
+                ui.label(RichText::new(printed.source).small().color(palette.weak));
             }
             section(ui, &block.now(now.moment.scenario));
             for line in live(block, &now.moment) {
@@ -68,7 +69,8 @@ fn section(ui: &mut Ui, title: &str) {
 
 /// A set formula; read out as it is written.
 fn formula(ui: &mut Ui, text: &str, color: Color32) -> Response {
-    let response = ui.add(Label::new(typeset(text, FORMULA, color)).wrap());
+    let response =
+        ui.add(Label::new(typeset(text, FORMULA, theme::note(ui.ctx()).size, color)).wrap());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
     response
 }
@@ -77,19 +79,12 @@ fn live_line(ui: &mut Ui, line: &Live, palette: &Palette) {
     formula(ui, &line.formula, palette.weak);
     formula(ui, &line.values, palette.text);
     if !line.range.is_empty() {
-        let (color, word) =
-            if line.valid { (palette.good, "holds:") } else { (palette.bad, "OUTSIDE:") };
-        ui.horizontal(|ui| {
-            let (rect, _) = ui.allocate_exact_size(Vec2::splat(10.0), Sense::hover());
-            let (center, painter) = (rect.center(), ui.painter());
-            // As in the diagram: hollow where all is well, full where it is not.
-            if line.valid {
-                painter.circle_stroke(center, 4.0, Stroke::new(1.4, color));
-            } else {
-                painter.circle_filled(center, 5.0, color);
-            }
-            formula(ui, &format!("{word} {}", line.range), color);
-        });
+        let standing = Standing::either(line.valid);
+        let word = if line.valid { "holds:" } else { "OUTSIDE:" };
+        let text = format!("{word} {}", line.range);
+        let job = typeset(&text, FORMULA, theme::note(ui.ctx()).size, standing.color(palette));
+        let response = standing.lead(ui, job, TextWrapMode::Wrap);
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
     }
     ui.add_space(3.0);
 }
@@ -101,7 +96,8 @@ fn signals(ui: &mut Ui, ids: &[&'static str]) -> Option<Wire> {
         ui.label("Plot:");
         for id in ids {
             let Some(info) = signal(id) else { continue };
-            if ui.small_button(info.label).on_hover_text(info.doc.trim()).clicked() {
+            let button = ui.add(touch::small(ui, Button::new(info.label)));
+            if button.on_hover_text(info.doc.trim()).clicked() {
                 let known = WIRES.iter().find(|wire| wire.signal == *id && !wire.delayed);
                 let bare =
                     Wire { signal: info.id, symbol: "", delayed: false, from: None, to: &[] };

@@ -7,7 +7,7 @@ use super::moment::Now;
 use crate::app::format;
 use crate::app::session::Session;
 use crate::app::theme::{Look, Palette};
-use crate::app::widgets::plot::pieces;
+use crate::app::widgets::plot::{level_axis, pieces, upright_axis};
 use crate::run::diagram::Wire;
 use crate::run::signals::{SIGNALS, SignalInfo, signal};
 
@@ -125,7 +125,8 @@ pub fn show(ui: &mut egui::Ui, session: &Session, now: &Now<'_>, wire: Wire, hei
         .grid_color(palette.weak)
         .grid_fade(0.7)
         .grid_spacing(egui::Rangef::new(16.0, 300.0))
-        .y_axis_min_width(44.0)
+        .custom_x_axes(vec![level_axis()])
+        .custom_y_axes(vec![upright_axis(44.0)])
         .x_axis_formatter(|mark, _| {
             let decimals = usize::from(mark.step_size < 1.0) + usize::from(mark.step_size < 0.1);
             format!("{:.decimals$} s", mark.value)

@@ -8,6 +8,7 @@ use super::table::{printed_of, title, value};
 use crate::app::theme::Palette;
 use crate::app::widgets::legend;
 use crate::app::widgets::plot::{grid, still};
+use crate::app::widgets::touch;
 use crate::run::job::Progress;
 use crate::study::compare::outcome::Measure;
 use crate::study::compare::tournament::Compared;
@@ -30,7 +31,7 @@ pub fn show(
     ui.horizontal_wrapped(|ui| {
         ui.strong("Spread over the seeds:");
         for one in Measure::ALL {
-            let response = ui.selectable_label(*measure == *one, one.label());
+            let response = touch::choice(ui, *measure == *one, one.label());
             let (is, name) = (*measure == *one, format!("Spread of {}", one.label()));
             response.widget_info(|| WidgetInfo::selected(Role::Button, true, is, name.clone()));
             if response.clicked() {

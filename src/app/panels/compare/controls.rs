@@ -6,6 +6,8 @@ use super::contest::{ContestDeadTime, ContestPart, Contests, Stock, methods};
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::number::NumberField;
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
 use crate::base::settings::Choice;
 use crate::run::job::Progress;
 
@@ -29,7 +31,9 @@ pub fn show(ui: &mut Ui, contests: &mut Contests) {
     ui.horizontal_wrapped(|ui| {
         ui.label("Who takes part:");
         for (method, chosen) in methods().zip(&mut setup.chosen) {
-            ui.toggle_value(chosen, method.name);
+            if touch::choice(ui, *chosen, method.name).clicked() {
+                *chosen = !*chosen;
+            }
         }
     });
     ui.horizontal_wrapped(|ui| {
@@ -78,7 +82,7 @@ pub fn show(ui: &mut Ui, contests: &mut Contests) {
         }
     });
     for problem in contests.said.iter().chain(&contests.refused) {
-        ui.label(RichText::new(problem).color(palette.bad));
+        Standing::Bad.label(ui, problem, |text| text);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Experiment 2 under other dead times and in another steel, nothing retuned, beside the figures of
 //! an independent prototype.
 
-use egui::{Grid, ProgressBar, RichText, ScrollArea, TextWrapMode, Ui};
+use egui::{ProgressBar, RichText, ScrollArea, TextWrapMode, Ui};
 
 use super::contest::Robust;
 use super::sheets;
@@ -11,13 +11,14 @@ use crate::app::jobs::Jobs;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
 use crate::run::job::Progress;
 use crate::study::compare::outcome::Measure;
 use crate::study::compare::robustness::{CONDITIONS, RobustnessRow, material_claim, methods};
 use crate::study::verdict::Verdict;
 
 /// Size of type of the prototype's figures.
-const NOTE: f32 = 11.5;
 /// What is shown of each condition.
 const MEASURES: [Measure; 3] = [Measure::Nsn, Measure::Time, Measure::Force];
 
@@ -55,7 +56,7 @@ pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs, commands: &mut Vec<Co
     let each = methods().count();
     ScrollArea::horizontal().id_salt("robustness").show(ui, |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-        Grid::new("robustness").striped(true).spacing([14.0, 4.0]).show(ui, |ui| {
+        touch::grid(ui, "robustness").striped(true).spacing([14.0, 4.0]).show(ui, |ui| {
             ui.strong("Control");
             for condition in &CONDITIONS {
                 ui.strong(condition.label);
@@ -63,7 +64,7 @@ pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs, commands: &mut Vec<Co
             ui.end_row();
             ui.label("");
             for _ in &CONDITIONS {
-                ui.label(RichText::new("Nsn / s / kN").size(NOTE).color(palette.weak));
+                ui.label(RichText::new("Nsn / s / kN").small().color(palette.weak));
             }
             ui.end_row();
             for method in 0..each {
@@ -77,10 +78,10 @@ pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs, commands: &mut Vec<Co
     });
     save_table(ui, "changed-conditions", || sheets::robustness(rows), commands);
     if let Some(claim) = material_claim(rows) {
-        let color = if claim.verdict == Verdict::Holds { palette.good } else { palette.bad };
+        let standing = Standing::either(claim.verdict == Verdict::Holds);
         let mark = claim.verdict.label();
         ui.horizontal_wrapped(|ui| {
-            ui.label(RichText::new(mark).strong().color(color));
+            standing.label(ui, mark, RichText::strong);
             ui.label(claim.paper);
             ui.label(RichText::new(claim.found).color(palette.weak));
         });
@@ -98,7 +99,7 @@ fn cell(ui: &mut Ui, row: &RobustnessRow, palette: &Palette) {
         ui.label(found);
         if let Some(reference) = &row.reference {
             let known = figures(&|measure| reference.get(measure));
-            ui.label(RichText::new(known).size(NOTE).color(palette.weak));
+            ui.label(RichText::new(known).small().color(palette.weak));
         }
     });
 }

@@ -1,6 +1,6 @@
 //! The load step: how long each way of control takes until the force is back.
 
-use egui::{Grid, RichText, Ui};
+use egui::{RichText, Ui};
 
 use super::contest::Contest;
 use super::sheets;
@@ -9,6 +9,7 @@ use crate::app::command::Command;
 use crate::app::format;
 use crate::app::theme::Palette;
 use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::touch;
 
 /// The section; the printed table belongs to what is shown or not.
 pub fn show(ui: &mut Ui, contest: &Contest, belongs: bool, commands: &mut Vec<Command>) {
@@ -31,7 +32,7 @@ pub fn show(ui: &mut Ui, contest: &Contest, belongs: bool, commands: &mut Vec<Co
         ui.weak("Not run yet: it comes first when the comparison runs.");
         return;
     }
-    Grid::new("load step").striped(true).spacing([16.0, 4.0]).show(ui, |ui| {
+    touch::grid(ui, "load step").striped(true).spacing([16.0, 4.0]).show(ui, |ui| {
         for title in ["Control", "Periods", "Overshoot", "Left over", "Printed"] {
             ui.strong(title);
         }

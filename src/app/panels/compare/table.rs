@@ -1,20 +1,19 @@
 //! The table: a grid on a desktop, a card for everybody where it is narrow. Beside each mean its
 //! deviation over the seeds, below it what is printed.
 
-use egui::{Color32, Grid, RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
+use egui::{Button, RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
 
 use crate::app::command::{Command, SessionCommand, ShellCommand};
 use crate::app::format;
 use crate::app::theme::{self, Palette};
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
 use crate::run::edits::Edits;
 use crate::run::scenario_file;
 use crate::study::compare::entrants::Entrant;
 use crate::study::compare::outcome::Measure;
 use crate::study::compare::table_1::{self, Table1Printed};
 use crate::study::compare::tournament::Compared;
-
-/// Size of type of deviations and printed figures.
-const NOTE: f32 = 11.5;
 
 /// A value of a measure with its digits.
 pub fn value(measure: Measure, value: f64) -> String {
@@ -94,15 +93,15 @@ fn figure(
     Figure { mean: value(measure, spread.mean), deviation, printed, is_best }
 }
 
-fn mean_text(figure: &Figure, palette: &Palette) -> RichText {
-    let color: Color32 = if figure.is_best { palette.good } else { palette.text };
-    RichText::new(&figure.mean).strong().color(color)
+fn mean_line(ui: &mut Ui, figure: &Figure) {
+    let standing = if figure.is_best { Standing::Best } else { Standing::Plain };
+    standing.label(ui, &figure.mean, RichText::strong);
 }
 
 /// The button that loads an entrant's scenario into the console.
 fn load(ui: &mut Ui, entrants: &[Entrant], index: usize, commands: &mut Vec<Command>) {
     let entrant = &entrants[index];
-    let button = ui.small_button("Load");
+    let button = ui.add(touch::small(ui, Button::new("Load")));
     let name = format!("Load {}", entrant.name);
     button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.clone()));
     if button.on_hover_text("Opens this run in the console").clicked() {
@@ -139,7 +138,7 @@ pub fn table(
     let palette = Palette::at(ui);
     ScrollArea::horizontal().id_salt("compared").show(ui, |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-        Grid::new("compared").striped(true).spacing([18.0, 6.0]).show(ui, |ui| {
+        touch::grid(ui, "compared").striped(true).spacing([18.0, 6.0]).show(ui, |ui| {
             ui.strong("Control");
             ui.label("");
             for measure in Measure::ALL {
@@ -152,7 +151,7 @@ pub fn table(
                 ui.vertical(|ui| {
                     ui.horizontal(|ui| ui.strong(&one.name));
                     if let Some(trouble) = trouble(one) {
-                        ui.label(RichText::new(trouble).size(NOTE).color(palette.bad));
+                        Standing::Bad.label(ui, &trouble, RichText::small);
                     }
                 });
                 // At the height of the name.
@@ -162,13 +161,11 @@ pub fn table(
                     ui.vertical(|ui| {
                         ui.horizontal(|ui| {
                             ui.spacing_mut().item_spacing.x = 4.0;
-                            ui.label(mean_text(&figure, palette));
-                            ui.label(
-                                RichText::new(&figure.deviation).size(NOTE).color(palette.weak),
-                            );
+                            mean_line(ui, &figure);
+                            ui.label(RichText::new(&figure.deviation).small().color(palette.weak));
                         });
                         if let Some(printed) = &figure.printed {
-                            ui.label(RichText::new(printed).size(NOTE).color(palette.weak));
+                            ui.label(RichText::new(printed).small().color(palette.weak));
                         }
                     });
                 }
@@ -176,9 +173,9 @@ pub fn table(
             }
         });
     });
-    let text = "Mean and standard deviation over the seeds; the best of a column in green.";
-    ui.label(RichText::new(text).size(NOTE).color(palette.weak));
-    ui.label(RichText::new(ranking(compared)).size(NOTE).color(palette.weak));
+    let text = "Mean and standard deviation over the seeds; a star marks the best of a column.";
+    ui.label(RichText::new(text).small().color(palette.weak));
+    ui.label(RichText::new(ranking(compared)).small().color(palette.weak));
 }
 
 /// Who is ranked by more than the errors, in words.
@@ -228,24 +225,28 @@ pub fn cards(
                 load(ui, entrants, index, commands);
             });
             if let Some(trouble) = trouble(one) {
-                ui.label(RichText::new(trouble).size(NOTE).color(palette.bad));
+                Standing::Bad.label(ui, &trouble, RichText::small);
             }
-            Grid::new(("compared", index)).num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
-                for measure in Measure::ALL {
-                    let figure = figure(one, compared, *measure, printed);
-                    ui.label(RichText::new(title(*measure)).size(NOTE))
-                        .on_hover_text(doc(*measure));
-                    ui.horizontal(|ui| {
-                        ui.spacing_mut().item_spacing.x = 4.0;
-                        ui.label(mean_text(&figure, palette));
-                        ui.label(RichText::new(&figure.deviation).size(NOTE).color(palette.weak));
-                    });
-                    let printed = figure.printed.unwrap_or_default();
-                    ui.label(RichText::new(printed).size(NOTE).color(palette.weak));
-                    ui.end_row();
-                }
-            });
+            ui.spacing_mut().interact_size.y = 18.0;
+            touch::grid(ui, ("compared", index)).num_columns(3).spacing([8.0, 2.0]).show(
+                ui,
+                |ui| {
+                    for measure in Measure::ALL {
+                        let figure = figure(one, compared, *measure, printed);
+                        ui.label(RichText::new(title(*measure)).small())
+                            .on_hover_text(doc(*measure));
+                        ui.horizontal(|ui| {
+                            ui.spacing_mut().item_spacing.x = 4.0;
+                            mean_line(ui, &figure);
+                            ui.label(RichText::new(&figure.deviation).small().color(palette.weak));
+                        });
+                        let printed = figure.printed.unwrap_or_default();
+                        ui.label(RichText::new(printed).small().color(palette.weak));
+                        ui.end_row();
+                    }
+                },
+            );
         });
     }
-    ui.label(RichText::new(ranking(compared)).size(NOTE).color(palette.weak));
+    ui.label(RichText::new(ranking(compared)).small().color(palette.weak));
 }

@@ -4,6 +4,7 @@
 use egui::{RichText, Ui};
 
 use crate::app::theme::{self, Palette};
+use crate::app::widgets::standing::Standing;
 use crate::study::compare::load_step::Transient;
 use crate::study::compare::table_1::{DISCLOSED, NOT_REACHED, TOLD_BY_VERSION, margin, verdicts};
 use crate::study::compare::tournament::Compared;
@@ -23,14 +24,14 @@ pub fn show(ui: &mut Ui, compared: &[Compared], transients: &[Transient], belong
     ui.heading("Beside Table 1 of 2005");
     if found {
         let met = verdicts.iter().filter(|verdict| verdict.kept()).count();
-        let color = if met == verdicts.len() { palette.good } else { palette.warn };
+        let all_kept = met == verdicts.len();
+        let standing = if all_kept { Standing::Good } else { Standing::Watch };
         let text = format!("{met} of {} bands kept", verdicts.len());
-        ui.label(RichText::new(text).strong().color(color));
+        standing.label(ui, &text, RichText::strong);
         for verdict in &verdicts {
-            let (mark, color) =
-                if verdict.kept() { ("kept", palette.good) } else { ("not reached", palette.bad) };
+            let mark = if verdict.kept() { "kept" } else { "not reached" };
             ui.horizontal_wrapped(|ui| {
-                ui.label(RichText::new(mark).strong().color(color));
+                Standing::either(verdict.kept()).label(ui, mark, RichText::strong);
                 ui.label(&verdict.band);
                 ui.label(RichText::new(format!("found {}", verdict.found)).color(palette.weak));
             });

@@ -12,10 +12,10 @@ use crate::blocks::control::ControllerKind;
 use crate::run::diagram::Names;
 use crate::run::signals::{FLAGS, flag};
 
-const HEIGHT: f32 = 13.0;
+const HEIGHT: f32 = 15.0;
 
 /// Height of the bands' text line, points.
-const TEXT: f32 = 13.0;
+const TEXT: f32 = 16.0;
 const GAP: f32 = 3.0;
 
 /// The bands about states, the last one only where overrides are rate-limited.

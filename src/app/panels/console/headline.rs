@@ -1,11 +1,12 @@
 //! The comparison at the head of the console: the chosen controller against constant feed.
 
-use egui::{RichText, Ui};
+use egui::{RichText, Role, TextWrapMode, Ui, WidgetInfo};
 
 use crate::app::format;
 use crate::app::panels::View;
 use crate::app::theme::{self, Palette};
 use crate::app::twin::Comparison;
+use crate::app::widgets::standing::Standing;
 use crate::base::units::ratio_from_percent;
 use crate::blocks::reference::Reference;
 use crate::run::metrics::Metrics;
@@ -17,7 +18,7 @@ struct Item {
     title: &'static str,
     help: String,
     value: String,
-    color: egui::Color32,
+    standing: Standing,
     /// The lines below the value.
     below: [String; 2],
 }
@@ -26,18 +27,10 @@ struct Item {
 const FORCE_LEVELS: [f64; 2] = [5.0, 15.0];
 /// Fractions of the length in tolerance from the first on count as good, below the second as bad, %.
 const TOLERANCE_LEVELS: [f64; 2] = [90.0, 50.0];
-/// Good, bad, or neither.
-fn judged(palette: &Palette, good: bool, bad: bool) -> egui::Color32 {
-    match (good, bad) {
-        (true, _) => palette.good,
-        (_, true) => palette.bad,
-        _ => palette.text,
-    }
-}
 
-fn items(view: &View<'_>, palette: &Palette) -> [Item; 5] {
+fn items(view: &View<'_>) -> [Item; 5] {
     let twin_has = |value: String| {
-        let twin = if view.narrow { "const. feed" } else { "constant feed" };
+        let twin = if view.narrow { "const." } else { "constant feed" };
         format!("{twin} {value}")
     };
     let Comparison { chosen, twin, .. } = view.session.comparison();
@@ -48,29 +41,27 @@ fn items(view: &View<'_>, palette: &Palette) -> [Item; 5] {
             title: "Metal removed",
             help: "Axial depth times radial depth, summed over the path.".to_owned(),
             value: format::quantity(chosen.metal_removed_cm3, "cm^3"),
-            color: palette.text,
+            standing: Standing::Plain,
             below: [
                 format!("on {} of path", format::quantity(chosen.path_mm, "mm")),
                 twin_has(format::quantity(twin.metal_removed_cm3, "cm^3")),
             ],
         },
-        Reference::Force => {
-            worst_force(chosen, palette, twin_has(signed(twin.force_worst_percent)))
-        }
+        Reference::Force => worst_force(chosen, twin_has(signed(twin.force_worst_percent))),
     };
     [
         match reference {
-            Reference::Ra => ra_now(view, palette, &twin_has),
-            Reference::Force => force_now(view, palette, &twin_has),
+            Reference::Ra => ra_now(view, &twin_has),
+            Reference::Force => force_now(view, &twin_has),
         },
-        in_tolerance(chosen, reference, palette, twin_has(share_of(twin.in_tolerance_percent))),
-        answer(view, palette),
-        time_of_cut(view, palette),
+        in_tolerance(chosen, reference, twin_has(share_of(twin.in_tolerance_percent))),
+        answer(view),
+        time_of_cut(view),
         last,
     ]
 }
 
-fn ra_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> String) -> Item {
+fn ra_now(view: &View<'_>, twin_has: &dyn Fn(String) -> String) -> Item {
     let (now, twin) = (view.session.row(), &view.session.comparison().twin_now);
     let target = &view.session.current().target;
     // The target as it is set now: that of the row is one control period or an undo behind.
@@ -89,11 +80,11 @@ fn ra_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> Strin
             target.tolerance_percent
         ),
         value: text(now),
-        color: judged(palette, side == Some(WITHIN), side.is_some_and(|side| side != WITHIN)),
+        standing: Standing::judged(side == Some(WITHIN), side.is_some_and(|side| side != WITHIN)),
         below: [
             match side {
-                Some(side) => format!("{side} target {target_text}"),
-                None => format!("target {target_text}"),
+                Some(side) if !view.narrow => format!("{side} target {target_text}"),
+                Some(_) | None => format!("target {target_text}"),
             },
             twin_has(text(twin)),
         ],
@@ -114,14 +105,15 @@ fn side(value: f64, target: f64, tolerance: f64) -> &'static str {
 
 /// How the loop answers to the last change before the playhead: the error that remains, settling and
 /// overshoot, or that it is unstable.
-fn answer(view: &View<'_>, palette: &Palette) -> Item {
+fn answer(view: &View<'_>) -> Item {
     let session = view.session;
     let found = session.story().response_at(session.row().time_s + 1e-9);
     let tolerance = session.current().target.tolerance_percent;
-    let none = || ("-".to_owned(), palette.text, ["".to_owned(), "".to_owned()]);
-    let (value, color, below) = found.map_or_else(none, |(_, response)| {
+    let none = || ("-".to_owned(), Standing::Plain, ["".to_owned(), "".to_owned()]);
+    let (value, standing, below) = found.map_or_else(none, |(_, response)| {
         let settled = match (response.settling_time_s, response.at_rest_after_s) {
             (Some(s), _) => format!("settles in {}", format::quantity(s, "s")),
+            (None, Some(s)) if view.narrow => format!("rest in {}", format::quantity(s, "s")),
             (None, Some(s)) => format!("at rest after {}", format::quantity(s, "s")),
             (None, None) => "does not come to rest".to_owned(),
         };
@@ -131,20 +123,20 @@ fn answer(view: &View<'_>, palette: &Palette) -> Item {
                 let period = format::quantity(swing.period_s, "s");
                 let force = format::quantity(swing.force_percent, "%");
                 let below = [format!("force ±{force}"), format!("period {period}, no rest")];
-                ("unstable".to_owned(), palette.bad, below)
+                ("unstable".to_owned(), Standing::Bad, below)
             }
             (None, Some(error)) => {
                 let inside = error.abs() <= tolerance;
                 let word = match (inside, view.narrow) {
-                    (true, false) => "within",
-                    (false, false) => "outside",
-                    (true, true) => "in",
-                    (false, true) => "out",
+                    (true, false) => " within",
+                    (false, false) => " outside",
+                    // The sign says it.
+                    (_, true) => "",
                 };
-                let value = format!("{} {word}", format::deviation(error));
-                (value, judged(palette, inside, !inside), [settled, overshoot])
+                let value = format!("{}{word}", format::deviation(error));
+                (value, Standing::judged(inside, !inside), [settled, overshoot])
             }
-            (None, None) => ("not at rest".to_owned(), palette.text, [settled, overshoot]),
+            (None, None) => ("not at rest".to_owned(), Standing::Plain, [settled, overshoot]),
         }
     });
     Item {
@@ -155,13 +147,13 @@ fn answer(view: &View<'_>, palette: &Palette) -> Item {
                swing without dying down."
             .to_owned(),
         value,
-        color,
+        standing,
         below,
     }
 }
 
 /// In the place of the roughness where a force is to be held.
-fn force_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> String) -> Item {
+fn force_now(view: &View<'_>, twin_has: &dyn Fn(String) -> String) -> Item {
     let (now, twin) = (view.session.row(), &view.session.comparison().twin_now);
     let percent = view.session.current().target.tolerance_percent;
     let tolerance_n = ratio_from_percent(percent) * now.force_ref_n;
@@ -175,7 +167,7 @@ fn force_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> St
             "Maximum force at the playhead: as it should be within {percent} % of its reference."
         ),
         value: force(now),
-        color: judged(palette, inside, !now.has(flag::AIR)),
+        standing: Standing::judged(inside, !now.has(flag::AIR)),
         below: [
             format!("{side} reference {}", format::quantity(now.force_ref_n, "N")),
             twin_has(force(twin)),
@@ -183,7 +175,7 @@ fn force_now(view: &View<'_>, palette: &Palette, twin_has: &dyn Fn(String) -> St
     }
 }
 
-fn in_tolerance(chosen: &Metrics, reference: Reference, palette: &Palette, twin: String) -> Item {
+fn in_tolerance(chosen: &Metrics, reference: Reference, twin: String) -> Item {
     let share = chosen.in_tolerance_percent;
     let [good, bad] = TOLERANCE_LEVELS;
     Item {
@@ -203,26 +195,29 @@ fn in_tolerance(chosen: &Metrics, reference: Reference, palette: &Palette, twin:
         }
         .to_owned(),
         value: share_of(share),
-        color: judged(palette, share.is_some_and(|x| x >= good), share.is_some_and(|x| x < bad)),
+        standing: Standing::judged(
+            share.is_some_and(|x| x >= good),
+            share.is_some_and(|x| x < bad),
+        ),
         below: ["of the length cut".to_owned(), twin],
     }
 }
 
-fn worst_force(chosen: &Metrics, palette: &Palette, twin: String) -> Item {
+fn worst_force(chosen: &Metrics, twin: String) -> Item {
     let size = chosen.force_worst_percent.map(f64::abs);
     let [good, bad] = FORCE_LEVELS;
-    let color = judged(palette, size.is_some_and(|x| x <= good), size.is_some_and(|x| x > bad));
+    let standing = Standing::judged(size.is_some_and(|x| x <= good), size.is_some_and(|x| x > bad));
     Item {
         title: "Worst force deviation",
         help: "Largest deviation of the force from the desired force after the first second."
             .to_owned(),
         value: signed(chosen.force_worst_percent),
-        color,
+        standing,
         below: ["from desired force".to_owned(), twin],
     }
 }
 
-fn time_of_cut(view: &View<'_>, palette: &Palette) -> Item {
+fn time_of_cut(view: &View<'_>) -> Item {
     let Comparison { chosen, twin, time_saved_s, .. } = view.session.comparison();
     let saved = if *time_saved_s < 0.0 { "lost" } else { "saved" };
     let size_s = format::quantity(time_saved_s.abs(), "s");
@@ -242,11 +237,13 @@ fn time_of_cut(view: &View<'_>, palette: &Palette) -> Item {
         }
     } else {
         // A time is no victory where the tolerance is broken, by either.
-        let who = if holds(chosen) { "constant feed" } else { "this cut" };
-        let share = if holds(chosen) { twin } else { chosen }.in_tolerance_percent;
+        let held = match holds(chosen) {
+            true => format!("it held {}", share_of(twin.in_tolerance_percent)),
+            false => format!("{} held", share_of(chosen.in_tolerance_percent)),
+        };
         [
             format!("constant feed {}", format::time(twin.time_of_cut_s)),
-            format!("not compared: {who} {} held", share_of(share)),
+            format!("not compared: {held}"),
         ]
     };
     Item {
@@ -259,7 +256,7 @@ fn time_of_cut(view: &View<'_>, palette: &Palette) -> Item {
             TOLERANCE_LEVELS[0]
         ),
         value: format::time(chosen.time_of_cut_s),
-        color: palette.text,
+        standing: Standing::Plain,
         below,
     }
 }
@@ -277,8 +274,7 @@ fn signed(value: Option<f64>) -> String {
 
 /// The strip: cards beside each other, as long as their numbers have room.
 pub fn show(ui: &mut Ui, view: &View<'_>) {
-    let palette = Palette::at(ui);
-    let items = items(view, palette);
+    let items = items(view);
     let (gap, least) =
         if view.narrow { (4.0, theme::CARD_WIDTH_NARROW) } else { (8.0, theme::CARD_WIDTH) };
     let most = ((ui.available_width() + gap) / (least + gap)).floor().max(1.0) as usize;
@@ -292,15 +288,16 @@ pub fn show(ui: &mut Ui, view: &View<'_>) {
                 // A short last row is stretched over the whole width.
                 let width = width * columns as f32 / row.len() as f32
                     + gap * (columns as f32 / row.len() as f32 - 1.0);
-                card(ui, item, width, view.narrow, palette);
+                card(ui, item, width, view.narrow);
             }
         });
     }
 }
 
-fn card(ui: &mut Ui, item: &Item, width: f32, narrow: bool, palette: &Palette) {
+fn card(ui: &mut Ui, item: &Item, width: f32, narrow: bool) {
     let margin =
         if narrow { egui::Margin::symmetric(6, 3) } else { egui::Margin::symmetric(10, 5) };
+    let palette = Palette::at(ui);
     let frame = theme::card(palette).inner_margin(margin);
     let inside = width - frame.total_margin().sum().x;
     let response = frame
@@ -310,9 +307,11 @@ fn card(ui: &mut Ui, item: &Item, width: f32, narrow: bool, palette: &Palette) {
                 ui.spacing_mut().item_spacing.y = 1.0;
                 let title = RichText::new(item.title).small().color(palette.weak);
                 ui.add(egui::Label::new(title).truncate());
-                let size = if narrow { 15.0 } else { 20.0 };
-                let value = RichText::new(&item.value).size(size).color(item.color).strong();
-                ui.add(egui::Label::new(value).truncate());
+                let value = RichText::new(&item.value).text_style(theme::figure()).strong();
+                let label = item.standing.line(ui, value, TextWrapMode::Truncate);
+                let words = item.standing.words();
+                let said = format!("{} {words}", item.value);
+                label.widget_info(|| WidgetInfo::labeled(Role::Label, true, said.trim_end()));
                 for line in &item.below {
                     let below = RichText::new(line).small().color(palette.weak);
                     ui.add(egui::Label::new(below).truncate());

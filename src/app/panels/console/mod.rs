@@ -208,9 +208,6 @@ impl ConsolePanel {
             if with_headline {
                 headline::show(ui, view);
             }
-            if view.narrow {
-                story::show(ui, view, commands);
-            }
             // Room for the last label of each time axis.
             let gap = egui::vec2(18.0, ui.spacing().item_spacing.y);
             let beside = columns > 1;
@@ -223,7 +220,11 @@ impl ConsolePanel {
             let height = height.max(least);
             let width =
                 (ui.available_width() - gap.x * columns as f32) / columns as f32 + 0.5 * gap.x;
-            for row in charts.chunks(columns) {
+            for (i, row) in charts.chunks(columns).enumerate() {
+                // On a phone the first plot comes first, to be in sight.
+                if view.narrow && i == 1 {
+                    story::show(ui, view, commands);
+                }
                 ui.horizontal_top(|ui| {
                     ui.spacing_mut().item_spacing.x = 0.5 * gap.x;
                     for chart in row {

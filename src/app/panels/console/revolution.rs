@@ -171,9 +171,9 @@ impl RevolutionWindow {
         });
         ui.scope(|ui| {
             ui.spacing_mut().item_spacing = egui::vec2(10.0, 1.0);
-            ui.horizontal_wrapped(|ui| {
+            legend::row(ui, "the revolution", |ui| {
                 for ((name, look), hidden) in LINES.into_iter().zip(&mut self.hidden) {
-                    if legend::entry(ui, name, look, *hidden).clicked() {
+                    if legend::entry(ui, name, look, *hidden).pressed {
                         *hidden = !*hidden;
                     }
                 }

@@ -2,12 +2,13 @@
 //! the events of the whole run, each a way to its moment.
 
 use egui::scroll_area::ScrollBarVisibility;
-use egui::{Label, RichText, Role, ScrollArea, Ui, WidgetInfo, vec2};
+use egui::{RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo, vec2};
 
 use crate::app::command::{Command, PlaybackCommand};
 use crate::app::format;
 use crate::app::panels::View;
 use crate::app::theme::Palette;
+use crate::app::widgets::standing::Standing;
 use crate::run::story::{EventKind, StoryEvent};
 
 /// Lines of the sentence about a change, and of that about what lasts; more than that is read by
@@ -20,15 +21,14 @@ const MOST: usize = 200;
 
 /// The sentences and the events.
 pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-    let palette = Palette::at(ui);
     let story = view.session.story();
     // The playhead stands on a row; events begin on rows.
     let now_s = view.session.row().time_s + 1e-9;
     let change = story.change_at(now_s);
     let lasting = story.lasting_at(now_s);
     let lines = if view.narrow { LINES_NARROW } else { LINES };
-    sentence(ui, change, lines[0], palette.text);
-    sentence(ui, lasting, lines[1], lasting.map_or(palette.weak, |event| color(event, palette)));
+    sentence(ui, change, lines[0], Standing::Plain);
+    sentence(ui, lasting, lines[1], lasting.map_or(Standing::Plain, standing));
     // Without a bar, which would come with the first event that has no room, and move the plots.
     let hidden = ScrollBarVisibility::AlwaysHidden;
     let area = ScrollArea::horizontal().id_salt("events").scroll_bar_visibility(hidden);
@@ -49,10 +49,10 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     });
 }
 
-fn color(event: &StoryEvent, palette: &Palette) -> egui::Color32 {
+fn standing(event: &StoryEvent) -> Standing {
     match event.id {
-        EventKind::LimitCycle | EventKind::Chatter => palette.bad,
-        EventKind::Saturation | EventKind::OutsideModel => palette.warn,
+        EventKind::LimitCycle | EventKind::Chatter => Standing::Bad,
+        EventKind::Saturation | EventKind::OutsideModel => Standing::Watch,
         EventKind::Start
         | EventKind::Contact
         | EventKind::Air
@@ -61,21 +61,23 @@ fn color(event: &StoryEvent, palette: &Palette) -> egui::Color32 {
         | EventKind::SettingChange
         | EventKind::DeadTime
         | EventKind::Wear
-        | EventKind::End => palette.weak,
+        | EventKind::End => Standing::Plain,
     }
 }
 
 /// A sentence in a room that does not change with it: what stands below must not move.
-fn sentence(ui: &mut Ui, event: Option<&StoryEvent>, lines: usize, color: egui::Color32) {
+fn sentence(ui: &mut Ui, event: Option<&StoryEvent>, lines: usize, standing: Standing) {
     let height = ui.text_style_height(&egui::TextStyle::Small);
     let size = vec2(ui.available_width(), height * lines as f32);
     let text = event.map_or("", |event| event.sentence.as_str());
+    let color = standing.color(Palette::at(ui));
     ui.allocate_ui(size, |ui| {
         ui.set_min_size(size);
         let font = egui::TextStyle::Small.resolve(ui.style());
         let mut job = egui::text::LayoutJob::simple(text.to_owned(), font, color, size.x);
         job.wrap.max_rows = lines;
-        let label = ui.add(Label::new(job));
+        let label = standing.lead(ui, job, TextWrapMode::Wrap);
+        label.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
         if let Some(event) = event {
             label.on_hover_text(&event.sentence);
         }

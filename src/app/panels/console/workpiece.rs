@@ -14,6 +14,7 @@ use crate::app::format;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::setting::{Size, setting};
+use crate::app::widgets::standing::Standing;
 use crate::app::widgets::window::{self, WindowPlace};
 use crate::base::settings::Value;
 use crate::blocks::cutting::tool_path::{ToolPath, wall_mm};
@@ -102,7 +103,7 @@ impl WorkpieceWindow {
             self.cuts(ui, view, commands);
         }
         if let Some(said) = &self.said {
-            ui.colored_label(Palette::at(ui).bad, said);
+            Standing::Bad.label(ui, said, |text| text);
         }
     }
 

@@ -63,17 +63,21 @@ fn runs(formula: &str) -> Vec<(String, Level)> {
     runs
 }
 
-/// A formula set in `size` points.
+/// A formula set in `size` points, its raised and lowered parts smaller, but no text below `least`.
 #[must_use]
-pub fn typeset(formula: &str, size: f32, color: Color32) -> LayoutJob {
+pub fn typeset(formula: &str, size: f32, least: f32, color: Color32) -> LayoutJob {
     let mut job = LayoutJob::default();
-    for (text, level) in runs(formula) {
+    let runs = runs(formula);
+    // What is raised or lowered must be seen to be smaller than what it belongs to.
+    let plain = runs.iter().all(|(_, level)| *level == Level::Base);
+    let size = if plain { size } else { size.max(1.25 * least) };
+    for (text, level) in runs {
         let (scale, valign) = match level {
             Level::Base => (1.0, Align::Center),
             Level::Lowered => (0.7, Align::BOTTOM),
             Level::Raised => (0.68, Align::TOP),
         };
-        let font_id = FontId::proportional(size * scale);
+        let font_id = FontId::proportional((size * scale).max(least));
         job.append(&text, 0.0, TextFormat { font_id, color, valign, ..TextFormat::default() });
     }
     job
@@ -98,6 +102,6 @@ mod tests {
     fn indices_and_powers_are_found() {
         let texts: Vec<String> = runs("F_{dyn} = n^3").into_iter().map(|(text, _)| text).collect();
         assert_eq!(texts, ["F", "dyn", " = n", "3"]);
-        assert_eq!(typeset("f_c", 14.0, Color32::WHITE).text, "fc");
+        assert_eq!(typeset("f_c", 14.0, 12.0, Color32::WHITE).text, "fc");
     }
 }

@@ -1,10 +1,10 @@
 //! A network as a picture: its neurons, and a link for every weight, thick where the weight is
 //! large, its colour its sign.
 
-use egui::{Align2, FontId, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use egui::{Align2, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use crate::app::format::fine;
-use crate::app::theme::{Look, Palette};
+use crate::app::theme::{self, Look, Palette};
 use crate::models::unks::SIZES;
 
 /// How positive and negative weights are drawn.
@@ -18,8 +18,7 @@ const THICKEST: f32 = 5.0;
 /// Links thinner than this are left out, points.
 const THINNEST: f32 = 0.15;
 /// Room for the names of inputs and output, points.
-const NAME_WIDTH: f32 = 64.0;
-const FONT: f32 = 11.0;
+const NAME_WIDTH: f32 = 72.0;
 
 /// The meaning of the links.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -174,7 +173,7 @@ fn paint(ui: &Ui, rect: Rect, drawn: &DrawnNet<'_>, values: &[f64], mark: bool) 
             painter.circle_stroke(center, NEURON + 3.0, ring);
         }
     }
-    let font = FontId::proportional(FONT);
+    let font = theme::note(ui.ctx());
     for (i, name) in drawn.inputs.iter().enumerate() {
         let center = place(rect, 0, sizes[0], i);
         painter.circle(center, NEURON, palette.card, Stroke::new(1.2, palette.text));

@@ -1,6 +1,6 @@
 //! Several passes over the same part, worked off in slices beside the picture.
 
-use egui::{Grid, ProgressBar, RichText, Ui};
+use egui::{ProgressBar, RichText, Ui};
 
 use crate::app::command::{Command, SessionCommand};
 use crate::app::format::{deviation, number};
@@ -8,6 +8,8 @@ use crate::app::jobs::Work;
 use crate::app::panels::View;
 use crate::app::theme::Palette;
 use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
 use crate::base::units::percent_from_ratio;
 use crate::run::scenario::Scenario;
 use crate::study::export::sheet::{Entry, Sheet};
@@ -65,14 +67,14 @@ impl PassesView {
             save_table(ui, "passes", || sheet(&so_far.done), commands);
         }
         if let Some(refused) = &so_far.refused {
-            ui.label(RichText::new(format!("No further pass: {refused}")).color(palette.bad));
+            Standing::Bad.label(ui, &format!("No further pass: {refused}"), |text| text);
         }
         if let Some(verdict) = &so_far.verdict {
             judge(ui, verdict);
         }
         if begun != view.session.scenario() {
             let text = "Made with other settings than those of now.";
-            ui.label(RichText::new(text).color(palette.warn));
+            Standing::Watch.label(ui, text, |text| text);
         }
         if let Some(stored) = so_far.learned.as_ref().filter(|_| !running) {
             let help = "Begin the cut with the networks as they are after the last pass";
@@ -88,7 +90,7 @@ fn table(ui: &mut Ui, passes: &[Pass]) {
         return;
     }
     let palette = Palette::at(ui);
-    Grid::new("passes").num_columns(5).striped(true).spacing([12.0, 4.0]).show(ui, |ui| {
+    touch::grid(ui, "passes").num_columns(5).striped(true).spacing([12.0, 4.0]).show(ui, |ui| {
         for (title, help) in [
             ("pass", "Number of the pass"),
             ("Nsn", "Normalised standard error over all samples in contact"),
@@ -135,10 +137,8 @@ fn sheet(passes: &[Pass]) -> Sheet {
 }
 
 fn judge(ui: &mut Ui, verdict: &PassesVerdict) {
-    let palette = Palette::at(ui);
     let mut line = |good: bool, text: String| {
-        let color = if good { palette.good } else { palette.bad };
-        ui.label(RichText::new(text).color(color));
+        Standing::either(good).label(ui, &text, |text| text);
     };
     if verdict.unchanged {
         line(false, "Nothing is learned: every pass is the same.".to_owned());

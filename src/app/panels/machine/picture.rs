@@ -1,13 +1,13 @@
 //! The picture of the machine: five masses on springs and dampers over the ground. All of them move
 //! along one axis, drawn upwards; tooth and work stand side by side with the force between them.
 
-use egui::{Align2, Color32, FontId, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo};
+use egui::{Align2, Color32, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo};
 use egui::{pos2, vec2};
 
 use super::motion::{MotionPicture, amplitude};
 use super::state::MachineState;
 use crate::app::format;
-use crate::app::theme::Palette;
+use crate::app::theme::{self, Palette};
 use crate::base::math::pow;
 use crate::models::structure::parameters::NODES;
 
@@ -117,7 +117,7 @@ impl Scale {
 
     /// Draws it upwards from `foot`, the bar before the words.
     fn show(&self, painter: &egui::Painter, foot: Pos2, palette: &Palette) {
-        let font = FontId::proportional(11.0);
+        let font = theme::note(painter.ctx());
         let write = |at: Pos2, text: &str| {
             painter.text(at, Align2::LEFT_BOTTOM, text, font.clone(), palette.weak);
         };
@@ -129,7 +129,7 @@ impl Scale {
             painter.line_segment([end - vec2(4.0, 0.0), end + vec2(4.0, 0.0)], stroke);
         }
         write(foot + vec2(12.0, 0.0), &self.text);
-        write(foot + vec2(12.0, -14.0), name);
+        write(foot + vec2(12.0, -16.0), name);
     }
 }
 
@@ -197,7 +197,7 @@ fn link_between(
     ];
     painter.add(Shape::line(sides.to_vec(), stroke));
     painter.line_segment([pos2(damper, floor), pos2(damper, below)], stroke);
-    let font = FontId::proportional(10.5);
+    let font = theme::note(painter.ctx());
     let middle = 0.5 * (top + below);
     let name = |text: String, x: f32, anchor: Align2| {
         painter.text(pos2(x, middle), anchor, text, font.clone(), palette.weak);
@@ -225,13 +225,13 @@ fn mass(
         true => format::fine(1e6 * amplitude(z), "um"),
         false => format!("{:+.2}", z.re + 0.0),
     };
-    let line = |text: String, size: f32, y: f32, color: Color32| {
-        let galley = painter.layout_no_wrap(text, FontId::proportional(size), color);
+    let line = |text: String, y: f32, color: Color32| {
+        let galley = painter.layout_no_wrap(text, theme::note(painter.ctx()), color);
         let at = pos2(rect.center().x - 0.5 * galley.size().x, rect.center().y + y);
         painter.galley(at, galley, color);
     };
-    line(format!("{} {}", node + 1, NODES[node]), 12.5, -15.0, palette.text);
-    line(format!("{weight} · {move_text}"), 10.5, 2.0, palette.weak);
+    line(format!("{} {}", node + 1, NODES[node]), -17.0, palette.text);
+    line(format!("{weight} · {move_text}"), 1.0, palette.text);
 }
 
 fn kilograms(mass_kg: f64) -> String {
@@ -241,20 +241,20 @@ fn kilograms(mass_kg: f64) -> String {
 /// The pair of forces between tooth and work.
 fn force(painter: &egui::Painter, tooth: Rect, work: Rect, palette: &Palette) {
     let arrow = |from: Pos2, up: f32| {
-        let stroke = Stroke::new(2.0, palette.bad);
+        let stroke = Stroke::new(2.0, palette.text);
         let tip = from + vec2(0.0, -16.0 * up);
         painter.line_segment([from, tip], stroke);
         for side in [-4.0, 4.0] {
             painter.line_segment([tip, tip + vec2(side, 6.0 * up)], stroke);
         }
     };
-    let font = FontId::proportional(11.0);
+    let font = theme::note(painter.ctx());
     let at = pos2(work.right() + 10.0, work.center().y + 4.0);
     arrow(at, 1.0);
-    painter.text(at + vec2(0.0, 2.0), Align2::CENTER_TOP, "+P", font.clone(), palette.bad);
+    painter.text(at + vec2(0.0, 2.0), Align2::CENTER_TOP, "+P", font.clone(), palette.text);
     let at = pos2(tooth.left() - 10.0, tooth.center().y - 4.0);
     arrow(at, -1.0);
-    painter.text(at - vec2(0.0, 2.0), Align2::CENTER_BOTTOM, "−P", font, palette.bad);
+    painter.text(at - vec2(0.0, 2.0), Align2::CENTER_BOTTOM, "−P", font, palette.text);
 }
 
 #[cfg(test)]

@@ -84,11 +84,11 @@ impl ResponseView {
     fn legend(&mut self, ui: &mut Ui) {
         ui.scope(|ui| {
             ui.spacing_mut().interact_size.y = 14.0;
-            ui.horizontal_wrapped(|ui| {
+            legend::row(ui, "the frequency response", |ui| {
                 let title = format!("Frequency response [{}]", format::unit("um/kN"));
                 ui.label(RichText::new(title).strong());
                 for (i, (name, look, _)) in PARTS.iter().enumerate() {
-                    if legend::entry(ui, name, *look, self.hidden[i]).clicked() {
+                    if legend::entry(ui, name, *look, self.hidden[i]).pressed {
                         self.hidden[i] = !self.hidden[i];
                     }
                 }

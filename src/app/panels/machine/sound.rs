@@ -6,6 +6,7 @@ use crate::app::session::Session;
 use crate::app::speaker::Speaker;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
+use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
 use crate::base::units::rev_s_from_rpm;
 use crate::models::machine_trend::MachineTrend;
@@ -79,7 +80,7 @@ impl SoundControl {
         slider.on_hover_text("Volume");
         if let Some(problem) = &self.problem {
             let text = format!("No sound: {}.", problem.trim_end_matches('.'));
-            ui.label(RichText::new(text).color(palette.warn));
+            Standing::Watch.label(ui, &text, |text| text);
         } else if self.on && !playing {
             ui.label(RichText::new("silent while the cut is paused").small().color(palette.weak));
         }

@@ -6,7 +6,7 @@ mod whole_run;
 
 use std::sync::Arc;
 
-use egui::{ProgressBar, RichText, Role, Sense, Ui, WidgetInfo};
+use egui::{ProgressBar, RichText, Sense, Ui};
 use egui_plot::MarkerShape;
 
 use self::whole_run::{CutOfRun, deepest};
@@ -16,6 +16,7 @@ use crate::app::format;
 use crate::app::jobs::{Jobs, Work};
 use crate::app::session::Session;
 use crate::app::theme::{self, Look, Palette};
+use crate::app::widgets::standing::Standing;
 use crate::base::math::{extent, limit};
 use crate::base::settings::Value;
 use crate::blocks::cutting::workpiece::Workpiece;
@@ -132,7 +133,7 @@ impl StabilityView {
                 theme::card(palette).show(ui, |ui| {
                     ui.set_width(ui.available_width());
                     let title = "No chart can be made of this machine";
-                    ui.label(RichText::new(title).strong().color(palette.bad));
+                    Standing::Bad.label(ui, title, RichText::strong);
                     ui.label(error);
                 });
                 return;
@@ -203,25 +204,27 @@ fn quality(ui: &mut Ui, now: f64, commands: &mut Vec<Command>) {
 /// The verdict on the whole run: on its cut that is nearest to chatter.
 fn verdict(ui: &mut Ui, worst: Option<(CutOfRun, f64)>, chart: &Chart) {
     let palette = Palette::at(ui);
-    let (text, color) = match worst {
-        None => ("The cuts of this run are being judged".to_owned(), palette.weak),
+    let (text, standing) = match worst {
+        None => ("The cuts of this run are being judged".to_owned(), Standing::Plain),
         Some((cut, grown)) => {
             let [from, to] = cut.from_to_mm.map(|mm| format::quantity(mm, "mm"));
             let at = format!("{}, from {from} to {to} of the path", place(cut.at));
             if grown > 1.0 {
-                (format!("Chatter at {at}: a disturbance grows ×{grown:.2} per tooth"), palette.bad)
+                (
+                    format!("Chatter at {at}: a disturbance grows ×{grown:.2} per tooth"),
+                    Standing::Bad,
+                )
             } else {
                 let text = format!(
                     "Stable at {at}, the cut of this run nearest to chatter: a disturbance \
                      shrinks to ×{grown:.2} per tooth"
                 );
-                (text, palette.good)
+                (text, Standing::Good)
             }
         }
     };
     ui.horizontal_wrapped(|ui| {
-        let label = ui.label(RichText::new(&text).strong().color(color));
-        label.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
+        standing.label(ui, &text, RichText::strong);
         let any_speed_mm = chart.any_speed_mm;
         let text = match any_speed_mm.is_finite() {
             true => {
@@ -242,17 +245,16 @@ fn place(at: Operating) -> String {
 
 /// The cut at the playhead, below the verdict.
 fn present(ui: &mut Ui, now: Operating, grown: Option<f64>) {
-    let palette = Palette::at(ui);
-    let (text, color) = match grown {
-        None => ("At the playhead: no cut.".to_owned(), palette.weak),
+    let (text, standing) = match grown {
+        None => ("At the playhead: no cut.".to_owned(), Standing::Plain),
         Some(grown) if grown > 1.0 => {
-            (format!("At the playhead, {}: chatter, ×{grown:.2}.", place(now)), palette.bad)
+            (format!("At the playhead, {}: chatter, ×{grown:.2}.", place(now)), Standing::Bad)
         }
         Some(grown) => {
-            (format!("At the playhead, {}: no chatter, ×{grown:.2}.", place(now)), palette.weak)
+            (format!("At the playhead, {}: no chatter, ×{grown:.2}.", place(now)), Standing::Good)
         }
     };
-    ui.label(RichText::new(text).color(color));
+    standing.label(ui, &text, |text| text);
 }
 
 fn figure(

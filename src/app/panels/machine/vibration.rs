@@ -1,6 +1,6 @@
 //! The masses moving beside the frequency response, and the table of modes.
 
-use egui::{Grid, RichText, Ui};
+use egui::{RichText, Ui};
 
 use super::motion::{Drive, MotionPicture};
 use super::picture;
@@ -11,6 +11,8 @@ use crate::app::format;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
 use crate::models::structure::parameters::NODES;
 use crate::study::export::sheet::{Entry, Sheet};
 
@@ -41,6 +43,9 @@ impl Default for VibrationView {
         Self { drive, moving: true, phase: 0.0, response: ResponseView::default() }
     }
 }
+
+/// Least height of the masses with their springs, points.
+const MASSES: f32 = 310.0;
 
 impl VibrationView {
     /// Moves on by `dt_s`; `true` while the masses move.
@@ -110,7 +115,10 @@ impl VibrationView {
                 let help =
                     format!("The contact force at {harmonic} times the tooth passing of now");
                 let drive = Drive::Teeth(harmonic);
-                let response = ui.selectable_value(&mut self.drive, drive, name);
+                let response = touch::choice(ui, self.drive == drive, name);
+                if response.clicked() {
+                    self.drive = drive;
+                }
                 response.widget_info(|| {
                     let name = format!("Passing teeth ×{harmonic}");
                     let chosen = self.drive == drive;
@@ -136,7 +144,7 @@ impl VibrationView {
         };
         let text = format!("{what}, shown at {SHOWN_HZ} Hz");
         ui.label(RichText::new(text).color(palette.weak));
-        let height = height - (ui.cursor().top() - top);
+        let height = (height - (ui.cursor().top() - top)).max(MASSES);
         picture::show(ui, machine, &motion, self.phase, height);
     }
 
@@ -147,11 +155,11 @@ impl VibrationView {
         ui.label(RichText::new("Modes").strong());
         if machine.modes.is_empty() {
             let text = "The eigenvalues of this machine do not converge.";
-            ui.label(RichText::new(text).color(palette.warn));
+            Standing::Watch.label(ui, text, |text| text);
             return;
         }
-        ui.spacing_mut().interact_size.y = 20.0;
-        Grid::new("modes").num_columns(4).striped(true).spacing([14.0, 1.0]).show(ui, |ui| {
+        touch::low_rows(ui, 20.0);
+        touch::grid(ui, "modes").num_columns(4).striped(true).spacing([14.0, 1.0]).show(ui, |ui| {
             for title in ["mode", "Hz", "damping", "moves most"] {
                 ui.label(RichText::new(title).small().color(palette.weak));
             }

@@ -1,11 +1,12 @@
 //! What a paper's own table says about its findings: final against desired values.
 
-use egui::{Grid, ScrollArea, Ui};
+use egui::{ScrollArea, Ui};
 
 use super::sheets;
 use crate::app::command::Command;
 use crate::app::format;
 use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::touch;
 use crate::study::papers::{PaperRow, PaperTable};
 use crate::study::published::PaperId;
 
@@ -79,7 +80,7 @@ pub fn show(ui: &mut Ui, paper: PaperId, table: &PaperTable, commands: &mut Vec<
     ));
     let force: &[Column] = if paper == PaperId::Sdnrp2007 { &FORCE } else { &[] };
     let columns: Columns = RA.iter().chain(force).collect();
-    let grid = Grid::new("deviations").striped(true).min_col_width(24.0).spacing([12.0, 3.0]);
+    let grid = touch::grid(ui, "deviations").striped(true).min_col_width(24.0).spacing([12.0, 3.0]);
     let figures = |ui: &mut Ui| {
         ui.strong("Sim");
         columns.iter().for_each(|(title, _)| {

@@ -1,12 +1,14 @@
 //! Table 1 of the 2019 paper beside its own rules, what its equations give, and what of it can be
 //! reproduced.
 
-use egui::{Grid, RichText, ScrollArea, TextWrapMode, Ui};
+use egui::{RichText, ScrollArea, TextWrapMode, Ui};
 
 use super::sheets;
 use crate::app::command::{Command, ShellCommand};
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
 use crate::study::papers_2019::{NOT_REPRODUCED, REPRODUCED, table};
 
 /// A number of any size as the paper prints it.
@@ -24,7 +26,7 @@ pub fn show(ui: &mut Ui, measured: &[String], commands: &mut Vec<Command>) {
     );
     ScrollArea::horizontal().id_salt("table 2019").show(ui, |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-        Grid::new("table 2019").striped(true).spacing([16.0, 4.0]).show(ui, |ui| {
+        touch::grid(ui, "table 2019").striped(true).spacing([16.0, 4.0]).show(ui, |ui| {
             for title in ["Node", "m [kg]", "f [Hz]", "Q", "k [N/m]", "c [N s/m]", "Verdict"] {
                 ui.strong(title);
             }
@@ -40,12 +42,11 @@ pub fn show(ui: &mut Ui, measured: &[String], commands: &mut Vec<Command>) {
                 ];
                 for ((printed, rule), agrees) in pairs.into_iter().zip(row.agrees) {
                     let text = format!("{}, rule {}", scientific(printed), scientific(rule));
-                    let color = if agrees { palette.text } else { palette.bad };
-                    ui.label(RichText::new(text).color(color));
+                    Standing::judged(false, !agrees).label(ui, &text, |text| text);
                 }
                 let fine = row.agrees == [true; 2];
-                let color = if fine { palette.good } else { palette.warn };
-                ui.label(RichText::new(row.verdict_text).color(color));
+                let standing = if fine { Standing::Good } else { Standing::Watch };
+                standing.label(ui, row.verdict_text, |text| text);
                 ui.end_row();
             }
         });

@@ -1,11 +1,13 @@
 //! The table itself: a grid on a desktop, a card for every row where it is narrow.
 
-use egui::{Grid, RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
+use egui::{RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
 
 use super::Shown;
 use crate::app::command::{Command, SessionCommand, ShellCommand};
 use crate::app::format;
 use crate::app::theme::{self, Palette};
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
 use crate::models::genetic::Calibration;
 use crate::run::diagram::Names;
 use crate::run::edits::Edits;
@@ -13,9 +15,6 @@ use crate::run::scenario_file;
 use crate::run::signals::FLAGS;
 use crate::study::papers::{self, Cell, CellVerdict, PaperRow, PaperTable};
 use crate::study::published::PaperId;
-
-/// Size of type of units and verdicts.
-const NOTE: f32 = 11.5;
 
 /// A column of a table.
 pub struct Column {
@@ -94,13 +93,15 @@ fn verdict(cell: &Cell, column: &Column) -> String {
     }
 }
 
-fn verdict_text(cell: &Cell, column: &Column, palette: &Palette) -> RichText {
-    let text = RichText::new(verdict(cell, column)).size(NOTE);
+fn verdict_line(ui: &mut Ui, cell: &Cell, column: &Column) {
+    let text = verdict(cell, column);
     match cell.verdict {
-        CellVerdict::Given | CellVerdict::Reported => text.color(palette.weak),
-        CellVerdict::Met => text.color(palette.good),
-        CellVerdict::Missed => text.color(palette.bad).strong(),
-    }
+        CellVerdict::Given | CellVerdict::Reported => {
+            ui.label(RichText::new(text).small().color(Palette::at(ui).weak))
+        }
+        CellVerdict::Met => Standing::Good.label(ui, &text, RichText::small),
+        CellVerdict::Missed => Standing::Bad.label(ui, &text, |text| text.small().strong()),
+    };
 }
 
 /// What was printed; a misprint with what it is compared with.
@@ -128,13 +129,12 @@ fn states(shown: Shown, row: &PaperRow) -> Option<String> {
 }
 
 fn remarks(ui: &mut Ui, shown: Shown, row: &PaperRow) {
-    let palette = Palette::at(ui);
     if let Some(note) = row.note {
         let text = format!("Simulation {}: {note}.", row.sim);
-        ui.label(RichText::new(text).color(palette.warn));
+        Standing::Watch.label(ui, &text, |text| text);
     }
     if let Some(states) = states(shown, row) {
-        ui.label(RichText::new(format!("At the end of {states}.")).color(palette.bad));
+        Standing::Bad.label(ui, &format!("At the end of {states}."), |text| text);
     }
 }
 
@@ -155,14 +155,14 @@ pub fn table(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<C
     about_start(ui, shown.paper);
     ScrollArea::horizontal().id_salt("table").show(ui, |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-        Grid::new("rows").striped(true).spacing([20.0, 6.0]).show(ui, |ui| {
+        touch::grid(ui, "rows").striped(true).spacing([20.0, 6.0]).show(ui, |ui| {
             ui.strong("Sim");
             ui.label("");
             for column in &columns {
                 ui.vertical(|ui| {
                     ui.strong(column.title);
                     let unit = format::unit(column.unit);
-                    ui.label(RichText::new(unit).size(NOTE).weak());
+                    ui.label(RichText::new(unit).small().weak());
                 });
             }
             ui.end_row();
@@ -178,7 +178,7 @@ pub fn table(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<C
                                 ui.strong(format::number(cell.reproduced, column.unit));
                             }
                         });
-                        ui.label(verdict_text(cell, column, palette));
+                        verdict_line(ui, cell, column);
                     });
                 }
                 ui.end_row();
@@ -191,19 +191,18 @@ pub fn table(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<C
 /// The figures of one row, a line for each column of the table.
 fn figures(ui: &mut Ui, paper: PaperId, row: &PaperRow) {
     let columns = columns(paper);
-    let palette = Palette::at(ui);
-    Grid::new(("row", row.sim)).min_col_width(20.0).spacing([7.0, 2.0]).show(ui, |ui| {
+    touch::grid(ui, ("row", row.sim)).min_col_width(20.0).spacing([7.0, 2.0]).show(ui, |ui| {
         for title in ["", "printed", "run", "residual"] {
-            ui.label(RichText::new(title).size(NOTE).weak());
+            ui.label(RichText::new(title).small().weak());
         }
         ui.end_row();
         for column in &columns {
             let cell = (column.cell)(row);
             let unit = format::unit(column.unit);
-            ui.label(RichText::new(format!("{}, {unit}", column.title)).size(NOTE));
+            ui.label(RichText::new(format!("{}, {unit}", column.title)).small());
             ui.label(printed(cell, column).replace(" (", "\n("));
             ui.strong(format::number(cell.reproduced, column.unit));
-            ui.label(verdict_text(cell, column, palette));
+            verdict_line(ui, cell, column);
             ui.end_row();
         }
     });

@@ -1,18 +1,20 @@
 //! The answer of the plan, and its way into the scenario.
 
-use egui::{Button, Grid, RichText, Ui};
+use egui::{Button, RichText, Ui};
 
 use super::search::Found;
 use crate::app::command::{Command, PlaybackCommand, SessionCommand, ShellCommand};
 use crate::app::format;
 use crate::app::theme::{self, Palette};
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
 use crate::base::settings::Value;
 use crate::run::scenario::Scenario;
 use crate::study::plan::optimum::Optimum;
 use crate::study::plan::remarks::remarks;
 
-/// Size of type of the values.
-const VALUE: f32 = 12.5;
+/// From this width on, points, two values stand beside each other.
+const WIDE: f32 = 380.0;
 
 /// Why the answer can't be programmed; none if it can.
 fn obstacle(found: &Found) -> Option<String> {
@@ -50,16 +52,15 @@ pub fn show(ui: &mut Ui, found: &Found, scenario: &Scenario, commands: &mut Vec<
             (true, false) => "No optimum",
         };
         ui.label(RichText::new(title).strong());
-        let color = if optimum.feasible { palette.good } else { palette.bad };
         let verdict = optimum.verdict_text();
         let mut letters = verdict.chars();
         let first = letters.next().map(|letter| letter.to_uppercase().to_string());
         let sentence = first.unwrap_or_default() + letters.as_str() + ".";
-        ui.label(RichText::new(sentence).color(color));
+        Standing::either(optimum.feasible).label(ui, &sentence, |text| text);
         if !optimum.inside_training_data {
             let text = "The network does not know this cut: material, hardness or depths lie \
                         outside its training data, and the force is continued.";
-            ui.label(RichText::new(text).small().color(palette.warn));
+            Standing::Watch.label(ui, text, RichText::small);
         }
         values(ui, optimum);
         let obstacle = obstacle(found);
@@ -109,11 +110,12 @@ fn values(ui: &mut Ui, optimum: &Optimum) {
             ("Objective", format::fine(optimum.score.value, "")),
         ],
     ];
-    Grid::new("answer").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
-        for row in pairs {
+    let [columns, beside] = if ui.available_width() < WIDE { [2, 1] } else { [4, 2] };
+    touch::grid(ui, "answer").num_columns(columns).spacing([10.0, 2.0]).show(ui, |ui| {
+        for row in pairs.as_flattened().chunks(beside) {
             for (name, value) in row {
-                ui.label(RichText::new(name).small().color(palette.weak));
-                ui.label(RichText::new(value).strong().size(VALUE));
+                ui.label(RichText::new(*name).small().color(palette.weak));
+                ui.label(RichText::new(value).strong());
             }
             ui.end_row();
         }

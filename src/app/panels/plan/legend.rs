@@ -19,21 +19,22 @@ pub fn show(ui: &mut Ui, layers: &mut Layers, found: &Found, programmed_text: &s
     let spacing = ui.spacing().clone();
     ui.spacing_mut().item_spacing = vec2(12.0, 1.0);
     ui.spacing_mut().interact_size.y = 14.0;
-    ui.horizontal_wrapped(|ui| {
+    legend::row(ui, "the map", |ui| {
         for (number, one) in checked.iter().enumerate() {
             let layer = MapLayer::Boundary(number);
             if boundaries(number).lines.is_empty() {
                 continue;
             }
             let (label, look) = (one.constraint.label, Look::Constraint(number));
-            let response = legend::entry(ui, label, look, !layers.show(layer));
-            if response.on_hover_ui(|ui| explain(ui, one)).clicked() {
+            let entry = legend::entry(ui, label, look, !layers.show(layer));
+            entry.response.on_hover_ui(|ui| explain(ui, one));
+            if entry.pressed {
                 layers.toggle(layer);
             }
         }
         let mut mark = |layer: MapLayer, name: &str, paint: &dyn Fn(&Painter, Rect, Color32)| {
             let off = !layers.show(layer);
-            if legend::entry_of(ui, name, off, palette.text, paint).clicked() {
+            if legend::entry_of(ui, name, off, palette.text, paint).pressed {
                 layers.toggle(layer);
             }
         };

@@ -12,6 +12,7 @@ use crate::app::format;
 use crate::app::theme::{Look, Palette};
 use crate::app::widgets::focus::pointer_only;
 use crate::app::widgets::plot::{grid, tick};
+use crate::app::widgets::touch;
 use crate::app::widgets::zoom::by_touch;
 use crate::run::scenario::Scenario;
 use crate::study::plan::constraints::CONSTRAINTS;
@@ -140,14 +141,15 @@ impl Map {
     /// The buttons that choose what part of it is shown.
     pub fn parts(&mut self, ui: &mut Ui, found: &Found) {
         let allowed = found.picture.allowed();
-        let button = egui::Button::new("Zoom to allowed").small();
+        let button = touch::small(ui, egui::Button::new("Zoom to allowed"));
         let response = ui.add_enabled(allowed.is_some(), button);
         let response = response.on_hover_text("Shows the part of the map that holds allowed cuts");
         if response.on_disabled_hover_text("There are none on the map").clicked() {
             self.wanted = allowed.map(Part::Ranges);
         }
         let help = "Shows the whole map, as a double-click on it does; a drag on it zooms";
-        if ui.small_button("Whole map").on_hover_text(help).clicked() {
+        let button = touch::small(ui, egui::Button::new("Whole map"));
+        if ui.add(button).on_hover_text(help).clicked() {
             self.wanted = Some(Part::All);
         }
     }
@@ -208,7 +210,7 @@ fn label(
         if !inside.contains(place.center()) || taken.iter().any(|other| other.intersects(place)) {
             continue;
         }
-        painter.rect_filled(place, 3.0, palette.card.gamma_multiply(0.85));
+        painter.rect_filled(place, 3.0, palette.card);
         painter.galley(place.min + vec2(3.0, 1.0), galley, color);
         taken.push(place);
         return;

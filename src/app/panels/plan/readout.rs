@@ -1,11 +1,13 @@
 //! Numbers beside the map: the values at a place, and the scale of the colours.
 
-use egui::{Grid, Rect, RichText, Sense, Ui, WidgetInfo, pos2, vec2};
+use egui::{Rect, RichText, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::picture::Picture;
 use crate::app::format;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
 use crate::study::plan::problem::Problem;
 
 /// The values at a place, and what forbids it.
@@ -25,7 +27,7 @@ pub fn readout(ui: &mut Ui, problem: &Problem, point: [f64; 2]) {
     ];
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
     ui.spacing_mut().interact_size.y = 14.0;
-    Grid::new("readout").num_columns(2).spacing([12.0, 1.0]).show(ui, |ui| {
+    touch::grid(ui, "readout").num_columns(2).spacing([12.0, 1.0]).show(ui, |ui| {
         for (name, value) in lines {
             ui.label(RichText::new(name).color(palette.weak));
             ui.label(value);
@@ -36,10 +38,10 @@ pub fn readout(ui: &mut Ui, problem: &Problem, point: [f64; 2]) {
     let violated: Vec<&str> =
         checked.iter().filter(|one| one.violation > 0.0).map(|one| one.constraint.label).collect();
     if violated.is_empty() {
-        ui.label(RichText::new("allowed").color(palette.good).strong());
+        Standing::Good.label(ui, "allowed", RichText::strong);
     } else {
         let text = format!("violated: {}", violated.join(", "));
-        ui.label(RichText::new(text).color(palette.bad).strong());
+        Standing::Bad.label(ui, &text, RichText::strong);
     }
 }
 

@@ -6,6 +6,7 @@ use egui::{CollapsingHeader, ComboBox, RichText, Role, Ui, WidgetInfo};
 use crate::app::command::{Command, SessionCommand};
 use crate::app::format;
 use crate::app::theme::Palette;
+use crate::app::widgets::standing::Standing;
 use crate::base::settings::Value;
 use crate::run::scenario::Scenario;
 use crate::study::recommend::table::{NOTE as TABLE_NOTE, Table};
@@ -35,7 +36,7 @@ impl RecommendedCard {
             match advisor.recommend(hardness_hb, tool, engagement) {
                 Ok(found) => answer(ui, engagement, &found, commands),
                 Err(error) => {
-                    ui.label(RichText::new(error.to_string()).color(Palette::at(ui).bad));
+                    Standing::Bad.label(ui, &error.to_string(), |text| text);
                 }
             }
         });
@@ -81,11 +82,11 @@ fn answer(
     ui.strong(values);
     let (feed, rpm) = (found.feed_mm_min, found.speed_rpm);
     ui.label(format!("{}, {}", format::quantity(rpm, "1/min"), format::quantity(feed, "mm/min")));
-    let (text, color) = match found.inside_table() {
-        true => ("inside the table", palette.good),
-        false => ("outside the table: its edge answers", palette.warn),
+    let (text, standing) = match found.inside_table() {
+        true => ("inside the table", Standing::Good),
+        false => ("outside the table: its edge answers", Standing::Watch),
     };
-    ui.label(RichText::new(text).small().color(color));
+    standing.label(ui, text, RichText::small);
     let help = "Programs these values, as a start for the plan and the cut. One step of undo.";
     if ui.button("Start from it").on_hover_text(help).clicked() {
         let changes = [("program.feed_mm_min", feed), ("program.spindle_rpm", rpm)];

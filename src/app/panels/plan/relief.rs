@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
+use egui::{Align2, Button, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 use egui_plot::LineStyle;
 
 use super::layers::{Layers, MapLayer};
@@ -14,7 +14,8 @@ use crate::app::format::{self, round_step};
 use crate::app::scene;
 use crate::app::scene::camera::Camera;
 use crate::app::scene::mesh::Mesh;
-use crate::app::theme::{Look, Palette};
+use crate::app::theme::{self, Look, Palette};
+use crate::app::widgets::touch;
 use crate::app::widgets::zoom::by_touch;
 use crate::study::plan::constraints::CONSTRAINTS;
 use crate::study::plan::problem::{CUTTING_SPEED_M_MIN, FEED_PER_TOOTH_MM};
@@ -49,7 +50,7 @@ impl Relief {
     pub fn buttons(&mut self, ui: &mut Ui) {
         let help = "Turns the surface; so does a drag with the mouse";
         for (name, by) in [("Turn left", -TURN_PER_PRESS), ("Turn right", TURN_PER_PRESS)] {
-            if ui.small_button(name).on_hover_text(help).clicked() {
+            if ui.add(touch::small(ui, Button::new(name))).on_hover_text(help).clicked() {
                 self.camera.turn_rad += by;
             }
         }
@@ -154,7 +155,7 @@ fn scales(painter: &Painter, space: &Space, palette: &Palette, top_n: f64) {
     let left = floor_corners()
         .into_iter()
         .min_by(|a, b| space.at(*a, 0.0).x.total_cmp(&space.at(*b, 0.0).x));
-    let font = egui::FontId::proportional(10.5);
+    let font = theme::note(painter.ctx());
     let write = |at: Pos2, anchor: Align2, text: &str| {
         let galley = painter.layout_no_wrap(text.to_owned(), font.clone(), palette.weak);
         // What would stand beyond the edge is moved in.

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Color32, FontId, Rect, Sense, Ui, WidgetInfo, vec2};
+use egui::{Align2, Color32, Rect, Sense, Ui, WidgetInfo, vec2};
 
 use super::part::{self, Part};
 use super::{Marked, WorkpiecePanel, cutter, judged, under_tool};
@@ -147,7 +147,7 @@ fn captions(
         (Align2::RIGHT_BOTTOM, rect.right_bottom() + vec2(-10.0, -8.0), at),
     ];
     for (anchor, corner, text) in sides {
-        let font = FontId::proportional(12.0);
+        let font = theme::note(painter.ctx());
         let galley = painter.layout_no_wrap(text.to_owned(), font, ink);
         let place = anchor.anchor_size(corner, galley.size());
         painter.rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, backdrop);

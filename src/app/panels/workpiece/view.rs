@@ -1,6 +1,6 @@
 //! How the part is looked at: orbit, zoom, what is followed, how much larger heights are drawn.
 
-use egui::{PointerButton, Rect, Response, Role, Slider, Ui, Vec2, WidgetInfo};
+use egui::{Button, PointerButton, Rect, Response, Role, Slider, Ui, Vec2, WidgetInfo};
 
 use super::cutter::SHANK_MM;
 use crate::app::format::round_step;
@@ -142,6 +142,11 @@ impl Looking {
 
     /// The controls; `pages` says that fingers scroll the page.
     pub fn controls(&mut self, ui: &mut Ui, pages: bool) {
+        if pages {
+            // So that the first row has all of its buttons.
+            ui.spacing_mut().item_spacing.x = 4.0;
+            ui.spacing_mut().button_padding.x = 7.0;
+        }
         ui.horizontal_wrapped(|ui| {
             if ui.button("Whole part").on_hover_text("All of the present cut").clicked() {
                 self.follows = Follows::Part;
@@ -155,7 +160,8 @@ impl Looking {
                 self.at_tool(CLOSE_MM, HEIGHT_MM[1], false);
             }
             for (sign, name, factor) in [("+", "Nearer", ZOOM), ("-", "Farther", 1.0 / ZOOM)] {
-                let button = ui.button(sign);
+                let least = touch::least(ui);
+                let button = ui.add(Button::new(sign).min_size(least));
                 button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
                 if button.on_hover_text(format!("{name}; so does the wheel")).clicked() {
                     self.zoom(factor);

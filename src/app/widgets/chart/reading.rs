@@ -4,10 +4,9 @@ use egui::{Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::content::{ChartCurve, index};
 use crate::app::format;
-use crate::app::theme::Palette;
+use crate::app::theme::{self, Palette};
 use crate::run::signals::{Row, SIGNALS, flag};
 
-const SIZE: f32 = 15.0;
 /// Its width grows in these steps, points, so that its neighbours do not move while digits change.
 const WIDTH_STEP: f32 = 24.0;
 
@@ -21,7 +20,7 @@ pub(super) fn reading(ui: &mut Ui, curve: &ChartCurve, row: &Row, write: fn(f64,
         Some(value) => write(value, signal.unit),
     };
     let (stroke, _) = curve.look.line(Palette::at(ui));
-    let font = egui::FontId::proportional(SIZE);
+    let font = theme::value().resolve(ui.style());
     let galley = ui.painter().layout_no_wrap(text.clone(), font, stroke.color);
     let width = (galley.size().x / WIDTH_STEP).ceil() * WIDTH_STEP;
     let (rect, response) = ui.allocate_exact_size(vec2(width, galley.size().y), Sense::hover());

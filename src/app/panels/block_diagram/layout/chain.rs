@@ -14,12 +14,13 @@ const LANE: f32 = 26.0;
 /// Room for depth and results at the left edge.
 const SIDE: f32 = 72.0;
 /// Gap between rows with a label of one line.
-const GAP: f32 = 30.0;
+const GAP: f32 = 46.0;
 /// Gap under the reference, where the measured force comes in.
-const FEEDBACK_GAP: f32 = 48.0;
+const FEEDBACK_GAP: f32 = 62.0;
 /// Gap between the two blocks of a row.
 const BETWEEN: f32 = 14.0;
-const LINE: f32 = 18.0;
+/// Height of a label, and so of what a finger presses.
+const LABEL: f32 = 44.0;
 
 pub(super) fn arrange(available: Vec2) -> DiagramLayout {
     let width = available.x.max(LEAST_WIDTH);
@@ -67,7 +68,7 @@ pub(super) fn arrange(available: Vec2) -> DiagramLayout {
 
     // Upright wires between rows, the label in one line to the right of each.
     let beside = |x: f32, top: f32, gap: f32, room: f32| {
-        let height = s(LINE);
+        let height = s(LABEL);
         let min = pos2(x + s(5.0), top + 0.5 * (s(gap) - height));
         Rect::from_min_size(min, vec2(room - s(7.0), height))
     };
@@ -113,7 +114,7 @@ pub(super) fn arrange(available: Vec2) -> DiagramLayout {
 
     let side = |block: Rect| {
         let center = pos2(left + 0.5 * s(SIDE - 4.0), block.center().y);
-        Rect::from_center_size(center, vec2(s(SIDE - 4.0), s(2.0 * LINE)))
+        Rect::from_center_size(center, vec2(s(SIDE - 4.0), s(LABEL)))
     };
     let edge = |block: Rect| [pos2(left, block.center().y), at(block, 0.0, 0.5)];
     out.course(w::AXIAL_DEPTH, &edge(cutting), side(cutting), Style::Across);

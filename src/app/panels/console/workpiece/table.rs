@@ -1,6 +1,6 @@
 //! The tables of the workpiece: sections of a cut, and the depth profile of the one path.
 
-use egui::{Grid, RichText, Ui, WidgetInfo};
+use egui::{RichText, Ui, WidgetInfo};
 
 use super::hand::{EdgeKind, Moved};
 use crate::app::command::{Command, SessionCommand};
@@ -8,6 +8,8 @@ use crate::app::format;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::number::NumberField;
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
 use crate::base::settings::{Kind, Value};
 use crate::blocks::cutting::tool_path::{radial_depth_mm, wall_mm};
 use crate::blocks::cutting::workpiece::Workpiece;
@@ -63,7 +65,7 @@ fn table(ui: &mut Ui, id: &str, titles: &[&str], rows: impl FnOnce(&mut Ui)) {
     ui.scope(|ui| {
         ui.spacing_mut().interact_size.x = 56.0;
         ui.spacing_mut().button_padding.x = 4.0;
-        Grid::new(id)
+        touch::grid(ui, id)
             .num_columns(titles.len() + 2)
             .min_col_width(0.0)
             .spacing([6.0, 4.0])
@@ -134,12 +136,11 @@ pub fn sections(
 
 /// The radial depth as it follows.
 fn radial(ui: &mut Ui, axial_mm: f64, radial_mm: f64) {
-    let palette = Palette::at(ui);
     if axial_mm > 0.0 && radial_mm > 0.0 {
         ui.label(format::number(radial_mm, "mm"));
     } else {
-        let text = RichText::new("air").color(palette.warn);
-        ui.label(text).on_hover_text("The tool meets no material here");
+        let label = Standing::Watch.label(ui, "air", |text| text);
+        label.on_hover_text("The tool meets no material here");
     }
 }
 

@@ -7,9 +7,11 @@ use super::Profilometer;
 use crate::app::command::Command;
 use crate::app::format;
 use crate::app::panels::View;
-use crate::app::theme::Palette;
+use crate::app::theme::{self, Palette};
 use crate::app::widgets::number::NumberField;
 use crate::app::widgets::setting::{Size, setting};
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
 use crate::study::profilometer::{Measurement, ProfileLine};
 use crate::study::uses::Screen;
 
@@ -19,7 +21,6 @@ const FIELDS: [[f64; 2]; 2] = [[-100.0, 100_000.0], [-8.0, 8.0]];
 impl Profilometer {
     /// Line, figures and profile.
     pub fn show(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        let palette = Palette::at(ui);
         ui.horizontal_wrapped(|ui| {
             ui.label("A drag");
             ui.radio_value(&mut self.turns, false, "draws the line");
@@ -41,7 +42,7 @@ impl Profilometer {
             Some(Err(error)) => {
                 let mut text = error.clone();
                 text[..1].make_ascii_uppercase();
-                ui.label(RichText::new(format::unit(&format!("{text}."))).color(palette.bad));
+                Standing::Bad.label(ui, &format::unit(&format!("{text}.")), |text| text);
             }
             None => {}
         }
@@ -51,7 +52,7 @@ impl Profilometer {
     fn ends(&mut self, ui: &mut Ui, line: ProfileLine, commands: &mut Vec<Command>) {
         let mut ends = [line.from_mm, line.to_mm];
         let mut said = None;
-        egui::Grid::new("line").num_columns(4).show(ui, |ui| {
+        touch::grid(ui, "line").num_columns(4).show(ui, |ui| {
             for (names, end) in [["From x", "From y"], ["To x", "To y"]].iter().zip(&mut ends) {
                 for (name, (value, range)) in names.iter().zip(end.iter_mut().zip(FIELDS)) {
                     let label = ui.label(*name);
@@ -96,7 +97,7 @@ fn figures(ui: &mut Ui, found: &Measurement, long_mm: f64) {
             [("Ra", roughness.ra_um), ("Rq", roughness.rq_um), ("Rz", roughness.rz_um)]
         {
             let text = format!("{name} {}", format::quantity(value, "um"));
-            ui.label(RichText::new(text).size(15.0).strong());
+            ui.label(RichText::new(text).text_style(theme::value()).strong());
             ui.add_space(6.0);
         }
     });
