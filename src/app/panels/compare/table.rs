@@ -155,7 +155,7 @@ pub fn table(
                     }
                 });
                 // At the height of the name.
-                ui.vertical(|ui| load(ui, entrants, index, commands));
+                ui.vertical(|ui| ui.horizontal(|ui| load(ui, entrants, index, commands)));
                 for measure in Measure::ALL {
                     let figure = figure(one, compared, *measure, printed);
                     ui.vertical(|ui| {

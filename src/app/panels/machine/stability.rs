@@ -223,6 +223,9 @@ fn verdict(ui: &mut Ui, worst: Option<(CutOfRun, f64)>, chart: &Chart) {
             }
         }
     };
+    // Lines of text, which fingers do not press.
+    let spacing = ui.spacing().clone();
+    ui.spacing_mut().interact_size.y = 18.0;
     ui.horizontal_wrapped(|ui| {
         standing.label(ui, &text, RichText::strong);
         let any_speed_mm = chart.any_speed_mm;
@@ -235,6 +238,7 @@ fn verdict(ui: &mut Ui, worst: Option<(CutOfRun, f64)>, chart: &Chart) {
         };
         ui.label(RichText::new(text).color(palette.weak));
     });
+    *ui.spacing_mut() = spacing;
 }
 
 fn place(at: Operating) -> String {
