@@ -13,6 +13,7 @@ use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::Calibration;
 use crate::models::plan::PlannedSection;
 use crate::models::tool::ShippedTool;
+use crate::study::identify::gp::job::BATCHES;
 use crate::study::profilometer::ProfileLine;
 use crate::study::published::PaperId;
 use crate::study::recommend::EngagementCode;
@@ -212,12 +213,79 @@ pub enum IdentifyTarget {
     Milling,
 }
 
+/// What else can be identified.
+#[derive(Debug, Subcommand)]
+pub enum IdentifyWhat {
+    /// A formula of a table's columns, searched for by genetic programming (symbolic regression).
+    Gp(IdentifyGpArgs),
+}
+
+/// Whether formulas have to be right in their units.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum UnitsArg {
+    /// Units are not looked at.
+    #[default]
+    Free,
+    /// Only formulas that are right in their units; constants may have units.
+    Strict,
+}
+
+/// Arguments of `identify gp`.
+#[derive(Debug, Args)]
+pub struct IdentifyGpArgs {
+    /// The table: CSV with a line of column names.
+    #[arg(long, value_name = "FILE.csv")]
+    pub data: InPath,
+    /// The column that the formula is to give.
+    #[arg(long, value_name = "COLUMN")]
+    pub target: String,
+    /// The columns that it may read.
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',', required = true)]
+    pub inputs: Vec<String>,
+    /// Search as in the paper, too: its functions, constants, population and probabilities, beside the
+    /// default search. The report says which of the two found the formula.
+    #[arg(long, value_enum)]
+    pub paper: Option<Paper>,
+    /// Whether formulas have to be right in their units.
+    #[arg(long, value_enum, default_value = "free")]
+    pub units: UnitsArg,
+    /// Unit of a column, for example `feed=mm/min`; without it the one that its name ends with
+    /// (`feed_mm_min`).
+    #[arg(long = "unit", value_name = "COLUMN=UNIT")]
+    pub unit: Vec<String>,
+    /// Seed of all draws.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Most batches of the search; it ends earlier where nothing is gained any more.
+    #[arg(long, default_value_t = BATCHES, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub batches: u64,
+    /// Go on with a search that `--state` saved: the same data, columns and seed.
+    #[arg(long, value_name = "FILE.json")]
+    pub resume: Option<InPath>,
+    /// Where to save the search when it is over or interrupted, to go on with later.
+    #[arg(long, value_name = "FILE.json")]
+    pub state: Option<OutPath>,
+    /// Where to write the model file of the formula.
+    #[arg(long, value_name = "FILE.toml")]
+    pub out: Option<OutPath>,
+    /// Write the formula of this size of the front in place of the one chosen.
+    #[arg(long, value_name = "NODES", requires = "out")]
+    pub size: Option<usize>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// Arguments of `identify`.
 #[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct IdentifyArgs {
+    /// What else to identify.
+    #[command(subcommand)]
+    pub what: Option<IdentifyWhat>,
     /// What to identify.
-    #[arg(value_enum)]
-    pub target: IdentifyTarget,
+    #[arg(value_enum, required = true)]
+    pub target: Option<IdentifyTarget>,
     /// The paper whose models are identified; for `tables`.
     #[arg(long, value_enum, default_value = "2007")]
     pub paper: Paper,

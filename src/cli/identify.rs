@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use serde_json::json;
 
 use super::Outcome;
-use super::args::{IdentifyArgs, IdentifyTarget};
+use super::args::{IdentifyArgs, IdentifyTarget, IdentifyWhat};
 use super::files::report;
 use crate::study::identify::{Identified, identify, identify_milling, model_file};
 use crate::study::published::{PaperId, parse_table};
@@ -24,15 +24,18 @@ fn from_table(args: &IdentifyArgs) -> Result<Identified, Box<dyn std::error::Err
 }
 
 pub fn execute(args: &IdentifyArgs) -> Outcome {
+    if let Some(IdentifyWhat::Gp(args)) = &args.what {
+        return super::identify_gp::execute(args);
+    }
     let mut out = report(args.json, args.out.as_ref())?;
     let identified = match args.target {
-        IdentifyTarget::Tables => from_table(args)?,
-        IdentifyTarget::Milling => {
+        Some(IdentifyTarget::Milling) => {
             if args.table.is_some() {
                 return Err("`--table` is for `identify tables`: `milling` needs no table".into());
             }
             identify_milling(&args.tool.load().tool)?
         }
+        Some(IdentifyTarget::Tables) | None => from_table(args)?,
     };
     let shipped = identified.models.set.identified_file();
     let file = model_file(&identified);

@@ -10,6 +10,7 @@ mod formula;
 mod formula_told;
 mod given;
 mod identify;
+mod identify_gp;
 mod list;
 mod machine;
 mod machine_args;

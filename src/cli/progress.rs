@@ -44,6 +44,8 @@ pub enum NotDone {
         what: String,
         /// How far it was.
         progress: Progress,
+        /// How to go on, where what was done is kept.
+        kept: Option<String>,
     },
 }
 
@@ -51,7 +53,10 @@ impl std::fmt::Display for NotDone {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Refused(problem) => f.write_str(problem),
-            Self::Interrupted { what, progress } => {
+            Self::Interrupted { what, progress, kept: Some(kept) } => {
+                write!(f, "interrupted: {what}, {progress} done; {kept}")
+            }
+            Self::Interrupted { what, progress, kept: None } => {
                 write!(f, "interrupted: {what}, {progress} done; nothing of it is written")
             }
         }
@@ -59,6 +64,19 @@ impl std::fmt::Display for NotDone {
 }
 
 impl std::error::Error for NotDone {}
+
+impl NotDone {
+    /// The same, where what was done is kept: how to go on with it.
+    #[must_use]
+    pub fn kept(self, how: String) -> Self {
+        match self {
+            Self::Interrupted { what, progress, .. } => {
+                Self::Interrupted { what, progress, kept: Some(how) }
+            }
+            Self::Refused(problem) => Self::Refused(problem),
+        }
+    }
+}
 
 /// Whether Ctrl+C came.
 static INTERRUPT: AtomicBool = AtomicBool::new(false);
@@ -108,7 +126,11 @@ pub fn work<J: Job>(job: &mut J, what: &str, quiet: bool) -> Result<(), NotDone>
     bar.finish_and_clear();
     AT_WORK.store(false, Ordering::Relaxed);
     if cancelled() {
-        return Err(NotDone::Interrupted { what: what.to_owned(), progress: job.progress() });
+        return Err(NotDone::Interrupted {
+            what: what.to_owned(),
+            progress: job.progress(),
+            kept: None,
+        });
     }
     job.refusal().map_or(Ok(()), |problem| Err(NotDone::Refused(problem.to_owned())))
 }

@@ -91,13 +91,15 @@ fn succeeds(command: &str, child: Child) {
     assert!(output.status.success(), "`steadycut {command}`: {error}");
 }
 
-/// A folder with the file that the documents take as given.
+/// A folder with the files that the documents take as given.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     fs::create_dir_all(&folder).unwrap();
     let scenario = presets::load("table3-5").unwrap();
     let text = scenario_file::write(&scenario, &Edits::none());
     fs::write(folder.join("my-scenario.toml"), text).unwrap();
+    let table = include_str!("../../assets/data/table3_2007.csv");
+    fs::write(folder.join("my-table.csv"), table).unwrap();
     folder
 }
 

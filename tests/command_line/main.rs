@@ -6,6 +6,7 @@ mod commands;
 mod contributing;
 mod documents;
 mod formulas;
+mod identifying;
 mod jobs;
 mod manual;
 mod planning;

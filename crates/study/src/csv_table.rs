@@ -8,7 +8,7 @@ const MAX_SHOWN: usize = 40;
 const MAX_LIST: usize = 200;
 
 /// A column that a table must have: its name, and other names that it may have.
-pub type ColumnNames = &'static [&'static str];
+pub type ColumnNames<'a> = &'a [&'a str];
 
 /// A table: the cells of the columns asked for, in their order.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,7 +63,7 @@ impl CsvTable {
     ///
     /// # Errors
     /// Names the columns found and those that are missing, or the line that does not fit them.
-    pub fn parse(text: &str, columns: &[ColumnNames]) -> Result<Self, String> {
+    pub fn parse(text: &str, columns: &[ColumnNames<'_>]) -> Result<Self, String> {
         Self::read(text, |header| places(header, columns)).map(|(_, table)| table)
     }
 
@@ -182,9 +182,9 @@ impl CsvTable {
 }
 
 /// Where the columns stand in the header.
-fn places(header: &csv::StringRecord, columns: &[ColumnNames]) -> Result<Vec<usize>, String> {
-    let place = |names: &ColumnNames| header.iter().position(|name| names.contains(&name));
-    let list = |columns: &mut dyn Iterator<Item = &ColumnNames>| {
+fn places(header: &csv::StringRecord, columns: &[ColumnNames<'_>]) -> Result<Vec<usize>, String> {
+    let place = |names: &ColumnNames<'_>| header.iter().position(|name| names.contains(&name));
+    let list = |columns: &mut dyn Iterator<Item = &ColumnNames<'_>>| {
         columns.map(|names| names.join(" or ")).collect::<Vec<_>>().join(", ")
     };
     let missing = list(&mut columns.iter().filter(|names| place(names).is_none()));
@@ -212,7 +212,7 @@ fn places(header: &csv::StringRecord, columns: &[ColumnNames]) -> Result<Vec<usi
 mod tests {
     use super::*;
 
-    const COLUMNS: [ColumnNames; 2] = [&["speed"], &["force", "load"]];
+    const COLUMNS: [ColumnNames<'static>; 2] = [&["speed"], &["force", "load"]];
 
     fn numbers(text: &str) -> Result<Vec<Vec<Option<f64>>>, String> {
         let table = CsvTable::parse(text, &COLUMNS)?;

@@ -147,6 +147,12 @@ impl<J, O> Parts<J, O> {
         &self.done
     }
 
+    /// All outcomes, once all parts are over.
+    #[must_use]
+    pub fn into_done(self) -> Vec<O> {
+        self.done
+    }
+
     /// The part after those, where it is under way.
     #[must_use]
     pub fn next_under_way(&self) -> Option<&J> {

@@ -1,6 +1,7 @@
 //! Identification of the default models: from the published tables (`steadycut identify tables`)
 //! and from the mechanistic force model (`steadycut identify milling`).
 
+pub mod gp;
 mod least_squares;
 mod milling_2005;
 mod sdnrp_2007;

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::fmt::Debug;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use steadycut_core::base::math;
 use steadycut_core::base::settings::Value;
 use steadycut_core::blocks::control::ControllerKind;
 use steadycut_core::blocks::cutting::process::ForceModel;
@@ -23,6 +24,8 @@ use steadycut_study::compare::contest::ContestJob;
 use steadycut_study::compare::entrants::{Entrant, TABLE_1, on};
 use steadycut_study::compare::iterations::IterationsJob;
 use steadycut_study::compare::tournament::Tournament;
+use steadycut_study::identify::gp::job::{GpJob, GpSettings};
+use steadycut_study::identify::gp::problem::GpProblem;
 use steadycut_study::machine_life::adaptive::AdaptiveLife;
 use steadycut_study::machine_life::monte_carlo::{LifeMonteCarlo, Tools};
 use steadycut_study::machine_life::{LifeJob, model};
@@ -199,6 +202,17 @@ fn machine_and_tool_life() {
         seed: 3,
     };
     check("LifeMonteCarlo", &LifeMonteCarlo::new(tools, 12), 1);
+}
+
+#[test]
+fn searches_for_formulas() {
+    let rows = (0..12).map(|i| 0.5 * f64::from(i) + 1.0);
+    let line = |x: f64| format!("{x},{}\n", 3.0 + 2.0 / x + 0.01 * math::sin(7.0 * x));
+    let text = format!("x,y\n{}", rows.map(line).collect::<String>());
+    let problem = GpProblem::read(&text, "y", &["x".to_owned()]).unwrap();
+    let job = GpJob::new(problem, &GpSettings { seed: 2, batches: 4 }).unwrap();
+    check("GpSearch", job.search(), 37);
+    check("GpJob", &job, 7);
 }
 
 #[test]

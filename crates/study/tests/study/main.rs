@@ -3,6 +3,7 @@
 mod closed_loop;
 mod coupled;
 mod golden;
+mod gp;
 mod jobs;
 mod learning;
 mod milling;

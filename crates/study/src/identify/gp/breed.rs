@@ -1,0 +1,329 @@
+//! One offspring from its draw to its place: made, fitted, cleared of what is superfluous, judged.
+
+use super::archive::{Archive, FittedSum};
+use super::draw::{Draws, Language};
+use super::families::families;
+use super::fit::{EXACT, Effort, Fitter};
+use super::node::{Step, Sum, start_of};
+use super::rows::{DataRows, Probes};
+use super::tidy::Tidy;
+use super::units::UnitRule;
+use super::vary::{SumBounds, Variation};
+use super::written::joined;
+use crate::base::math;
+
+/// Steps of the constants of an offspring.
+const STEPS: usize = 10;
+/// Rows by which offspring are looked at first.
+const FIRST_ROWS: usize = 80;
+/// How much worse than what survives an offspring may look on these.
+const FIRST_LOOK: f64 = 1.8;
+
+/// Most that a term may vary, as a multiple of the target: terms that nearly cancel say nothing.
+const CANCEL: f64 = 30.0;
+
+/// What offspring are made from and judged by.
+#[derive(Clone, Debug)]
+pub struct Nursery {
+    /// The rows.
+    pub rows: DataRows,
+    /// A few of them.
+    first: DataRows,
+    probes: Probes,
+    languages: Vec<Language>,
+    bounds: SumBounds,
+    spread: f64,
+    rule: Option<UnitRule>,
+}
+
+impl Nursery {
+    /// For rows, islands by their languages, and bounds of formulas.
+    #[must_use]
+    pub fn new(rows: DataRows, languages: Vec<Language>, bounds: SumBounds) -> Self {
+        let first = rows.sample(FIRST_ROWS);
+        let probes = Probes::new(&rows);
+        let spread = rows.spread();
+        Self { rows, first, probes, languages, bounds, spread, rule: None }
+    }
+
+    /// With a rule that formulas be right in their units.
+    #[must_use]
+    pub fn with(mut self, rule: Option<UnitRule>) -> Self {
+        self.rule = rule;
+        self
+    }
+
+    /// The same for other rows.
+    #[must_use]
+    pub fn on(&self, rows: DataRows) -> Self {
+        let half = rows.len() / 2;
+        let bounds = SumBounds { constants: self.bounds.constants.min(half), ..self.bounds };
+        Self::new(rows, self.languages.clone(), bounds).with(self.rule.clone())
+    }
+
+    /// The families of curves that a search begins with, fitted.
+    #[must_use]
+    pub fn first(&self) -> Vec<FittedSum> {
+        let mut fitter = Fitter::default();
+        let empty = Archive::default();
+        let judged = families(&self.rows).into_iter();
+        judged.filter_map(|sum| self.judge(sum, &empty, &mut fitter)).collect()
+    }
+
+    /// Number of islands.
+    #[must_use]
+    pub fn islands(&self) -> usize {
+        self.languages.len()
+    }
+
+    /// Whether an error is no more than rounding.
+    #[must_use]
+    pub fn is_exact(&self, candidate: &FittedSum) -> bool {
+        candidate.left <= EXACT * self.spread
+    }
+
+    /// The bounds.
+    #[must_use]
+    pub fn bounds(&self) -> SumBounds {
+        self.bounds
+    }
+
+    /// A parent: half of the time from the front, otherwise any survivor.
+    fn parent<'a>(&self, archive: &'a Archive, most: usize, draws: &mut Draws) -> Option<&'a Sum> {
+        if draws.chance(0.5) {
+            let front = archive.front();
+            let front: Vec<_> = front.into_iter().filter(|c| c.size <= most).collect();
+            return (!front.is_empty()).then(|| &front[draws.below(front.len())].sum);
+        }
+        let all: Vec<_> = archive.all().filter(|c| c.size <= most).collect();
+        (!all.is_empty()).then(|| &all[draws.below(all.len())].sum)
+    }
+
+    /// Makes offspring from the survivors of its island, now and then with a parent from another one.
+    #[must_use]
+    pub fn offspring(
+        &self,
+        islands: &[Archive],
+        island: usize,
+        most: usize,
+        draws: &mut Draws,
+    ) -> Option<FittedSum> {
+        let mut fitter = Fitter::default();
+        let own = &islands[island];
+        let a = self.parent(own, most.saturating_add(6), draws).cloned().unwrap_or_default();
+        let other = if draws.chance(0.15) { draws.below(islands.len()) } else { island };
+        let b = self
+            .parent(&islands[other], most.saturating_add(6), draws)
+            .cloned()
+            .unwrap_or_default();
+        let bounds = SumBounds { size: self.bounds.size.min(most), ..self.bounds };
+        let language = &self.languages[island];
+        let variation = Variation { language, bounds, rows: &self.first };
+        let sum = variation.offspring(&a, &b, draws, &mut fitter);
+        if !variation.fits(&sum) || sum.terms.is_empty() {
+            return None;
+        }
+        self.judge(sum, own, &mut fitter)
+    }
+
+    /// Fits a formula and judges it against the survivors; none where it has no place among them.
+    pub fn judge(&self, mut sum: Sum, own: &Archive, fitter: &mut Fitter) -> Option<FittedSum> {
+        let n = self.rows.len() as f64;
+        let goal = own.goal(sum.size());
+        if self.first.len() < self.rows.len() {
+            let few = self.first.len() as f64;
+            let most = FIRST_LOOK * goal;
+            let effort = Effort { steps: STEPS, goal: goal * goal * few };
+            let left = fitter.fit(&mut sum, &self.first, effort)?;
+            if left > most * most * few {
+                return None;
+            }
+        }
+        let effort = Effort { steps: STEPS, goal: goal * goal * n };
+        let left = fitter.fit(&mut sum, &self.rows, effort)?;
+        let candidate = self.candidate(sum, left, fitter)?;
+        if candidate.error >= own.goal(candidate.size) {
+            return None;
+        }
+        let parts = self.is_exact(&candidate) || self.leads(&candidate, own);
+        let candidate = self.clear(candidate, parts, fitter);
+        (self.is_allowed(&candidate) && self.has_values(&candidate.sum, fitter))
+            .then_some(candidate)
+    }
+
+    /// Whether no survivor of its size or a smaller one is nearly as good.
+    fn leads(&self, candidate: &FittedSum, own: &Archive) -> bool {
+        let smaller = (0..=candidate.size).filter_map(|size| own.best(size));
+        smaller.map(|best| best.error).fold(f64::INFINITY, f64::min) > 1.1 * candidate.error
+    }
+
+    /// Judges a fitted formula; none where it has too many constants for the rows, or terms that all but
+    /// cancel each other.
+    fn candidate(&self, sum: Sum, left: f64, fitter: &mut Fitter) -> Option<FittedSum> {
+        if fitter.cancellation(&sum) > CANCEL * self.spread.sqrt() {
+            return None;
+        }
+        let error = fitter.prediction_error(&sum, &self.rows, left);
+        let size = sum.size();
+        error.is_finite().then_some(FittedSum { sum, size, left, error })
+    }
+
+    /// Fits a formula anew; its constants are near already.
+    fn refit(&self, mut sum: Sum, fitter: &mut Fitter) -> Option<FittedSum> {
+        let left = fitter.fit(&mut sum, &self.rows, Effort { steps: 6, goal: 0.0 })?;
+        self.candidate(sum, left, fitter)
+    }
+
+    /// Whether `simpler` says as much as `candidate`: the same up to rounding, or with an error that the
+    /// scatter of the rows does not tell from it.
+    fn says_as_much(&self, simpler: &FittedSum, candidate: &FittedSum) -> bool {
+        let exact = EXACT * self.spread;
+        if candidate.left <= exact {
+            return self.is_allowed(simpler) && simpler.left <= exact.max(4.0 * candidate.left);
+        }
+        simpler.error <= candidate.error * (1.0 + 0.5 / self.rows.len() as f64)
+            && self.is_allowed(simpler)
+    }
+
+    fn is_allowed(&self, candidate: &FittedSum) -> bool {
+        self.rule.as_ref().is_none_or(|rule| rule.allows(&candidate.sum))
+    }
+
+    /// Takes out what does not matter: terms at the level of rounding, free exponents that are whole or
+    /// half, and with `parts` whatever else of a term is not needed.
+    fn clear(&self, mut candidate: FittedSum, parts: bool, fitter: &mut Fitter) -> FittedSum {
+        let mut number = 0;
+        while number < candidate.sum.terms.len() && candidate.sum.terms.len() > 1 {
+            let mut sum = candidate.sum.clone();
+            sum.terms.remove(number);
+            match self.refit(sum, fitter) {
+                Some(simpler) if self.says_as_much(&simpler, &candidate) => candidate = simpler,
+                _ => number += 1,
+            }
+        }
+        if candidate.sum.intercept && !candidate.sum.terms.is_empty() {
+            let sum = Sum { intercept: false, ..candidate.sum.clone() };
+            if let Some(simpler) = self.refit(sum, fitter)
+                && self.says_as_much(&simpler, &candidate)
+            {
+                candidate = simpler;
+            }
+        }
+        let mut place = 0;
+        while let Some(sum) = snapped(&candidate.sum, place) {
+            place += 1;
+            if let Some(sum) = sum
+                && let Some(simpler) = self.refit(sum, fitter)
+                && self.says_as_much(&simpler, &candidate)
+            {
+                // One place fewer is free now.
+                place -= 1;
+                candidate = simpler;
+            }
+        }
+        if parts {
+            for sum in joined(&candidate.sum) {
+                if let Some(simpler) = self.refit(sum, fitter)
+                    && simpler.size < candidate.size
+                    && self.says_as_much(&simpler, &candidate)
+                {
+                    candidate = simpler;
+                    break;
+                }
+            }
+            let mut number = 0;
+            while let Some(sum) = self.shorter(&candidate.sum, number) {
+                number += 1;
+                if sum.size() < candidate.size
+                    && let Some(simpler) = self.refit(sum, fitter)
+                    && self.says_as_much(&simpler, &candidate)
+                {
+                    candidate = simpler;
+                    number = 0;
+                }
+            }
+        }
+        candidate
+    }
+
+    /// The formula with its part number `number` shortened to one of what it is made of; none past the last.
+    fn shorter(&self, sum: &Sum, mut number: usize) -> Option<Sum> {
+        let tidy = Tidy { positive: &self.languages[0].positive };
+        for (k, term) in sum.terms.iter().enumerate() {
+            let several = if term.factors.len() > 1 { term.factors.len() } else { 0 };
+            let mut other = term.clone();
+            if number < several {
+                other.factors.remove(number);
+            } else {
+                number -= several;
+                let mut found = false;
+                'factors: for (j, factor) in term.factors.iter().enumerate() {
+                    for end in 0..factor.len() {
+                        let arity = factor[end].arity();
+                        if number >= arity {
+                            number -= arity;
+                            continue;
+                        }
+                        // The last part, or the first.
+                        let last = start_of(factor, end - 1);
+                        let part =
+                            if number == 0 { last..end } else { start_of(factor, end)..last };
+                        let part = factor[part].to_vec();
+                        other.factors[j].splice(start_of(factor, end)..=end, part);
+                        found = true;
+                        break 'factors;
+                    }
+                }
+                if !found {
+                    continue;
+                }
+            }
+            let other = tidy.term(&other);
+            let mut sum = sum.clone();
+            if other.factors.is_empty() {
+                sum.terms.remove(k);
+            } else {
+                sum.terms[k] = other;
+            }
+            return Some(sum);
+        }
+        None
+    }
+
+    /// Whether a formula has values at the probes, and in the box no wild ones.
+    fn has_values(&self, sum: &Sum, fitter: &mut Fitter) -> bool {
+        let mut values = Vec::new();
+        let [low, high] = self.probes.bounds;
+        fitter.predict(sum, &self.probes.inputs, &mut values)
+            && values[..self.probes.inside].iter().all(|value| (low..=high).contains(value))
+    }
+}
+
+/// The formula with its free exponent number `place` at the next half; none past the last exponent, and
+/// none inside where the next half is far.
+fn snapped(sum: &Sum, place: usize) -> Option<Option<Sum>> {
+    let mut snapped = sum.clone();
+    let mut at = 0;
+    for term in &mut snapped.terms {
+        for factor in &mut term.factors {
+            for index in 0..factor.len() {
+                let Step::Power { exponent, free: true } = factor[index] else { continue };
+                if at < place {
+                    at += 1;
+                    continue;
+                }
+                let half = math::limit((2.0 * exponent).round() * 0.5, -32.0, 32.0);
+                if (exponent - half).abs() > 0.15 || half == 0.0 {
+                    return Some(None);
+                }
+                if half == 1.0 {
+                    factor.remove(index);
+                } else {
+                    factor[index] = Step::Power { exponent: half, free: false };
+                }
+                return Some(Some(snapped));
+            }
+        }
+    }
+    None
+}

@@ -1,0 +1,437 @@
+//! The constants of a finished formula: fitted to the last bit, with intervals of confidence, by its
+//! derivatives.
+
+use super::fit::dot;
+use super::rows::DataRows;
+use crate::base::cholesky;
+use crate::base::formula::{CompiledFormula, Formula, Node, Operator};
+
+/// Share of a column that must be left for its constant to be determined.
+const INDEPENDENT: f64 = 1e-7;
+/// Steps of the fit.
+const STEPS: usize = 30;
+
+/// A constant with its interval.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedConstant {
+    /// Its value.
+    pub value: f64,
+    /// The 95 % interval of confidence; none where the rows do not determine it at all.
+    pub interval: Option<[f64; 2]>,
+}
+
+impl FittedConstant {
+    /// Whether the rows determine it: its interval is narrower than the constant is large.
+    #[must_use]
+    pub fn is_determined(&self) -> bool {
+        self.interval.is_some_and(|[low, high]| high - low <= self.value.abs())
+    }
+}
+
+/// A formula fitted to rows.
+#[derive(Clone, Debug)]
+pub struct FittedFormula {
+    /// The formula.
+    pub formula: Formula,
+    /// Its constants, from left to right; exponents that are whole or half are none.
+    pub constants: Vec<FittedConstant>,
+    /// Target minus formula, row by row.
+    pub residuals: Vec<f64>,
+    /// Leverage of each row.
+    pub leverages: Vec<f64>,
+    /// Number of constants that are fitted.
+    pub fitted: usize,
+    /// The formula's derivatives by its constants, with the constants as further inputs.
+    slopes: Vec<CompiledFormula>,
+    /// Covariance of the constants over the residual variance; none where they are not all determined.
+    spread: Option<Vec<Vec<f64>>>,
+}
+
+impl FittedFormula {
+    /// Root mean square of the residuals.
+    #[must_use]
+    pub fn rms(&self) -> f64 {
+        (dot(&self.residuals, &self.residuals) / self.residuals.len() as f64).sqrt()
+    }
+
+    /// Residual standard deviation, for the freedom that the constants leave.
+    #[must_use]
+    pub fn deviation(&self) -> f64 {
+        let freedom = self.residuals.len().saturating_sub(self.fitted).max(1);
+        (dot(&self.residuals, &self.residuals) / freedom as f64).sqrt()
+    }
+
+    /// Leverage of a place that is no row: the variance of the formula there over that of the residuals.
+    #[must_use]
+    pub fn leverage_at(&self, inputs: &[f64]) -> Option<f64> {
+        let spread = self.spread.as_ref()?;
+        let mut values = inputs.to_vec();
+        values.extend(self.constants.iter().map(|constant| constant.value));
+        let slopes: Vec<f64> = self.slopes.iter().map(|slope| slope.value(&values)).collect();
+        let row = |row: &Vec<f64>| dot(row, &slopes);
+        let leverage: f64 = spread.iter().zip(&slopes).map(|(of, slope)| row(of) * slope).sum();
+        leverage.is_finite().then_some(leverage.max(0.0))
+    }
+
+    /// Standard deviation of a new value of the target at a place.
+    #[must_use]
+    pub fn prediction_deviation(&self, inputs: &[f64]) -> Option<f64> {
+        Some(self.deviation() * (1.0 + self.leverage_at(inputs)?).sqrt())
+    }
+
+    /// The 95 % band of the formula at a place: half its width.
+    #[must_use]
+    pub fn band(&self, inputs: &[f64]) -> Option<f64> {
+        let freedom = self.residuals.len().saturating_sub(self.fitted);
+        Some(t_quantile(freedom) * self.deviation() * self.leverage_at(inputs)?.sqrt())
+    }
+
+    /// Residuals in units of their own standard deviation, each estimated without its row (externally
+    /// studentised).
+    #[must_use]
+    pub fn studentised(&self) -> Vec<f64> {
+        let freedom = self.residuals.len().saturating_sub(self.fitted) as f64;
+        let squares = dot(&self.residuals, &self.residuals);
+        let one = |(residual, leverage): (&f64, &f64)| {
+            let left = (1.0 - leverage).max(1e-9);
+            let without = (squares - residual * residual / left) / (freedom - 1.0);
+            if freedom > 1.0 && without > 0.0 { residual / (without * left).sqrt() } else { 0.0 }
+        };
+        self.residuals.iter().zip(&self.leverages).map(one).collect()
+    }
+}
+
+/// The formula with its fitted numbers as further inputs, and these numbers.
+fn opened(formula: &Formula) -> Option<(Formula, Vec<f64>)> {
+    fn open(node: &Node, exponent: bool, first: usize, numbers: &mut Vec<f64>) -> Node {
+        match node {
+            Node::Number(x) if exponent && (2.0 * x).floor() == 2.0 * x => node.clone(),
+            Node::Number(x) => {
+                numbers.push(*x);
+                Node::Input(first + numbers.len() - 1)
+            }
+            Node::Input(_) | Node::Constant(_) => node.clone(),
+            Node::Unary(function, a) => Node::unary(*function, open(a, false, first, numbers)),
+            Node::Binary(operator, pair) => {
+                let [a, b] = &**pair;
+                let a = open(a, false, first, numbers);
+                let b = open(b, *operator == Operator::Power, first, numbers);
+                Node::binary(*operator, a, b)
+            }
+        }
+    }
+    let first = formula.inputs().len();
+    let mut numbers = Vec::new();
+    let root = open(formula.root(), false, first, &mut numbers);
+    let mut names = formula.inputs().to_vec();
+    // Names that no column can have.
+    names.extend((0..numbers.len()).map(|number| format!("\u{1}{number}")));
+    Some((Formula::new(root, &names).ok()?, numbers))
+}
+
+/// The formula with other fitted numbers, in the same order.
+fn closed(formula: &Formula, numbers: &[f64]) -> Option<Formula> {
+    fn close(node: &Node, exponent: bool, left: &mut std::slice::Iter<'_, f64>) -> Node {
+        match node {
+            Node::Number(x) if exponent && (2.0 * x).floor() == 2.0 * x => node.clone(),
+            Node::Number(x) => Node::Number(left.next().copied().unwrap_or(*x)),
+            Node::Input(_) | Node::Constant(_) => node.clone(),
+            Node::Unary(function, a) => Node::unary(*function, close(a, false, left)),
+            Node::Binary(operator, pair) => {
+                let [a, b] = &**pair;
+                let a = close(a, false, left);
+                let b = close(b, *operator == Operator::Power, left);
+                Node::binary(*operator, a, b)
+            }
+        }
+    }
+    let root = close(formula.root(), false, &mut numbers.iter());
+    Formula::new(root, formula.inputs()).ok()
+}
+
+/// Digits that the constants of an exact formula are rounded to where it stays exact.
+const DIGITS: usize = 12;
+/// Residuals over the largest value of the target that are rounding.
+const ROUNDING: f64 = 4e-15;
+
+/// An exact formula with its constants rounded to twelve digits, where that leaves no more than rounding: what
+/// was 0.039 is 0.039 then.
+#[must_use]
+pub fn rounded(fit: FittedFormula, rows: &DataRows) -> FittedFormula {
+    let short = |constant: &FittedConstant| {
+        format!("{:.*e}", DIGITS - 1, constant.value).parse().unwrap_or(constant.value)
+    };
+    let numbers: Vec<f64> = fit.constants.iter().map(short).collect();
+    let Some(formula) = closed(&fit.formula, &numbers) else { return fit };
+    let values = column(&formula.compile(), rows, &[]);
+    let residuals: Vec<f64> = rows.target.iter().zip(values).map(|(y, value)| y - value).collect();
+    let most = rows.target.iter().fold(0.0_f64, |most, y| most.max(y.abs()));
+    let rms = (dot(&residuals, &residuals) / rows.len() as f64).sqrt();
+    if rms > (2.0 * fit.rms()).max(ROUNDING * most) {
+        return fit;
+    }
+    let by = |(constant, number): (FittedConstant, f64)| FittedConstant {
+        value: number,
+        interval: constant.interval.map(|[low, high]| {
+            let shift = number - constant.value;
+            [low + shift, high + shift]
+        }),
+    };
+    let constants = fit.constants.into_iter().zip(numbers).map(by).collect();
+    FittedFormula { formula, constants, residuals, ..fit }
+}
+
+/// Values over rows, with the numbers behind the inputs.
+fn column(program: &CompiledFormula, rows: &DataRows, numbers: &[f64]) -> Vec<f64> {
+    let count = rows.inputs.len();
+    let mut values = vec![0.0; count + numbers.len()];
+    values[count..].copy_from_slice(numbers);
+    (0..rows.len())
+        .map(|row| {
+            for (value, input) in values.iter_mut().zip(&rows.inputs) {
+                *value = input[row];
+            }
+            program.value(&values)
+        })
+        .collect()
+}
+
+/// Fits the constants of a formula to rows, from where they are, and gives their intervals.
+///
+/// # Errors
+/// The formula has no finite value on a row, or more constants than there are rows.
+pub fn fitted(formula: &Formula, rows: &DataRows) -> Result<FittedFormula, String> {
+    let (open, mut numbers) = opened(formula).ok_or("the formula is too large")?;
+    let first = formula.inputs().len();
+    if numbers.len() >= rows.len() {
+        let (constants, rows) = (numbers.len(), rows.len());
+        return Err(format!("{constants} constants cannot be fitted to {rows} rows"));
+    }
+    let program = open.compile();
+    let slopes: Vec<CompiledFormula> = (0..numbers.len())
+        .map(|k| Ok(open.derivative(first + k)?.compile()))
+        .collect::<Result<_, String>>()?;
+    let residuals = |numbers: &[f64]| -> Vec<f64> {
+        let values = column(&program, rows, numbers);
+        rows.target.iter().zip(values).map(|(y, value)| y - value).collect()
+    };
+    let mut left = residuals(&numbers);
+    let mut squares = dot(&left, &left);
+    if !squares.is_finite() {
+        return Err("the formula has no finite value on some row".to_owned());
+    }
+    let mut damping = 1e-6;
+    for _ in 0..STEPS {
+        let jacobian: Vec<Vec<f64>> =
+            slopes.iter().map(|slope| column(slope, rows, &numbers)).collect();
+        let Some((next, less, residual)) =
+            step(&jacobian, &left, &numbers, squares, &mut damping, &residuals)
+        else {
+            break;
+        };
+        let done = less > squares * (1.0 - 1e-14);
+        (numbers, squares, left) = (next, less, residual);
+        if done {
+            break;
+        }
+    }
+    let jacobian: Vec<Vec<f64>> =
+        slopes.iter().map(|slope| column(slope, rows, &numbers)).collect();
+    let formula = closed(formula, &numbers).ok_or("a constant is not finite")?;
+    Ok(with_intervals(formula, &numbers, jacobian, left, slopes))
+}
+
+type Step = (Vec<f64>, f64, Vec<f64>);
+
+/// A damped step that lowers the sum of squares, with columns of unit length.
+fn step(
+    jacobian: &[Vec<f64>],
+    left: &[f64],
+    numbers: &[f64],
+    squares: f64,
+    damping: &mut f64,
+    residuals: &dyn Fn(&[f64]) -> Vec<f64>,
+) -> Option<Step> {
+    let norms: Vec<f64> =
+        jacobian.iter().map(|j| dot(j, j).sqrt().max(f64::MIN_POSITIVE)).collect();
+    if norms.iter().any(|norm| !norm.is_finite()) {
+        return None;
+    }
+    for _ in 0..8 {
+        let lower = (0..numbers.len())
+            .map(|i| {
+                let product = |j: usize| dot(&jacobian[i], &jacobian[j]) / (norms[i] * norms[j]);
+                let mut row: Vec<f64> = (0..=i).map(product).collect();
+                row[i] = 1.0 + *damping;
+                row
+            })
+            .collect();
+        let slope = jacobian.iter().zip(&norms).map(|(j, norm)| dot(j, left) / norm).collect();
+        if let Some(step) = cholesky::solve(lower, slope, 0.0) {
+            let scaled = step.iter().zip(&norms).map(|(step, norm)| step / norm);
+            let next: Vec<f64> = numbers.iter().zip(scaled).map(|(x, step)| x + step).collect();
+            let residual = residuals(&next);
+            let less = dot(&residual, &residual);
+            if less < squares {
+                *damping *= 0.1;
+                return Some((next, less, residual));
+            }
+        }
+        *damping *= 10.0;
+    }
+    None
+}
+
+fn with_intervals(
+    formula: Formula,
+    numbers: &[f64],
+    jacobian: Vec<Vec<f64>>,
+    residuals: Vec<f64>,
+    slopes: Vec<CompiledFormula>,
+) -> FittedFormula {
+    let (n, p) = (residuals.len(), numbers.len());
+    let freedom = n - p;
+    let variance = dot(&residuals, &residuals) / freedom as f64;
+    let quantile = t_quantile(freedom);
+    let mut leverages = vec![0.0; n];
+    // Orthonormal columns; a constant's variance is that of 1 over what of its column the others leave.
+    let norms: Vec<f64> = jacobian.iter().map(|column| dot(column, column)).collect();
+    let mut constants = Vec::with_capacity(p);
+    for k in 0..p {
+        let mut own = jacobian[k].clone();
+        let others: Vec<usize> = (0..p).filter(|other| *other != k).collect();
+        let basis = orthonormal(others.iter().map(|other| &jacobian[*other]));
+        for _ in 0..2 {
+            for q in &basis {
+                let share = dot(&own, q);
+                own.iter_mut().zip(q).for_each(|(x, q)| *x -= share * q);
+            }
+        }
+        let left = dot(&own, &own);
+        let determined = left > INDEPENDENT * INDEPENDENT * norms[k] && left.is_finite();
+        let half = quantile * (variance / left).sqrt();
+        let value = numbers[k];
+        let interval = determined.then_some([value - half, value + half]);
+        constants.push(FittedConstant { value, interval });
+    }
+    for q in orthonormal(jacobian.iter()) {
+        leverages.iter_mut().zip(&q).for_each(|(leverage, q)| *leverage += q * q);
+    }
+    let spread = covariance(&jacobian);
+    FittedFormula { formula, constants, residuals, leverages, fitted: p, slopes, spread }
+}
+
+/// The inverse of the columns' products; none where they all but depend on each other.
+fn covariance(columns: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
+    let norms: Vec<f64> = columns.iter().map(|column| dot(column, column).sqrt()).collect();
+    let lower: Vec<Vec<f64>> = (0..columns.len())
+        .map(|i| (0..=i).map(|j| dot(&columns[i], &columns[j]) / (norms[i] * norms[j])).collect())
+        .collect();
+    let column = |k: usize| {
+        let unit = (0..columns.len()).map(|i| f64::from(u8::from(i == k))).collect();
+        let solved = cholesky::solve(lower.clone(), unit, 1e-14)?;
+        Some(solved.iter().zip(&norms).map(|(x, norm)| x / (norm * norms[k])).collect())
+    };
+    (0..columns.len()).map(column).collect()
+}
+
+/// An orthonormal basis of columns; what depends on those before it is left out.
+fn orthonormal<'a>(columns: impl Iterator<Item = &'a Vec<f64>>) -> Vec<Vec<f64>> {
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    for column in columns {
+        let whole = dot(column, column);
+        let mut own = column.clone();
+        for _ in 0..2 {
+            for q in &basis {
+                let share = dot(&own, q);
+                own.iter_mut().zip(q).for_each(|(x, q)| *x -= share * q);
+            }
+        }
+        let left = dot(&own, &own);
+        if left > INDEPENDENT * INDEPENDENT * whole && left.is_finite() {
+            let norm = left.sqrt();
+            own.iter_mut().for_each(|x| *x /= norm);
+            basis.push(own);
+        }
+    }
+    basis
+}
+
+/// The value that a Student t with so many degrees of freedom exceeds with 2.5 %: the expansion of
+/// Abramowitz and Stegun, 26.7.5, and below 5 degrees the exact values.
+#[must_use]
+pub fn t_quantile(freedom: usize) -> f64 {
+    match freedom {
+        0 => f64::INFINITY,
+        1 => 12.706_204_736,
+        2 => 4.302_652_730,
+        3 => 3.182_446_305,
+        4 => 2.776_445_105,
+        _ => {
+            let n = freedom as f64;
+            let z: f64 = 1.959_963_984_540_054;
+            let (z3, z5, z7) = (z * z * z, z * z * z * z * z, z * z * z * z * z * z * z);
+            let z9 = z7 * z * z;
+            z + (z3 + z) / (4.0 * n)
+                + (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * n * n)
+                + (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * n * n * n)
+                + (79.0 * z9 + 776.0 * z7 + 1482.0 * z5 - 1920.0 * z3 - 945.0 * z)
+                    / (92160.0 * n * n * n * n)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::rng::Stream;
+
+    #[test]
+    fn quantiles_are_those_of_the_tables() {
+        for (freedom, table) in
+            [(1, 12.706), (2, 4.303), (3, 3.182), (5, 2.571), (10, 2.228), (60, 2.000)]
+        {
+            assert!((t_quantile(freedom) - table).abs() < 3e-3, "{freedom}");
+        }
+    }
+
+    #[test]
+    fn intervals_cover_the_true_constants_as_often_as_they_say() {
+        let stream = Stream::new(3, "coverage");
+        let n = 60;
+        let x: Vec<f64> = (0..n).map(|i| 150.0 + 450.0 * stream.uniform(i)).collect();
+        let z: Vec<f64> = (0..n).map(|i| 800.0 + 1700.0 * stream.uniform(1000 + i)).collect();
+        let names = ["f", "n"];
+        let truth = [286.44, 5.82e-10, 3.0, 8973.0, 0.039];
+        let law = Formula::parse("286.44 - 5.82e-10*n^3.001 - 8973*ln(0.039*f)/f", &names).unwrap();
+        let exact = Formula::parse("286.44 - 5.82e-10*n^3 - 8973*ln(0.039*f)/f", &names).unwrap();
+        let mut covered = [0; 5];
+        let redraws = 200;
+        for redraw in 0..redraws {
+            let noise = Stream::new(redraw, "noise");
+            let target = (0..n)
+                .map(|i| exact.value(&[x[i as usize], z[i as usize]]) + 0.01 * noise.normal(i));
+            let rows = DataRows { target: target.collect(), inputs: vec![x.clone(), z.clone()] };
+            let found = fitted(&law, &rows).unwrap();
+            for (k, constant) in found.constants.iter().enumerate() {
+                let [low, high] = constant.interval.unwrap();
+                covered[k] += i32::from(low <= truth[k] && truth[k] <= high);
+            }
+        }
+        for covered in covered {
+            assert!((184..=197).contains(&covered), "{covered:?}");
+        }
+    }
+
+    #[test]
+    fn what_the_rows_do_not_determine_has_no_interval() {
+        let x: Vec<f64> = (1..30).map(f64::from).collect();
+        let rows = DataRows { target: x.iter().map(|x| 3.0 * x + 1.0).collect(), inputs: vec![x] };
+        let twice = Formula::parse("2*(1.2*x) + 0.5", &["x"]).unwrap();
+        let found = fitted(&twice, &rows).unwrap();
+        let determined: Vec<bool> =
+            found.constants.iter().map(FittedConstant::is_determined).collect();
+        assert_eq!(determined, [false, false, true]);
+        assert!(found.rms() < 1e-9);
+    }
+}

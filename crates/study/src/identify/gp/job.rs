@@ -1,0 +1,163 @@
+//! The whole identification as a job: search, cross-validation of its front, report.
+
+use super::archive::FittedSum;
+use super::breed::Nursery;
+use super::draw::{Functions, Language};
+use super::folds::Folds;
+use super::problem::{GpProblem, SMALL};
+use super::report::{GpReport, report};
+use super::rows::DataRows;
+use super::search::{GpSearch, Stop};
+use super::units::UnitRule;
+use super::vary::SumBounds;
+use crate::run::job::{Budget, Job, Progress};
+
+/// Islands with their functions: on half of them formulas have no sines and cosines.
+const ISLANDS: usize = 4;
+/// Batches without gain after which a search ends.
+const IDLE: u64 = 60;
+/// Most batches of a search by default.
+pub const BATCHES: u64 = 400;
+/// How much better a formula with sines and cosines has to be than all others of its size.
+const PERIODIC_GAIN: f64 = 0.5;
+
+/// How to search.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GpSettings {
+    /// Seed of all draws.
+    pub seed: u64,
+    /// Most batches.
+    pub batches: u64,
+}
+
+impl Default for GpSettings {
+    fn default() -> Self {
+        Self { seed: 1, batches: BATCHES }
+    }
+}
+
+/// The identification of a formula.
+#[derive(Clone)]
+pub struct GpJob {
+    problem: GpProblem,
+    settings: GpSettings,
+    search: GpSearch,
+    folds: Option<Folds>,
+    over: bool,
+}
+
+fn nursery(rows: DataRows, rule: Option<UnitRule>) -> Nursery {
+    let language = |island: usize| {
+        let periodic = island >= ISLANDS / 2;
+        Language::new(&rows, Functions { ln: true, exp: true, periodic, scaled: rule.is_some() })
+    };
+    let languages = (0..ISLANDS).map(language).collect();
+    let constants = (rows.len() / 2).min(16);
+    let bounds = SumBounds { terms: 6, factors: 5, nodes: 15, size: 44, constants };
+    Nursery::new(rows, languages, bounds).with(rule)
+}
+
+impl GpJob {
+    /// Begins it.
+    ///
+    /// # Errors
+    /// The inputs lie on one line.
+    pub fn new(problem: GpProblem, settings: &GpSettings) -> Result<Self, String> {
+        if let Some(collinear) = problem.collinear() {
+            return Err(collinear.to_string());
+        }
+        let nursery = nursery(problem.searched(settings.seed), problem.rule.clone());
+        let stop = Stop { batches: settings.batches, idle: IDLE };
+        let search = GpSearch::started(nursery, settings.seed, stop);
+        Ok(Self { problem, settings: settings.clone(), search, folds: None, over: false })
+    }
+
+    /// What is asked.
+    #[must_use]
+    pub fn problem(&self) -> &GpProblem {
+        &self.problem
+    }
+
+    /// How it searches.
+    #[must_use]
+    pub fn settings(&self) -> &GpSettings {
+        &self.settings
+    }
+
+    pub(super) fn search_mut(&mut self) -> &mut GpSearch {
+        &mut self.search
+    }
+
+    /// The search.
+    #[must_use]
+    pub fn search(&self) -> &GpSearch {
+        &self.search
+    }
+
+    /// The front: the best formula of each size that pays for its size; one with sines and cosines only
+    /// where it halves the error of all others.
+    #[must_use]
+    pub fn front(&self) -> Vec<FittedSum> {
+        let (calm, best) = (self.search.calm(), self.search.best());
+        let nursery = self.search.nursery();
+        // A few rows are soon followed by a wave: there, only an exact one counts.
+        let few = nursery.rows.len() <= SMALL;
+        let mut least = f64::INFINITY;
+        let mut front: Vec<FittedSum> = Vec::new();
+        for size in 0..calm.sizes().max(best.sizes()) {
+            let plain = calm.best(size);
+            let periodic = best.best(size).filter(|best| {
+                let plain = plain.map_or(f64::INFINITY, |plain| plain.error);
+                best.error < PERIODIC_GAIN * least.min(plain) && (!few || nursery.is_exact(best))
+            });
+            let Some(candidate) = periodic.or(plain) else { continue };
+            if candidate.error < 0.999 * least {
+                least = candidate.error;
+                front.push(candidate.clone());
+            }
+        }
+        // Nothing larger than an exact formula says more.
+        let exact = front.iter().position(|candidate| self.search.nursery().is_exact(candidate));
+        front.truncate(exact.map_or(front.len(), |exact| exact + 1));
+        front
+    }
+
+    /// The report; before the end without cross-validation.
+    #[must_use]
+    pub fn report(&self) -> GpReport {
+        let front = self.front();
+        let left_out = self.folds.as_ref().filter(|_| self.over);
+        let left_out = left_out.map(|folds| (folds.left_out(&front), folds.told()));
+        let repeated = self.folds.as_ref().is_some_and(Folds::is_repeated);
+        report(&self.problem, &self.search, &front, left_out, repeated && self.over)
+    }
+}
+
+impl Job for GpJob {
+    type Partial = GpReport;
+
+    fn advance(&mut self, budget: &Budget<'_>) -> bool {
+        if !self.search.advance(budget) {
+            return false;
+        }
+        if self.folds.is_none() {
+            let GpSettings { seed, batches } = self.settings;
+            self.folds = Some(Folds::new(&self.search, &self.front(), seed, batches));
+        }
+        self.over = self.folds.as_mut().is_some_and(|folds| folds.advance(budget));
+        self.over
+    }
+
+    fn progress(&self) -> Progress {
+        // The folds count as a fifth of the batches.
+        let batches = self.settings.batches as f64;
+        let share = |folds: &Folds| folds.progress() / folds.count().max(1) as f64;
+        let folds = self.folds.as_ref().map_or(0.0, share);
+        let done = self.search.progress().share() + 0.25 * folds;
+        Progress { done: batches * done / 1.25, total: batches, unit: "batches" }
+    }
+
+    fn partial(&self) -> GpReport {
+        self.report()
+    }
+}

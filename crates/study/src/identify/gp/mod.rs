@@ -1,0 +1,39 @@
+//! Formulas found by genetic programming (symbolic regression): `steadycut identify gp`.
+//!
+//! | step | module |
+//! | --- | --- |
+//! | What is asked, and whether the rows can tell it | [`problem`] |
+//! | The formulas of the search: sums of products of small parts | [`node`], [`tidy`] |
+//! | Their values and derivatives over rows | [`evaluate`], [`lanes`] |
+//! | Their constants: least squares, Levenberg and Marquardt | [`fit`] |
+//! | Where they come from: families of curves, draws, variation | [`families`], [`draw`], [`vary`] |
+//! | Which survive, island by island and size by size | [`archive`], [`breed`], [`search`] |
+//! | How they do on rows left out | [`folds`] |
+//! | Formulas as people write them, constants with intervals | [`written`], [`constants`] |
+//! | What is told: front, choice, range, outliers | [`report`], [`range`], [`outliers`] |
+//!
+//! A search is a job ([`job`]): offspring are pure functions of (seed, batch, number) and the survivors before
+//! the batch, so that threads, slices and pauses do not show in the bits.
+
+pub mod archive;
+pub mod breed;
+pub mod constants;
+pub mod draw;
+pub mod evaluate;
+pub mod families;
+pub mod fit;
+pub mod folds;
+pub mod job;
+pub mod lanes;
+pub mod node;
+pub mod outliers;
+pub mod problem;
+pub mod range;
+pub mod report;
+pub mod rows;
+pub mod search;
+pub mod state;
+pub mod tidy;
+pub mod units;
+pub mod vary;
+pub mod written;

@@ -1,0 +1,171 @@
+//! What is asked: a column of a table as a formula of other columns.
+
+use super::rows::DataRows;
+use super::units::{UnitRule, by_name};
+use crate::base::formula::Unit;
+use crate::base::rng::Stream;
+use crate::base::stats;
+use crate::csv_table::CsvTable;
+
+/// Fewest rows.
+const FEWEST: usize = 5;
+/// Most inputs.
+const MOST_INPUTS: usize = 20;
+/// Most rows that a search goes over.
+pub const MOST_SEARCHED: usize = 2000;
+/// Up to so many rows a table is small: correlated inputs cannot be told apart then.
+pub const SMALL: usize = 30;
+/// Correlation of two inputs above which a small table does not tell their effects apart (variance
+/// inflation above 5).
+const COLLINEAR_SMALL: f64 = 0.89;
+/// The same for many rows (variance inflation above 100).
+const COLLINEAR: f64 = 0.995;
+
+/// A target, its inputs and their rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GpProblem {
+    /// Column of the target.
+    pub target: String,
+    /// Columns of the inputs.
+    pub inputs: Vec<String>,
+    /// The rows.
+    pub rows: DataRows,
+    /// The rule that formulas be right in their units, where there is one.
+    pub rule: Option<UnitRule>,
+}
+
+impl GpProblem {
+    /// Reads the columns of a table.
+    ///
+    /// # Errors
+    /// Names the column, line and value that do not do, and what is allowed.
+    pub fn read(text: &str, target: &str, inputs: &[String]) -> Result<Self, String> {
+        if inputs.is_empty() || inputs.len() > MOST_INPUTS {
+            return Err(format!("{} inputs: allowed are 1 to {MOST_INPUTS}", inputs.len()));
+        }
+        for (index, input) in inputs.iter().enumerate() {
+            if input == target {
+                return Err(format!("`{input}` is the target and an input"));
+            }
+            if inputs[..index].contains(input) {
+                return Err(format!("the input `{input}` is named twice"));
+            }
+        }
+        let names: Vec<[&str; 1]> =
+            inputs.iter().map(|input| [input.as_str()]).chain([[target]]).collect();
+        let columns: Vec<&[&str]> = names.iter().map(<[&str; 1]>::as_slice).collect();
+        let table = CsvTable::parse(text, &columns)?;
+        let mut values = vec![Vec::with_capacity(table.rows.len()); columns.len()];
+        for row in &table.rows {
+            for ((cell, values), [name]) in row.cells.iter().zip(&mut values).zip(&names) {
+                let value = table.number(cell).filter(|value| value.is_finite());
+                values.push(value.ok_or_else(|| {
+                    let line = row.line;
+                    format!("line {line}: `{name}` is `{cell}`: allowed is a finite number")
+                })?);
+            }
+        }
+        let last = values.pop().unwrap_or_default();
+        let problem = Self {
+            target: target.to_owned(),
+            inputs: inputs.to_vec(),
+            rows: DataRows { inputs: values, target: last },
+            rule: None,
+        };
+        problem.check()?;
+        Ok(problem)
+    }
+
+    /// The same with the rule that formulas be right in their units.
+    ///
+    /// # Errors
+    /// Names a column without a unit, or one of another table.
+    pub fn strict(mut self, given: &[(String, Unit)]) -> Result<Self, String> {
+        let columns = self.inputs.iter().chain([&self.target]);
+        let mut units = columns
+            .map(|column| {
+                let own = given.iter().find(|(name, _)| name == column);
+                own.map(|(_, unit)| unit.clone()).or_else(|| by_name(column)).ok_or_else(|| {
+                    format!(
+                        "the unit of `{column}` is not known: give it with `--unit {column}=UNIT`, `1` for none"
+                    )
+                })
+            })
+            .collect::<Result<Vec<Unit>, String>>()?;
+        let output = units.pop().unwrap_or_else(Unit::none);
+        self.rule = Some(UnitRule { names: self.inputs.clone(), inputs: units, output });
+        Ok(self)
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let count = self.rows.len();
+        if count < FEWEST {
+            return Err(format!("{count} rows: at least {FEWEST} are needed"));
+        }
+        let columns = self.inputs.iter().zip(&self.rows.inputs);
+        for (name, column) in columns.chain([(&self.target, &self.rows.target)]) {
+            if column.iter().all(|x| *x == column[0]) {
+                return Err(format!(
+                    "`{name}` is {} in every row: nothing can be told by it",
+                    column[0]
+                ));
+            }
+            if column.iter().any(|x| x.abs() > 1e100) {
+                return Err(format!("`{name}` has values above 1e100: choose another unit"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Two inputs that lie so nearly on one line that the rows do not tell their effects apart.
+    #[must_use]
+    pub fn collinear(&self) -> Option<Collinear> {
+        let most = if self.rows.len() <= SMALL { COLLINEAR_SMALL } else { COLLINEAR };
+        let columns = &self.rows.inputs;
+        let pairs = (0..columns.len()).flat_map(|a| (a + 1..columns.len()).map(move |b| (a, b)));
+        let found = pairs.filter_map(|(a, b)| {
+            let correlation = stats::correlation(&columns[a], &columns[b])?;
+            let inputs = [self.inputs[a].clone(), self.inputs[b].clone()];
+            (correlation.abs() > most).then_some(Collinear { inputs, correlation })
+        });
+        found.max_by(|a, b| a.correlation.abs().total_cmp(&b.correlation.abs()))
+    }
+
+    /// The rows that the search goes over: all, or a sample drawn with the seed.
+    #[must_use]
+    pub fn searched(&self, seed: u64) -> DataRows {
+        let count = self.rows.len();
+        if count <= MOST_SEARCHED {
+            return self.rows.clone();
+        }
+        let stream = Stream::new(seed, "identify.gp.sample");
+        let mut order: Vec<(u64, usize)> =
+            (0..count).map(|row| (stream.bits(row as u64), row)).collect();
+        order.sort_unstable();
+        let mut keep = vec![false; count];
+        order[..MOST_SEARCHED].iter().for_each(|(_, row)| keep[*row] = true);
+        self.rows.only(|row| keep[row])
+    }
+}
+
+/// Two inputs on one line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Collinear {
+    /// Their names.
+    pub inputs: [String; 2],
+    /// Their correlation.
+    pub correlation: f64,
+}
+
+impl std::fmt::Display for Collinear {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [a, b] = &self.inputs;
+        let inflation = 1.0 / (1.0 - self.correlation * self.correlation);
+        write!(
+            f,
+            "`{a}` and `{b}` lie on one line (correlation {:.3}, variance inflation {inflation:.0}): these rows do \
+             not tell their effects apart, and a free formula of both would be an accident",
+            self.correlation
+        )
+    }
+}

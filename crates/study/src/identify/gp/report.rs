@@ -1,0 +1,368 @@
+//! What is told of a search: the front with its errors, the formula chosen, its constants with their
+//! intervals, its range, the rows that do not fit.
+
+use std::cmp::Ordering;
+
+use serde::Serialize;
+
+use super::archive::FittedSum;
+use super::constants::{FittedConstant, FittedFormula, fitted, rounded};
+use super::families::declared;
+use super::folds::{LeftOut, refitted};
+use super::outliers::without;
+use super::problem::{GpProblem, SMALL};
+use super::range::RangeReport;
+use super::rows::widened;
+use super::search::GpSearch;
+use super::written::formula;
+use crate::base::formula::{Formula, Interval};
+use crate::base::math;
+use crate::run::digest::Digest;
+
+/// Studentised residual above which a row is an outlier.
+const OUTLIER: f64 = 3.0;
+/// Size above which nothing is chosen from a small table, unless it is exact.
+const SMALL_SIZE: usize = 11;
+/// Error at rows left out, over the least, up to which a smaller formula is chosen from a small table.
+const NEAR: f64 = 1.03;
+/// Error over that of the best of its size up to which a formula with a certificate stands for it.
+const SECOND: f64 = 1.5;
+/// What a node costs in the description of a formula, in units of twice the log-likelihood.
+const PER_NODE: f64 = 2.0;
+/// The same for a sine or cosine.
+const PER_WAVE: f64 = 10.0;
+/// Error of cross-validation, over the least of the front, above which a formula is greyed.
+const GREYED: f64 = 2.0;
+
+/// A constant of a formula.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ReportedConstant {
+    /// Its value.
+    pub value: f64,
+    /// Its 95 % interval of confidence; none where the rows do not determine it.
+    pub interval: Option<[f64; 2]>,
+    /// Whether the rows determine it: its interval is narrower than it is large.
+    pub determined: bool,
+}
+
+impl From<&FittedConstant> for ReportedConstant {
+    fn from(constant: &FittedConstant) -> Self {
+        let determined = constant.is_determined();
+        Self { value: constant.value, interval: constant.interval, determined }
+    }
+}
+
+/// A formula of the front.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FrontFormula {
+    /// The formula of the columns.
+    pub formula: String,
+    /// Its nodes.
+    pub size: usize,
+    /// Root mean square of its residuals, in the target's unit.
+    pub error: f64,
+    /// Root mean square of its errors at rows left out, in the target's unit.
+    pub loo_error: Option<f64>,
+    /// The largest of these over the target, as a share.
+    pub loo_worst_share: Option<f64>,
+    /// Whether it is the one chosen.
+    pub chosen: bool,
+    /// Whether its error at rows left out is above twice the least of the front.
+    pub greyed: bool,
+    /// Whether it fits the rows but for rounding.
+    pub exact: bool,
+    /// Whether it is certain to be finite on the ranges of the rows.
+    pub certified: bool,
+    /// In strict search, its numbers with their units, from left to right.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub units: Option<Vec<String>>,
+    /// Its constants, from left to right; whole and half exponents are none.
+    pub constants: Vec<ReportedConstant>,
+}
+
+/// A row that does not fit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OutlyingRow {
+    /// Its number, from 1.
+    pub row: usize,
+    /// Its target.
+    pub target: f64,
+    /// Target minus formula.
+    pub residual: f64,
+    /// Its error in its own standard deviations, estimated without the row: by the formula chosen, or with
+    /// few rows by the simple family that fits the others best, whichever is larger.
+    pub studentised: f64,
+}
+
+/// What is told of a search.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct GpReport {
+    /// Column of the target.
+    pub target: String,
+    /// Number of rows.
+    pub rows: usize,
+    /// Number of rows that the search went over; the constants are fitted to all.
+    pub searched_rows: usize,
+    /// The formulas, the smallest first.
+    pub front: Vec<FrontFormula>,
+    /// How the errors at rows left out were found.
+    pub left_out: Option<&'static str>,
+    /// What is certain of the chosen formula over the ranges of the rows, and over wider ones.
+    pub ranges: Option<RangeReport>,
+    /// Standard deviation of its residuals.
+    pub residual_deviation: Option<f64>,
+    /// Target minus formula, row by row.
+    pub residuals: Vec<f64>,
+    /// Rows that do not fit.
+    pub outliers: Vec<OutlyingRow>,
+    /// Batches of the search.
+    pub batches: u64,
+    /// Formulas that were made and fitted.
+    pub evaluations: u64,
+    /// The batch that found a formula exact but for rounding.
+    pub exact_batch: Option<u64>,
+    /// XXH3 over the formulas, bits of all constants included, and which is chosen.
+    pub digest: String,
+}
+
+impl GpReport {
+    /// The formula chosen.
+    #[must_use]
+    pub fn chosen(&self) -> Option<&FrontFormula> {
+        self.front.iter().find(|formula| formula.chosen)
+    }
+}
+
+/// A formula of the front, finished.
+struct Entry {
+    fit: FittedFormula,
+    /// Estimated error of prediction.
+    error: f64,
+    exact: bool,
+    periodic: usize,
+    left_out: Option<LeftOut>,
+    certified: bool,
+}
+
+impl Entry {
+    fn size(&self) -> usize {
+        self.fit.formula.size()
+    }
+
+    fn loo(&self) -> f64 {
+        self.left_out.as_ref().map_or(self.error, LeftOut::rms)
+    }
+}
+
+/// Which formula is chosen, of those certified on the ranges of the rows: one that is exact, or with few rows
+/// the smallest whose error at rows left out is near the least, with many the one of the least description
+/// by that error, its constants and its size.
+fn choose(entries: &[Entry], rows: usize) -> Option<usize> {
+    let numbers: Vec<usize> =
+        (0..entries.len()).filter(|number| entries[*number].certified).collect();
+    if let Some(exact) = numbers.iter().find(|number| entries[**number].exact) {
+        return Some(*exact);
+    }
+    if rows <= SMALL {
+        let small = numbers.into_iter().filter(|number| entries[*number].size() <= SMALL_SIZE);
+        let small: Vec<usize> = small.collect();
+        let least = small.iter().map(|number| entries[*number].loo()).fold(f64::INFINITY, f64::min);
+        return small.into_iter().find(|number| entries[*number].loo() <= NEAR * least);
+    }
+    let n = rows as f64;
+    let description = |number: &usize| {
+        let entry = &entries[*number];
+        n * 2.0 * math::ln(entry.loo())
+            + (math::ln(n) - 2.0) * entry.fit.fitted as f64
+            + PER_NODE * entry.size() as f64
+            + PER_WAVE * entry.periodic as f64
+    };
+    numbers.into_iter().min_by(|a, b| description(a).total_cmp(&description(b)))
+}
+
+/// The box of the rows.
+fn ranges(problem: &GpProblem, share: f64) -> Vec<Interval> {
+    let range = |range: [f64; 2]| {
+        let [low, high] = widened(range, share);
+        Interval::new(low, high)
+    };
+    problem.rows.ranges().into_iter().map(range).collect()
+}
+
+fn finished(
+    problem: &GpProblem,
+    search: &GpSearch,
+    candidate: &FittedSum,
+    left_out: Option<LeftOut>,
+) -> Option<Entry> {
+    let written: Formula = formula(&candidate.sum, &problem.inputs).ok()?;
+    let exact = search.nursery().is_exact(candidate);
+    let mut fit = fitted(&written, &problem.rows).ok()?;
+    if exact {
+        fit = rounded(fit, &problem.rows);
+    }
+    // A constant may have become one that simplifies.
+    let simpler = fit.formula.simplified();
+    if simpler.size() < fit.formula.size() {
+        fit = fitted(&simpler, &problem.rows).ok()?;
+    }
+    let certificate = fit.formula.certify(&ranges(problem, 0.0)).ok()?;
+    Some(Entry {
+        certified: certificate.is_finite(),
+        fit,
+        error: candidate.error,
+        exact,
+        periodic: candidate.sum.periodic(),
+        left_out,
+    })
+}
+
+/// The entries of the search's front; where the best of a size has no certificate, the next of the same size
+/// that has one.
+fn searched(
+    problem: &GpProblem,
+    search: &GpSearch,
+    front: &[FittedSum],
+    left_out: Option<&Vec<LeftOut>>,
+    repeated: bool,
+) -> Vec<Entry> {
+    let mut entries = Vec::new();
+    for (number, candidate) in front.iter().enumerate() {
+        let errors = left_out.and_then(|errors| errors.get(number).cloned());
+        let Some(entry) = finished(problem, search, candidate, errors.clone()) else { continue };
+        let others = search.calm().of_size(candidate.size).iter();
+        let other = others
+            .filter(|other| !entry.certified && other.error <= SECOND * candidate.error)
+            .find_map(|other| {
+                // Where the search was repeated, its errors stand for all formulas of this size.
+                let errors = match repeated {
+                    true => errors.clone(),
+                    false => errors.as_ref().map(|_| refitted(&other.sum, &problem.rows)),
+                };
+                finished(problem, search, other, errors).filter(|entry| entry.certified)
+            });
+        entries.push(other.unwrap_or(entry));
+    }
+    entries
+}
+
+/// The families of curves beside what was searched, with few rows: nobody has searched for them, so their
+/// constants alone are fitted without each row.
+fn with_families(problem: &GpProblem, search: &GpSearch, mut entries: Vec<Entry>) -> Vec<Entry> {
+    for family in declared(&problem.rows, SMALL_SIZE) {
+        let left_out = refitted(&family.sum, &problem.rows);
+        entries.extend(finished(problem, search, &family, Some(left_out)));
+    }
+    entries.sort_by(|a, b| {
+        (a.size(), a.loo()).partial_cmp(&(b.size(), b.loo())).unwrap_or(Ordering::Equal)
+    });
+    let (mut loo, mut error) = (f64::INFINITY, f64::INFINITY);
+    let mut size = 0;
+    entries.retain(|entry| {
+        let better = entry.loo() < 0.999 * loo || entry.fit.rms() < 0.999 * error;
+        let keeps = entry.size() > size && better;
+        if keeps {
+            size = entry.size();
+            loo = loo.min(entry.loo());
+            error = error.min(entry.fit.rms());
+        }
+        keeps
+    });
+    entries
+}
+
+/// The report on a front; where the search was `repeated` for every row, the families of curves stand beside it.
+#[must_use]
+pub fn report(
+    problem: &GpProblem,
+    search: &GpSearch,
+    front: &[FittedSum],
+    left_out: Option<(Vec<LeftOut>, &'static str)>,
+    repeated: bool,
+) -> GpReport {
+    let (errors, told) = left_out.unzip();
+    let mut entries = searched(problem, search, front, errors.as_ref(), repeated);
+    if repeated {
+        entries = with_families(problem, search, entries);
+    }
+    let chosen = choose(&entries, problem.rows.len());
+    let least = entries.iter().map(Entry::loo).fold(f64::INFINITY, f64::min);
+    let front: Vec<FrontFormula> = entries
+        .iter()
+        .enumerate()
+        .map(|(number, entry)| FrontFormula {
+            formula: entry.fit.formula.to_string(),
+            size: entry.size(),
+            error: entry.fit.rms(),
+            loo_error: entry.left_out.as_ref().map(LeftOut::rms),
+            loo_worst_share: entry.left_out.as_ref().map(|left_out| worst(problem, left_out)),
+            chosen: chosen == Some(number),
+            greyed: entry.loo() > GREYED * least,
+            exact: entry.exact,
+            certified: entry.certified,
+            units: problem.rule.as_ref().and_then(|rule| rule.constants(&entry.fit.formula).ok()),
+            constants: entry.fit.constants.iter().map(ReportedConstant::from).collect(),
+        })
+        .collect();
+    let chosen = chosen.map(|chosen| &entries[chosen]);
+    let digest = digest(&front);
+    GpReport {
+        target: problem.target.clone(),
+        rows: problem.rows.len(),
+        searched_rows: search.nursery().rows.len(),
+        front,
+        left_out: told,
+        ranges: chosen.map(|entry| RangeReport::of(problem, &entry.fit.formula)),
+        residual_deviation: chosen.map(|entry| entry.fit.deviation()),
+        residuals: chosen.map(|entry| entry.fit.residuals.clone()).unwrap_or_default(),
+        outliers: chosen.map(|chosen| outliers(problem, chosen)).unwrap_or_default(),
+        batches: search.batches(),
+        evaluations: search.evaluations(),
+        exact_batch: search.exact(),
+        digest,
+    }
+}
+
+fn worst(problem: &GpProblem, left_out: &LeftOut) -> f64 {
+    let shares = left_out.errors.iter().zip(&problem.rows.target);
+    shares
+        .map(|(error, y)| (error / y).abs())
+        .fold(0.0, |a: f64, b| if b.is_finite() { a.max(b) } else { f64::INFINITY })
+}
+
+fn outliers(problem: &GpProblem, entry: &Entry) -> Vec<OutlyingRow> {
+    if entry.exact {
+        return Vec::new();
+    }
+    let few = problem.rows.len() <= SMALL;
+    let mut found: Vec<OutlyingRow> = entry
+        .fit
+        .studentised()
+        .into_iter()
+        .enumerate()
+        .filter_map(|(row, own)| {
+            let without = if few { without(problem, row) } else { None };
+            let most = without.filter(|without| without.abs() > own.abs()).unwrap_or(own);
+            (most.abs() > OUTLIER).then(|| OutlyingRow {
+                row: row + 1,
+                target: problem.rows.target[row],
+                residual: entry.fit.residuals[row],
+                studentised: most,
+            })
+        })
+        .collect();
+    found.sort_by(|a, b| b.studentised.abs().total_cmp(&a.studentised.abs()));
+    found
+}
+
+fn digest(front: &[FrontFormula]) -> String {
+    let mut digest = Digest::default();
+    for formula in front {
+        // Numbers are printed so that they read back to the same bits.
+        for byte in formula.formula.bytes() {
+            digest.word(u64::from(byte));
+        }
+        digest.word(u64::from(formula.chosen) << 32);
+    }
+    digest.hex()
+}

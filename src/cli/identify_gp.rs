@@ -1,0 +1,152 @@
+//! `steadycut identify gp`: a formula of a table's columns.
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use super::args::{IdentifyGpArgs, UnitsArg};
+use super::files::report as report_to;
+use super::{Outcome, progress};
+use crate::base::formula::Unit;
+use crate::run::job::Job;
+use crate::study::identify::gp::job::{GpJob, GpSettings};
+use crate::study::identify::gp::problem::GpProblem;
+use crate::study::identify::gp::report::{FrontFormula, GpReport};
+
+/// Units given as `COLUMN=UNIT`.
+fn units(args: &IdentifyGpArgs) -> Result<Vec<(String, Unit)>, String> {
+    let columns: Vec<&String> = args.inputs.iter().chain([&args.target]).collect();
+    let one = |text: &String| {
+        let (column, unit) = text
+            .split_once('=')
+            .ok_or_else(|| format!("--unit {text}: allowed is COLUMN=UNIT, as `feed=mm/min`"))?;
+        if !columns.iter().any(|name| *name == column) {
+            return Err(format!("--unit {text}: `{column}` is neither the target nor an input"));
+        }
+        let unit = Unit::parse(unit).map_err(|problem| format!("--unit {text}: {problem}"))?;
+        Ok((column.to_owned(), unit))
+    };
+    args.unit.iter().map(one).collect()
+}
+
+fn begun(args: &IdentifyGpArgs) -> Result<GpJob, Box<dyn std::error::Error>> {
+    let problem = GpProblem::read(&args.data.text()?, &args.target, &args.inputs)
+        .map_err(|problem| format!("{}: {problem}", args.data))?;
+    let given = units(args)?;
+    let problem = match args.units {
+        UnitsArg::Strict => problem.strict(&given)?,
+        UnitsArg::Free => problem,
+    };
+    let settings = GpSettings { seed: args.seed, batches: args.batches };
+    let mut job =
+        GpJob::new(problem, &settings).map_err(|problem| format!("{}: {problem}", args.data))?;
+    if let Some(path) = &args.resume {
+        job.resume(&path.text()?).map_err(|problem| format!("{path}: {problem}"))?;
+    }
+    Ok(job)
+}
+
+pub fn execute(args: &IdentifyGpArgs) -> Outcome {
+    let mut out = report_to(args.json, args.out.as_ref())?;
+    let mut job = begun(args)?;
+    let worked = progress::work(&mut job, "search", args.json);
+    if let Some(path) = &args.state {
+        path.write(&job.state_text())?;
+    }
+    if let Err(error) = worked {
+        return Err(match &args.state {
+            Some(path) => Box::new(error.kept(format!("go on with --resume {path}"))),
+            None => Box::new(error),
+        });
+    }
+    let report = job.partial();
+    if args.json {
+        writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
+    } else {
+        print(&mut out, &report)?;
+    }
+    Ok(if report.chosen().is_some() { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}
+
+fn print(out: &mut impl Write, report: &GpReport) -> std::io::Result<()> {
+    let GpReport { target, rows, batches, evaluations, .. } = report;
+    writeln!(out, "{target} over {rows} rows: {batches} batches, {evaluations} formulas")?;
+    if report.searched_rows < report.rows {
+        let searched = report.searched_rows;
+        writeln!(out, "searched on {searched} rows drawn by the seed, constants fitted to all")?;
+    }
+    writeln!(out, "\n  size       error   left out  formula")?;
+    for formula in &report.front {
+        let FrontFormula { size, error, .. } = formula;
+        let mark = match (formula.chosen, formula.greyed || !formula.certified) {
+            (true, _) => "*",
+            (false, true) => "-",
+            (false, false) => " ",
+        };
+        let loo = formula.loo_error.unwrap_or(f64::NAN);
+        let text = &formula.formula;
+        writeln!(out, "{mark} {size:>4} {error:>11.4e} {loo:>10.3e}  {text}")?;
+    }
+    let told = report.left_out.unwrap_or("nothing");
+    writeln!(
+        out,
+        "* chosen; - unsure: twice the least error left out, or not certain to be finite"
+    )?;
+    writeln!(out, "left out: {told}")?;
+    if let Some(chosen) = report.chosen() {
+        print_chosen(out, report, chosen)?;
+    } else {
+        writeln!(
+            out,
+            "\nno formula is certain to be finite on the ranges of the rows: none is chosen"
+        )?;
+    }
+    writeln!(out, "\ndigest {}", report.digest)
+}
+
+fn print_chosen(
+    out: &mut impl Write,
+    report: &GpReport,
+    chosen: &FrontFormula,
+) -> std::io::Result<()> {
+    writeln!(out, "\n{} = {}", report.target, chosen.formula)?;
+    if chosen.exact {
+        writeln!(out, "exact but for rounding")?;
+    }
+    for constant in &chosen.constants {
+        let value = constant.value;
+        match constant.interval {
+            Some([low, high]) if constant.determined => {
+                writeln!(out, "  {value:<24} 95 % interval {low:.6e} to {high:.6e}")?;
+            }
+            Some([low, high]) => writeln!(
+                out,
+                "  {value:<24} not determined: 95 % interval {low:.2e} to {high:.2e}"
+            )?,
+            None => writeln!(out, "  {value:<24} not determined by these rows")?,
+        }
+    }
+    for unit in chosen.units.iter().flatten() {
+        writeln!(out, "  {unit}")?;
+    }
+    if let Some(ranges) = &report.ranges {
+        writeln!(out, "\nrange of the rows; beyond it every value is an extrapolation:")?;
+        let both = ranges.training.ranges.iter().zip(&ranges.training.slopes);
+        for (input, ([low, high], slope)) in ranges.inputs.iter().zip(both) {
+            writeln!(out, "  {input:<24} {low} to {high}: {slope}")?;
+        }
+        let wide = &ranges.widened;
+        let told = if wide.finite { "certain to be finite" } else { "not certain to be finite" };
+        writeln!(out, "  30 % wider on each side: {told}")?;
+        for place in &wide.not_finite {
+            writeln!(out, "    {:?}: {}", place.at, place.why)?;
+        }
+    }
+    for row in &report.outliers {
+        writeln!(
+            out,
+            "row {} does not fit: {} = {}, studentised residual {:.1}; it was used all the same",
+            row.row, report.target, row.target, row.studentised
+        )?;
+    }
+    Ok(())
+}

@@ -1,0 +1,47 @@
+//! `steadycut identify gp`.
+
+use super::program::{json, refused, steadycut, temporary};
+
+const K4: &str = "crates/study/tests/data/gp/k4_clean.csv";
+const COLUMNS: [&str; 4] = ["--target", "force_n", "--inputs", "feed_mm_min,speed_rpm"];
+
+fn gp<'a>(data: &'a str, more: &[&'a str]) -> Vec<&'a str> {
+    [&["identify", "gp", "--data", data], &COLUMNS[..], more].concat()
+}
+
+#[test]
+fn a_front_is_printed_and_a_search_goes_on_from_its_file() {
+    let state = temporary("search.json");
+    let state = state.to_str().unwrap();
+    let whole = json(&gp(K4, &["--batches", "4", "--seed", "2", "--json"]));
+    for entry in whole["front"].as_array().unwrap() {
+        assert!(entry["formula"].is_string() && entry["size"].is_u64(), "{entry}");
+        assert!(entry["error"].is_f64() && entry["loo_error"].is_f64(), "{entry}");
+    }
+    let chosen = |report: &serde_json::Value| {
+        let front = report["front"].as_array().unwrap();
+        front.iter().filter(|entry| entry["chosen"] == true).count()
+    };
+    assert_eq!(chosen(&whole), 1);
+    assert_eq!(whole["batches"], 4);
+    json(&gp(K4, &["--batches", "2", "--seed", "2", "--state", state, "--json"]));
+    let on = json(&gp(K4, &["--batches", "4", "--seed", "2", "--resume", state, "--json"]));
+    assert_eq!(on, whole);
+    let text = steadycut(&gp(K4, &["--batches", "2", "--seed", "2"]));
+    let text = String::from_utf8(text.stdout).unwrap();
+    for part in ["95 % interval", "extrapolation", "digest", "left out"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+}
+
+#[test]
+fn what_cannot_be_told_is_refused() {
+    let table = "assets/data/table3_2007.csv";
+    let columns = ["--target", "force_final_n", "--inputs", "feed_final_mm_min,spindle_final_rpm"];
+    let error = refused(&[&["identify", "gp", "--data", table], &columns[..]].concat());
+    assert!(error.contains("-0.995") && error.contains("one line"), "{error}");
+    let error = refused(&gp(K4, &["--units", "strict", "--unit", "feed=mm"]));
+    assert!(error.contains("`feed`"), "{error}");
+    let error = refused(&gp(K4, &["--units", "strict", "--unit", "force_n=furlong"]));
+    assert!(error.contains("furlong"), "{error}");
+}
