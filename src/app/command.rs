@@ -114,6 +114,8 @@ pub enum FileCommand {
 pub enum ShellCommand {
     /// Shows the screen with this id.
     ShowScreen(&'static str),
+    /// Shows a part of the screen with this id, by its name.
+    ShowPart(&'static str, &'static str),
     /// Light, dark, or as the system has it.
     Theme(egui::ThemePreference),
     /// Shows or hides the sheet of shortcuts.

@@ -25,12 +25,10 @@ impl Console {
 
     fn execute_shell(&mut self, command: ShellCommand, ctx: &egui::Context) {
         match command {
-            ShellCommand::ShowScreen(id) => {
-                let shown = self.panels.iter().position(|p| p.id() == id).unwrap_or(self.shown);
-                if shown != self.shown {
-                    self.panels[self.shown].left();
-                }
-                self.shown = shown;
+            ShellCommand::ShowScreen(id) => self.show_screen(id),
+            ShellCommand::ShowPart(id, part) => {
+                self.show_screen(id);
+                self.panels[self.shown].show_part(part);
             }
             ShellCommand::Theme(preference) => ctx.set_theme(preference),
             ShellCommand::ShowShortcuts(show) => self.shortcuts = show,
@@ -39,6 +37,14 @@ impl Console {
             ShellCommand::ShowLink(link) => self.link = Some(link),
             ShellCommand::CloseTopmost => self.close_topmost(),
         }
+    }
+
+    fn show_screen(&mut self, id: &str) {
+        let shown = self.panels.iter().position(|p| p.id() == id).unwrap_or(self.shown);
+        if shown != self.shown {
+            self.panels[self.shown].left();
+        }
+        self.shown = shown;
     }
 
     fn close_topmost(&mut self) {

@@ -33,6 +33,8 @@ pub trait Panel {
     fn has_timeline(&self) -> bool {
         true
     }
+    /// Shows the part of it with this name; a screen without parts is shown as it is.
+    fn show_part(&mut self, _part: &str) {}
     /// Another screen is shown from now on.
     fn left(&mut self) {}
 }

@@ -44,9 +44,15 @@ impl Session {
                 self.load(presets::load(&name).map(|s| (s, Edits::none())))
             }
             SessionCommand::LoadText { name, text } => {
+                let read = scenario_file::parse(&text);
+                let said = format!("{name} is open: it is cut from its start.");
                 let named =
                     |e: SettingError| SettingError::Format { what: name, problem: e.to_string() };
-                self.load(scenario_file::parse(&text).map_err(named));
+                let opened = read.is_ok();
+                self.load(read.map_err(named));
+                if opened {
+                    self.notify(said);
+                }
             }
             SessionCommand::LoadNetworks { name, text } => {
                 if let Err(error) = self.load_networks(&text) {

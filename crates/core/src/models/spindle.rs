@@ -20,7 +20,7 @@ pub struct ExactSpindle {
 }
 
 impl ExactSpindle {
-    /// Time constant in s (positive), rate limit in rpm/s (positive), step in s.
+    /// Time constant in s (positive), rate limit in 1/min per s (positive), step in s.
     #[must_use]
     pub fn new(tau_s: f64, rate_rpm_s: f64, dt_s: f64) -> Self {
         Self { tau_s, rate_rpm_s, dt_s, rise: 1.0 - math::exp(-dt_s / tau_s) }

@@ -51,7 +51,7 @@ fn detail(block: Block, now: &Now<'_>) -> String {
         Block::FeedDrive => scenario.feed_drive.kind.label().to_owned(),
         Block::SpindleDrive => {
             let drive = &scenario.spindle_drive;
-            format!("{} s, {} rpm/s", number(drive.time_constant_s), number(drive.rate_rpm_s))
+            format!("{} s, {} 1/min/s", number(drive.time_constant_s), number(drive.rate_rpm_s))
         }
         Block::Cutting => {
             let plant = &scenario.plant;

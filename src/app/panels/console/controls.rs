@@ -132,7 +132,7 @@ pub fn scenarios(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         .response;
     response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Scenario"));
     response.on_hover_text("The shipped scenarios");
-    if !info.description.is_empty() && !view.narrow {
+    if !info.description.is_empty() {
         ui.label(RichText::new(&info.description).small().color(Palette::at(ui).weak));
     }
 }

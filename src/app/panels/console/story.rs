@@ -4,9 +4,10 @@
 use egui::scroll_area::ScrollBarVisibility;
 use egui::{RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo, vec2};
 
-use crate::app::command::{Command, PlaybackCommand};
+use crate::app::command::{Command, PlaybackCommand, ShellCommand};
 use crate::app::format;
 use crate::app::panels::View;
+use crate::app::panels::machine::STABILITY;
 use crate::app::theme::Palette;
 use crate::app::widgets::standing::Standing;
 use crate::run::story::{EventKind, StoryEvent};
@@ -36,6 +37,14 @@ pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     area.show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
+            if story.events.iter().any(|event| event.id == EventKind::Chatter) {
+                let help = "The depths and speeds at which this machine chatters, and the switch of its sound";
+                let button = ui.button(RichText::new("Stability and sound").small());
+                if button.on_hover_text(help).clicked() {
+                    let part = ShellCommand::ShowPart("machine", STABILITY);
+                    commands.push(Command::Shell(part));
+                }
+            }
             for event in story.events.iter().take(MOST) {
                 let text = format!("{} {}", format::time(event.from_s), event.id.label());
                 let here = [change, lasting].into_iter().flatten().any(|now| now == event);

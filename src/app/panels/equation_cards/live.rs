@@ -93,9 +93,13 @@ fn spindle_drive(row: &Row, scenario: &Scenario, command: f64) -> Live {
     let asked = (command - row.spindle_rpm) / tau;
     let slope = asked.max(-rate).min(rate);
     Live {
-        formula: format!("n_a' = limit((n_c - n_a) / {} s, ± {} rpm/s)", number(tau), number(rate)),
+        formula: format!(
+            "n_a' = limit((n_c - n_a) / {} s, ± {} 1/min/s)",
+            number(tau),
+            number(rate)
+        ),
         values: format!(
-            "n_a' = limit(({} - {}) / {}) = {} rpm/s",
+            "n_a' = limit(({} - {}) / {}) = {} 1/min/s",
             number(command),
             number(row.spindle_rpm),
             number(tau),

@@ -42,6 +42,9 @@ enum Part {
     Stability,
 }
 
+/// The name of the part with the stability chart.
+pub const STABILITY: &str = "Stability";
+
 const PARTS: [(Part, &str, &str); 3] = [
     (Part::Vibration, "Vibration", "The masses moving, the frequency response and the modes"),
     (
@@ -49,7 +52,7 @@ const PARTS: [(Part, &str, &str); 3] = [
         "Wear and sound",
         "Wear, sound and roughness over the tool's life, and its predicted life",
     ),
-    (Part::Stability, "Stability", "The depth at which the cut chatters, over the speed"),
+    (Part::Stability, STABILITY, "The depth at which the cut chatters, over the speed"),
 ];
 
 /// The screen.
@@ -81,6 +84,12 @@ impl Panel for MachinePanel {
             self.narrow(ui, view, commands);
         } else {
             self.wide(ui, view, commands);
+        }
+    }
+
+    fn show_part(&mut self, part: &str) {
+        if let Some((part, ..)) = PARTS.into_iter().find(|(_, name, _)| *name == part) {
+            self.part = part;
         }
     }
 

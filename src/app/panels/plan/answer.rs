@@ -35,6 +35,11 @@ fn use_it(optimum: &Optimum, commands: &mut Vec<Command>) {
         [("program.feed_mm_min", optimum.feed_mm_min), ("program.spindle_rpm", optimum.speed_rpm)];
     let changes = changes.map(|(path, value)| (path.to_owned(), Value::Float(value)));
     commands.push(Command::Session(SessionCommand::SetUp(changes.to_vec())));
+    let feed = format::quantity(optimum.feed_mm_min, "mm/min");
+    let speed = format::quantity(optimum.speed_rpm, "1/min");
+    commands.push(Command::notify(format!(
+        "The plan is programmed, {feed} and {speed}: the part is cut from its start."
+    )));
     commands.push(Command::Shell(ShellCommand::ShowScreen("console")));
     commands.push(Command::Playback(PlaybackCommand::Restart));
 }

@@ -9,7 +9,7 @@ crate::settings! {
         /// Time constant of the speed control loop (chosen).
         time_constant_s: f64 = 0.2, [0.01, 5.0], "s", live, "Spindle lag";
         /// Largest rate of change of the speed (chosen).
-        rate_rpm_s: f64 = 1000.0, [50.0, 100000.0], "rpm/s", live, "Spindle rate limit";
+        rate_rpm_s: f64 = 1000.0, [50.0, 100000.0], "1/min/s", live, "Spindle rate limit";
     }
 }
 

@@ -17,7 +17,7 @@ crate::settings! {
         /// Spindle time constant that the controller's predictor assumes.
         spindle_time_constant_s: f64 = 0.2, [0.01, 5.0], "s", live, "Assumed spindle lag";
         /// Spindle rate limit that the controller's predictor assumes.
-        spindle_rate_rpm_s: f64 = 1000.0, [50.0, 100000.0], "rpm/s", live, "Assumed spindle rate";
+        spindle_rate_rpm_s: f64 = 1000.0, [50.0, 100000.0], "1/min/s", live, "Assumed spindle rate";
         /// Error of the depths that a controller with preview believes in: by this the believed part is
         /// deeper than the programmed one.
         depth_error_percent: f64 = 0.0, [-30.0, 30.0], "%", live, "Depth error";
