@@ -7,7 +7,7 @@ mod revolution;
 mod story;
 mod workpiece;
 
-use egui::{CentralPanel, CollapsingHeader, ScrollArea, Ui};
+use egui::{CentralPanel, CollapsingHeader, Ui};
 
 use revolution::RevolutionWindow;
 use workpiece::WorkpieceWindow;
@@ -181,14 +181,6 @@ impl ConsolePanel {
                 headline::show(ui, view);
             }
             controls::target(ui, view, commands);
-            let most = 0.6 * ui.available_height();
-            CollapsingHeader::new("Settings").show_unindented(ui, |ui| {
-                ScrollArea::vertical().max_height(most).id_salt("settings").show(ui, |ui| {
-                    controls::scenarios(ui, view, commands);
-                    controls::first_but_target(ui, view, commands);
-                    controls::more(ui, view, &mut self.windows, commands);
-                });
-            });
             self.plots(ui, view, columns(ui), low, commands);
         });
     }
@@ -207,6 +199,14 @@ impl ConsolePanel {
         scaffold::column(ui, "plots").show(ui, |ui| {
             if with_headline {
                 headline::show(ui, view);
+            }
+            if view.narrow {
+                // With the plots in one page: a page in a page is hard to scroll.
+                CollapsingHeader::new("Settings").show_unindented(ui, |ui| {
+                    controls::scenarios(ui, view, commands);
+                    controls::first_but_target(ui, view, commands);
+                    controls::more(ui, view, &mut self.windows, commands);
+                });
             }
             // Room for the last label of each time axis.
             let gap = egui::vec2(18.0, ui.spacing().item_spacing.y);
