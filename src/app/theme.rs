@@ -6,7 +6,7 @@ mod fit;
 use egui::{Color32, CornerRadius, Stroke, Theme};
 use egui_plot::LineStyle;
 
-pub use fit::{FINGER, Fit, figure, fingers, note, value};
+pub use fit::{FINGER, WindowFit, figure, fingers, note, value};
 
 /// Below this width of the window, in points, everything stands in one column.
 pub const NARROW: f32 = 900.0;
@@ -242,7 +242,7 @@ impl Look {
 
 /// Sets spacing and colours of both themes, and sizes as for a desktop.
 pub fn install(ctx: &egui::Context) {
-    fit::sizes(ctx, Fit::default());
+    fit::sizes(ctx, WindowFit::default());
     for theme in [Theme::Light, Theme::Dark] {
         let palette = Palette::of(theme);
         ctx.style_mut_of(theme, |style| {
@@ -280,8 +280,8 @@ pub fn install(ctx: &egui::Context) {
 }
 
 /// Fits the sizes to the window in which `ui` is the whole, and says to what.
-pub fn fit(ui: &mut egui::Ui) -> Fit {
-    let fit = Fit::of(ui);
+pub fn fit(ui: &mut egui::Ui) -> WindowFit {
+    let fit = WindowFit::of(ui);
     fit::sizes(ui.ctx(), fit);
     // It was made with the style of the frame's start.
     ui.reset_style();

@@ -6,14 +6,14 @@ use super::NARROW;
 
 /// What the console fits itself to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Fit {
+pub struct WindowFit {
     /// Whether the window is as narrow as a phone's.
     pub phone: bool,
     /// Whether fingers press: a touch was seen, or it is a phone.
     pub fingers: bool,
 }
 
-impl Fit {
+impl WindowFit {
     /// What the window in which `ui` is the whole is to be fitted to.
     pub(super) fn of(ui: &Ui) -> Self {
         let id = Id::unique("touched");
@@ -37,7 +37,7 @@ pub const FINGER: f32 = 44.0;
 /// Whether fingers press here.
 #[must_use]
 pub fn fingers(ctx: &Context) -> bool {
-    ctx.data(|data| data.get_temp::<Fit>(fitted())).is_some_and(|fit| fit.fingers)
+    ctx.data(|data| data.get_temp::<WindowFit>(fitted())).is_some_and(|fit| fit.fingers)
 }
 
 fn fitted() -> Id {
@@ -79,7 +79,7 @@ pub fn note(ctx: &Context) -> FontId {
 }
 
 /// Gives both themes the sizes of text and targets for `fit`.
-pub(super) fn sizes(ctx: &Context, fit: Fit) {
+pub(super) fn sizes(ctx: &Context, fit: WindowFit) {
     if ctx.data(|data| data.get_temp(fitted())) == Some(fit) {
         return;
     }
