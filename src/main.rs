@@ -40,6 +40,13 @@ mod web_exports {
         steadycut::app::web::start(canvas).await
     }
 
+    /// Shows one plot and nothing else: what `web/test/frames.mjs` compares the console's frames with.
+    #[cfg(feature = "app")]
+    #[wasm_bindgen]
+    pub async fn start_bare(canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
+        steadycut::app::web::start_bare(canvas).await
+    }
+
     /// Takes the console off its canvas, whose graphics are lost; `start` shows it again on another one.
     #[cfg(feature = "app")]
     #[wasm_bindgen]

@@ -69,6 +69,32 @@ pub async fn start(canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
     runner.start(canvas, options, create).await
 }
 
+/// One plot of one line that moves, for measuring what drawing alone costs on a page.
+struct Bare;
+
+impl eframe::App for Bare {
+    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        use crate::base::math::sin;
+        let time_s = ui.input(|input| input.time);
+        let points = (0..800).map(|i| f64::from(i) * 0.02).map(|x| [x, sin(x + time_s)]);
+        let line = egui_plot::Line::new("sine", points.collect::<egui_plot::PlotPoints<'_>>());
+        egui::CentralPanel::default().show(ui, |ui| {
+            egui_plot::Plot::new("bare").show(ui, |plot| plot.line(line));
+        });
+        ui.ctx().request_repaint();
+    }
+}
+
+/// Shows one plot on a canvas instead of the console.
+///
+/// # Errors
+/// The browser gives nothing to draw with.
+pub async fn start_bare(canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
+    let options = eframe::WebOptions::default();
+    let create: eframe::AppCreator<'static> = Box::new(|_| Ok(Box::new(Bare)));
+    eframe::WebRunner::new().start(canvas, options, create).await
+}
+
 /// Takes the console off its canvas, whose graphics are lost; the next [`start`] shows it again.
 pub fn stop() {
     SHOWN.with_borrow(|shown| {

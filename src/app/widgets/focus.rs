@@ -44,6 +44,10 @@ pub fn resume(ctx: &Context) {
     let focused = ctx.memory(|memory| memory.focused());
     let waiting = Id::unique("tab that waits");
     if let Some(back) = ctx.data_mut(|data| data.remove_temp::<bool>(waiting)) {
+        // Escape, pressed since, wants the focus nowhere.
+        if ctx.input(|input| input.key_pressed(Key::Escape)) {
+            return ctx.memory_mut(|memory| memory.move_focus(FocusDirection::None));
+        }
         let direction = if back { FocusDirection::Previous } else { FocusDirection::Next };
         return ctx.memory_mut(|memory| memory.move_focus(direction));
     }

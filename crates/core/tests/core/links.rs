@@ -3,6 +3,7 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
+use steadycut_core::base::math::sin;
 use steadycut_core::base::settings::Value;
 use steadycut_core::run::edits::{Edit, Edits};
 use steadycut_core::run::presets::{PRESETS, load};
@@ -134,7 +135,7 @@ fn a_storm_of_edits_is_some_hundred_characters() {
     let mut edits = Edits::none();
     let mut at_us = 1_000_000_u64;
     for i in 0..160_u64 {
-        let wave = (i as f64 * 0.37).sin() + (i as f64 * 0.113).cos();
+        let wave = sin(i as f64 * 0.37) + sin(i as f64 * 0.113 + 1.5);
         let value = Value::Float(((1.4 + 0.6 * wave) * 1000.0).round() / 1000.0);
         edits
             .push(&scenario, Edit { at_s: at_us as f64 / 1e6, path: "target.ra_um".into(), value })

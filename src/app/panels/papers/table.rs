@@ -17,7 +17,7 @@ use crate::study::papers::{self, Cell, CellVerdict, PaperRow, PaperTable};
 use crate::study::published::PaperId;
 
 /// A column of a table.
-pub struct Column {
+pub struct PaperColumn {
     /// Its title.
     pub title: &'static str,
     /// Unit of its values.
@@ -28,7 +28,7 @@ pub struct Column {
     pub cell: fn(&PaperRow) -> &Cell,
 }
 
-impl Column {
+impl PaperColumn {
     /// Whether the residual is shown in the unit; otherwise in percent.
     fn absolute(&self) -> bool {
         self.unit == "um"
@@ -38,7 +38,7 @@ impl Column {
 type Read = fn(&PaperRow) -> &Cell;
 
 /// The columns, as in the paper.
-pub fn columns(paper: PaperId) -> [Column; 8] {
+pub fn columns(paper: PaperId) -> [PaperColumn; 8] {
     let columns: [(&'static str, &'static str, usize, Read); 8] = [
         ("Desired Ra", "um", 2, |row| &row.ra_desired_um),
         (paper.start_force(), "N", 1, |row| &row.force_start_n),
@@ -49,7 +49,7 @@ pub fn columns(paper: PaperId) -> [Column; 8] {
         ("Final speed", "1/min", 0, |row| &row.spindle_final_rpm),
         ("Produced Ra", "um", 2, |row| &row.ra_produced_um),
     ];
-    columns.map(|(title, unit, decimals, cell)| Column { title, unit, decimals, cell })
+    columns.map(|(title, unit, decimals, cell)| PaperColumn { title, unit, decimals, cell })
 }
 /// The button that loads a row's scenario into the console, in the calibration and with the force
 /// model that are shown.
@@ -79,7 +79,7 @@ fn load(ui: &mut Ui, shown: Shown, row: &PaperRow, commands: &mut Vec<Command>) 
 }
 
 /// Residual and verdict of a cell in words.
-fn verdict(cell: &Cell, column: &Column) -> String {
+fn verdict(cell: &Cell, column: &PaperColumn) -> String {
     let residual = if column.absolute() {
         format!("{:+.3} {}", cell.residual, format::unit(column.unit))
     } else {
@@ -93,7 +93,7 @@ fn verdict(cell: &Cell, column: &Column) -> String {
     }
 }
 
-fn verdict_line(ui: &mut Ui, cell: &Cell, column: &Column) {
+fn verdict_line(ui: &mut Ui, cell: &Cell, column: &PaperColumn) {
     let text = verdict(cell, column);
     match cell.verdict {
         CellVerdict::Given | CellVerdict::Reported => {
@@ -105,7 +105,7 @@ fn verdict_line(ui: &mut Ui, cell: &Cell, column: &Column) {
 }
 
 /// What was printed; a misprint with what it is compared with.
-fn printed(cell: &Cell, column: &Column) -> String {
+fn printed(cell: &Cell, column: &PaperColumn) -> String {
     let as_printed = |x: f64| {
         let (exact, fixed) = (format!("{x}"), format!("{x:.*}", column.decimals));
         if exact.len() > fixed.len() { exact } else { fixed }
