@@ -8,9 +8,10 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use super::files::{FormulaPath, InPath, OutFolder, OutPath, ScenarioPath};
 use super::machine_args::MachineArgs;
 use crate::base::network::Activation;
+use crate::base::settings::Group;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::process::ForceModel;
-use crate::models::genetic::Calibration;
+use crate::models::genetic::{Calibration, FormulaSettings};
 use crate::models::plan::PlannedSection;
 use crate::models::tool::ShippedTool;
 use crate::study::identify::gp::job::BATCHES;
@@ -86,6 +87,11 @@ pub struct RunArgs {
     /// Networks that UNKS begins with: a file that `steadycut unks --save` or the console wrote.
     #[arg(long, value_name = "FILE.json")]
     pub networks: Option<InPath>,
+    /// A formula of one's own for a model, as the file that `steadycut formula --save` writes; it sets the
+    /// calibration of plant and controller to own formulas. ROLE: force_of_ra, feed, speed, force or ra, for
+    /// models 1 to 5.
+    #[arg(long, value_name = "ROLE=FILE", value_parser = role_of)]
+    pub formula: Vec<(String, InPath)>,
     /// Write all signals as CSV, one column each with its unit in the header.
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<OutPath>,
@@ -109,6 +115,16 @@ pub struct RunArgs {
     /// Which cut of the part `--profile` measures, counted from 1; without it the last one reached.
     #[arg(long, value_name = "NUMBER", requires = "profile")]
     pub cut: Option<usize>,
+}
+
+fn role_of(text: &str) -> Result<(String, InPath), String> {
+    let roles: Vec<&str> = FormulaSettings::specs().iter().map(|spec| spec.key).collect();
+    match text.split_once('=') {
+        Some((role, file)) if roles.contains(&role) && !file.is_empty() => {
+            Ok((role.to_owned(), InPath::new(file)))
+        }
+        Some(_) | None => Err(format!("allowed is ROLE=FILE with a ROLE of {}", roles.join(", "))),
+    }
 }
 
 fn line(text: &str) -> Result<ProfileLine, String> {

@@ -24,6 +24,12 @@ const STANDARD: &str = "-";
 pub struct InPath(PathBuf);
 
 impl InPath {
+    /// The file of this name; `-` is standard input.
+    #[must_use]
+    pub fn new(name: &str) -> Self {
+        Self(name.into())
+    }
+
     fn is_stdin(&self) -> bool {
         self.0.as_os_str() == STANDARD
     }

@@ -9,8 +9,11 @@ use super::args::RunArgs;
 use super::files::report;
 use super::scenarios::{apply, load, load_networks};
 use super::{Outcome, given, profile, progress, story};
+use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::tool_path::ToolPath;
+use crate::models::formula_model::FormulaModel;
+use crate::models::genetic::Calibration;
 use crate::run::constant_feed_twin;
 use crate::run::edits::Edits;
 use crate::run::job::Job;
@@ -52,6 +55,36 @@ impl<'a> Ended<'a> {
     }
 }
 
+/// Takes the formulas of `--formula`, and the calibration that asks for them.
+fn own_formulas(args: &RunArgs, scenario: &mut Scenario) -> Result<(), Box<dyn std::error::Error>> {
+    if args.formula.is_empty() {
+        return Ok(());
+    }
+    let calibrations = ["plant.calibration", "belief.calibration"];
+    given::once("--formula", &calibrations, &args.set)?;
+    let formula = || Value::Text(Calibration::Formula.id().to_owned());
+    let mut changes: Vec<(String, Value)> =
+        calibrations.iter().map(|path| ((*path).to_owned(), formula())).collect();
+    for (role, file) in &args.formula {
+        let path = format!("formula.{role}");
+        if changes.iter().any(|(known, _)| *known == path) {
+            return Err(format!("--formula {role} was given twice").into());
+        }
+        given::once("--formula", &[&path], &args.set)?;
+        // Told with its place before it becomes a setting.
+        let text = file.text()?;
+        FormulaModel::parse(&text).map_err(|error| format!("{file}: {error}"))?;
+        changes.push((path, Value::Text(text)));
+    }
+    scenario.set_all(&changes)?;
+    for (path, _) in &changes[calibrations.len()..] {
+        if let Some(because) = scenario.unused(path)? {
+            return Err(format!("--formula: a run has no use for `{path}`: {because}").into());
+        }
+    }
+    Ok(())
+}
+
 pub fn execute(args: &RunArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
     apply(&mut scenario, &args.set)?;
@@ -67,6 +100,7 @@ pub fn execute(args: &RunArgs) -> Outcome {
         given::once("--networks", &given::LEARNED, &args.set)?;
         load_networks(&mut scenario, path)?;
     }
+    own_formulas(args, &mut scenario)?;
     let reader = match (args.profile, args.revolution) {
         (Some(_), _) => Reader::RunProfile,
         (None, Some(_)) => Reader::RunRevolution,

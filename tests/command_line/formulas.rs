@@ -108,3 +108,61 @@ fn what_does_not_fit_is_refused_by_name() {
     let said = refused(&["formula", "a", "--data", table, "--out", table]);
     assert!(said.contains("--out") && said.contains("same file"), "{said}");
 }
+
+#[test]
+fn a_run_takes_formulas_for_its_models() {
+    let [force, ra] = ["own_force.toml", "own_ra.toml"].map(temporary);
+    let [force, ra] = [&force, &ra].map(|path| path.to_str().unwrap());
+    let model = "354.9 - 182*(f/256)^-0.245 - 0.572*(n/1024)^3.11";
+    let about = [
+        "--range",
+        "n=800..2500",
+        "--range",
+        "f=150..600",
+        "--unit",
+        "f=mm/min",
+        "--unit",
+        "n=1/min",
+        "--result",
+        "F=N",
+        "--save",
+        force,
+    ];
+    text(&[&["formula", model][..], &about].concat());
+    let about = ["--range", "F=100..250", "--unit", "F=N", "--result", "Ra=um", "--save", ra];
+    text(&[&["formula", "0.0254*(593/(300-F))^2"][..], &about].concat());
+    let digest =
+        |args: &[&str]| json(&[&["run", "table3-5", "--json"], args].concat())["digest"].clone();
+    let own = format!("force={force}");
+    let with = digest(&["--formula", &own]);
+    assert_ne!(with, digest(&[]));
+    let written = fs::read_to_string(force).unwrap();
+    let set = format!("formula.force={written}");
+    let both = ["--set", "plant.calibration=formula", "--set", "belief.calibration=formula"];
+    assert_eq!(with, digest(&[&["--set", &set][..], &both].concat()), "the same as settings");
+    let of_ra = format!("ra={ra}");
+    assert_ne!(with, digest(&["--formula", &own, "--formula", &of_ra]));
+    for (args, parts) in [
+        (vec!["--formula", "force"], ["ROLE=FILE", "force_of_ra, feed, speed, force, ra"]),
+        (vec!["--formula", "speed=no.toml"], ["no.toml", ""]),
+        (vec!["--formula", "ra=own_force.toml"], ["", ""]),
+        (
+            vec!["--formula", &own, "--set", "plant.calibration=printed"],
+            ["--formula", "plant.calibration"],
+        ),
+        (vec!["--formula", &own, "--set", &set], ["--formula", "formula.force"]),
+        (vec!["--formula", &own, "--formula", &own], ["force", "twice"]),
+        (vec!["--set", &set], ["formula.force", "is formula"]),
+    ] {
+        let said = refused(&[&["run", "table3-5"][..], &args].concat());
+        for part in parts {
+            assert!(said.contains(part), "{args:?}: {part}: {said}");
+        }
+    }
+    let wrong = format!("ra={force}");
+    let said = refused(&["run", "table3-5", "--formula", &wrong]);
+    assert!(
+        said.contains("formula.ra") && said.contains("allowed is um of a force in N"),
+        "{said}"
+    );
+}

@@ -10,6 +10,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use steadycut_core::base::rng::Stream;
 use steadycut_core::blocks::control::ControllerKind;
 use steadycut_core::blocks::cutting::process::ForceModel;
+use steadycut_core::models::genetic::Calibration;
 use steadycut_core::models::structure::RoughnessFrom;
 use steadycut_core::run::edits::Edits;
 use steadycut_core::run::one_run::Run;
@@ -190,6 +191,36 @@ fn check_baseline() {
     }
 }
 
+/// A user's formula in the place of K4, of plant and controller, against the built-in one in the same loop.
+#[expect(clippy::disallowed_methods, reason = "a bench needs a clock")]
+fn own_formula() {
+    const LIMIT: f64 = 3.0;
+    let own = load("own-formula").expect("a shipped preset");
+    let built_in = own.with(|s| {
+        s.plant.calibration = Calibration::Identified;
+        s.belief.calibration = Calibration::Identified;
+    });
+    let mut runs = [built_in.expect("a calibration goes with any scenario"), own]
+        .map(|scenario| Run::new(&scenario, &Edits::none()));
+    let mut best = [f64::INFINITY; 2];
+    for _ in 0..100 {
+        for (run, best) in runs.iter_mut().zip(&mut best) {
+            let start = std::time::Instant::now();
+            run.branch(0.0, &Edits::none());
+            run.advance(u64::MAX);
+            let ticks = black_box(run.ticks());
+            *best = best.min(start.elapsed().as_secs_f64() / ticks as f64);
+        }
+    }
+    let ratio = best[1] / best[0];
+    let ns = best.map(|seconds| seconds * 1e9);
+    println!(
+        "own formula: {:.1} ns per step, built-in {:.1} ns, ratio {ratio:.2} (limit {LIMIT})",
+        ns[1], ns[0]
+    );
+    assert!(ratio <= LIMIT, "a user's formula costs {ratio:.2} times the built-in one");
+}
+
 /// Best of many alternating runs: the ratio that the project promises, and fails without.
 #[expect(clippy::disallowed_methods, reason = "a bench needs a clock")]
 fn ratio() {
@@ -302,6 +333,7 @@ fn coupled_ratio() {
 fn loops(criterion: &mut Criterion) {
     check_baseline();
     ratio();
+    own_formula();
     neural_ratio();
     coupled_ratio();
     let steps = 15_000;

@@ -105,7 +105,7 @@ impl PapersPanel {
         }
         let Shown { calibration, force_model, .. } = &mut self.shown;
         let whose = "Calibration of plant and controller:";
-        choose(ui, whose, Calibration::ALL, Calibration::OPTIONS, calibration);
+        choose(ui, whose, &Calibration::PUBLISHED, Calibration::OPTIONS, calibration);
         choose(ui, "Plant's force from:", ForceModel::maps(), ForceModel::OPTIONS, force_model);
         let shown = self.shown;
         let work = self.tables.entry(shown).or_insert_with(|| {

@@ -38,6 +38,9 @@ impl Files {
             if let Ok(Some(paths)) = matches.try_get_many::<InPath>(id) {
                 self.read.extend(paths.map(|path| (name(), path.clone())));
             }
+            if let Ok(Some(named)) = matches.try_get_many::<(String, InPath)>(id) {
+                self.read.extend(named.map(|(_, path)| (name(), path.clone())));
+            }
             if let Ok(Some(paths)) = matches.try_get_many::<ScenarioPath>(id) {
                 let files = paths.filter_map(|path| path.source().ok());
                 self.read.extend(files.map(|path| (name(), path)));

@@ -8,7 +8,6 @@ use crate::blocks::control::FeedSpeed;
 use crate::blocks::control::law::{ControlMoment, Explained};
 use crate::blocks::cutting::force_model::law::ForceMoment;
 use crate::blocks::cutting::tool_path::{Engagement, ToolPath};
-use crate::models::genetic::GeneticModels;
 
 /// The law of the scenario's controller, with the values of `row`.
 #[must_use]
@@ -27,7 +26,7 @@ pub fn explain_controller(scenario: &Scenario, row: &Row) -> Explained {
         programmed: scenario.programmed(cut),
         limits: limits(scenario, cut),
         models_valid: !row.has(flag::K2_OUTSIDE | flag::K3_OUTSIDE),
-        models: &GeneticModels::new(belief.model_set, belief.calibration),
+        models: &scenario.believed(),
         belief,
     })
 }
@@ -37,6 +36,7 @@ pub fn explain_controller(scenario: &Scenario, row: &Row) -> Explained {
 pub fn explain_force(scenario: &Scenario, row: &Row) -> Vec<Live> {
     scenario.plant.force_model.explain(&ForceMoment {
         plant: &scenario.plant,
+        formulas: &scenario.formula,
         tool: &scenario.tool,
         feed_mm_min: row.feed_mm_min,
         speed_rpm: row.spindle_rpm,

@@ -74,6 +74,7 @@ presets! {
     "table3-5-noise", Start, "Noise in the force and in the sensor";
     "depth-step", Start, "A deeper stretch of the part";
     "material-change", Start, "Another material than the model knows";
+    "own-formula", Start, "A formula of one's own for the force";
     "experiment-2-per-cut", Combined2005, "Experiment 2, a planned feed for every cut";
     "combined-2005", Combined2005, "Recommended, planned, controlled";
     "experiment-2-neural", Combined2005, "Experiment 2, force from the neural model";

@@ -8,7 +8,6 @@ use steadycut_core::blocks::cutting::force_model::law::ForceSetup;
 use steadycut_core::blocks::cutting::process::ForceModel;
 use steadycut_core::blocks::cutting::tool_path::Engagement;
 use steadycut_core::models::ball_end::{CK45, Cutter, Kienzle, StaticCut, static_peak};
-use steadycut_core::models::genetic::GeneticModels;
 use steadycut_core::run::closed_loop::limits;
 use steadycut_core::run::edits::Edits;
 use steadycut_core::run::one_run::{End, Run};
@@ -105,6 +104,7 @@ fn map_n(scenario: &Scenario, feed_mm_min: f64, speed_rpm: f64) -> f64 {
     }
     let setup = ForceSetup {
         plant,
+        formulas: &scenario.formula,
         tool: &scenario.tool,
         radial_depth_mm: place.radial_depth_mm,
         several: false,
@@ -117,7 +117,7 @@ fn map_n(scenario: &Scenario, feed_mm_min: f64, speed_rpm: f64) -> f64 {
 
 /// What the controller asks for at the programmed values, from the force it measures.
 fn asked(scenario: &Scenario, force_ref_n: f64, force_measured_n: f64) -> FeedSpeed {
-    let models = GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration);
+    let models = scenario.believed();
     let programmed = scenario.programmed(0);
     let input = ControlInput {
         force_measured_n,
@@ -137,7 +137,7 @@ fn asked(scenario: &Scenario, force_ref_n: f64, force_measured_n: f64) -> FeedSp
 fn static_laws_ask_for_what_their_formulas_say() {
     let mut scenario = load("table3-5").unwrap();
     scenario.change(|s| s.cnc.override_quantised = false).unwrap();
-    let models = GeneticModels::new(scenario.belief.model_set, scenario.belief.calibration);
+    let models = scenario.believed();
     let FeedSpeed { feed_mm_min, speed_rpm } = scenario.programmed(0);
     let range = limits(&scenario, 0).feed_mm_min;
     let desired_n = 180.0;

@@ -26,7 +26,7 @@ use crate::models::genetic::exponential::Exponential;
 use crate::models::genetic::force_formula::{ForceFormula, INCH};
 use crate::models::genetic::{
     Calibration, FeedLaw, GeneticModels, MILLING_AXIAL_DEPTH_MM, MILLING_RADIAL_DEPTH_MM, ModelSet,
-    SpeedLaw,
+    OwnModels, SpeedLaw,
 };
 use crate::models::tool::Tool;
 
@@ -111,6 +111,7 @@ pub fn identify_milling(tool: &Tool) -> Result<Identified, String> {
         speed: SpeedLaw::Exponential(k3, [k2.low, k2.high]),
         force,
         of_tool: true,
+        own: OwnModels::default(),
     };
     Ok(Identified { models, fits: vec![k2_fit, k4_fit] })
 }

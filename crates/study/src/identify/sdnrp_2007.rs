@@ -16,7 +16,9 @@ use crate::base::math::extent;
 use crate::blocks::control::sdnrp::KP_DEFAULT;
 use crate::models::genetic::curve::Curve;
 use crate::models::genetic::sdnrp_2007;
-use crate::models::genetic::{FeedLaw, ForceRoughness, GeneticModels, ModelSet, SpeedLaw};
+use crate::models::genetic::{
+    FeedLaw, ForceRoughness, GeneticModels, ModelSet, OwnModels, SpeedLaw,
+};
 use crate::published::TableRow;
 
 /// Least-squares quadratic through points, on their range.
@@ -73,6 +75,7 @@ pub(super) fn identify(rows: &[TableRow]) -> Result<Identified, String> {
         speed: SpeedLaw::Curve(k3),
         force: sdnrp_2007::K4_RESTORED,
         of_tool: true,
+        own: OwnModels::default(),
     };
     let at_final = |row: &TableRow| models.force(row.feed_final_mm_min, row.spindle_final_rpm);
     let k4_fit = Fit {

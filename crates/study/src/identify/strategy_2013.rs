@@ -24,7 +24,9 @@ use crate::models::genetic::curve::Curve;
 use crate::models::genetic::exponential::Exponential;
 use crate::models::genetic::force_formula::ForceFormula;
 use crate::models::genetic::strategy_2013;
-use crate::models::genetic::{FeedLaw, ForceRoughness, GeneticModels, ModelSet, SpeedLaw};
+use crate::models::genetic::{
+    FeedLaw, ForceRoughness, GeneticModels, ModelSet, OwnModels, SpeedLaw,
+};
 use crate::published::{PaperId, TableRow};
 
 /// Middle of the desired roughnesses, um, and of the force setpoints, N: with them the parameters
@@ -57,6 +59,7 @@ fn models(parameters: &SVector<f64, 9>) -> GeneticModels {
         ),
         force: ForceFormula { intercept_n: p[7], speed: strategy_2013::M4.speed, feed: p[8] },
         of_tool: true,
+        own: OwnModels::default(),
     }
 }
 

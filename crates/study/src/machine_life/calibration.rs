@@ -58,7 +58,11 @@ fn rms(rows: &[CalibratedRow], of: impl Fn(&CalibratedRow) -> f64) -> f64 {
 /// Calibrates r_d of the scenario's machine with a sharp tool.
 #[must_use]
 pub fn calibrate(scenario: &Scenario) -> Calibrated {
-    let k5 = GeneticModels::new(PaperId::Sdnrp2007.model_set(), scenario.plant.calibration);
+    let k5 = GeneticModels::with_formulas(
+        PaperId::Sdnrp2007.model_set(),
+        scenario.plant.calibration,
+        &scenario.formula,
+    );
     let mut machine = model(scenario);
     let points: Vec<(CalibratedRow, f64, f64)> = PaperId::Sdnrp2007
         .rows()

@@ -1,7 +1,8 @@
 //! What the commands read, besides a run's settings or instead of them.
 
 use super::Reader;
-use crate::models::genetic::ModelSet;
+use crate::blocks::reference::Reference;
+use crate::models::genetic::{Calibration, ModelSet};
 use crate::models::plan::ForceLimit;
 use crate::models::tool::EndShape;
 use crate::run::scenario::Unused;
@@ -26,7 +27,7 @@ const ROWS: (&[&str], &str) = (&["run.record_every"], "a row is recorded for eve
 const ALWAYS_UNKS: (&[&str], &str) = (&["controller.kind"], "the controller is always UNKS");
 /// What becomes of Ra, which feeds back into nothing.
 const ROUGHNESS: (&[&str], &str) =
-    (&["machine.roughness_from", "profile."], "Ra is not among what this prints");
+    (&["machine.roughness_from", "profile.", "formula.ra"], "Ra is not among what this prints");
 const MODELS_OF_RA: Unused = Unused {
     paths: &["plant.calibration"],
     but: &[],
@@ -57,6 +58,7 @@ const PLANNED: &[&str] = &[
     "plant.force_model",
     "belief.model_set",
     "belief.calibration",
+    "formula.force_of_ra",
     "plan.",
     "workpiece.length_mm",
     "workpiece.axial_depth_mm",
@@ -73,7 +75,13 @@ const PLAN_UNUSED: &[Unused] = &[
         because: "`plan.force_limit` is not fixed",
     },
     Unused {
-        paths: &["target.ra_um", "target.reference", "target.force_n", "belief.calibration"],
+        paths: &[
+            "target.ra_um",
+            "target.reference",
+            "target.force_n",
+            "belief.calibration",
+            "formula.force_of_ra",
+        ],
         but: &[],
         when: Some(|s| s.plan.force_limit == ForceLimit::Fixed),
         because: "`plan.force_limit` is fixed",
@@ -89,6 +97,21 @@ const PLAN_UNUSED: &[Unused] = &[
         but: &[],
         when: Some(|s| s.belief.model_set == ModelSet::Milling2005),
         because: "`belief.model_set` is milling_2005, which has one calibration",
+    },
+    Unused {
+        paths: &["formula.force_of_ra"],
+        but: &[],
+        when: Some(|s| s.target.reference == Reference::Force),
+        because: "`target.reference` is force",
+    },
+    Unused {
+        paths: &["formula.force_of_ra"],
+        but: &[],
+        when: Some(|s| {
+            s.belief.calibration != Calibration::Formula
+                || s.belief.model_set == ModelSet::Milling2005
+        }),
+        because: "`belief.calibration` is not formula, or `belief.model_set` milling_2005",
     },
     CORNER_UNUSED,
 ];
@@ -114,6 +137,7 @@ const CUTS_PLANNED: &[&str] = &[
     "plant.model_set",
     "belief.model_set",
     "belief.calibration",
+    "formula.force_of_ra",
     "plan.",
     "program.spindle_rpm",
     "workpiece.cuts",
@@ -222,7 +246,14 @@ const CALIBRATED: &[&str] = &[
     "tool.diameter_mm",
     "tool.teeth",
     "plant.calibration",
+    "formula.ra",
 ];
+const CALIBRATED_UNUSED: &[Unused] = &[Unused {
+    paths: &["formula.ra"],
+    but: &[],
+    when: Some(|s| s.plant.calibration != Calibration::Formula),
+    because: "`plant.calibration` is not formula",
+}];
 /// What tells a machine's tool how a run goes.
 const OF_A_RUN: (&[&str], &str) = (
     &["wear.model", "wear.used_life", "wear.time_scale", "wear.adjust_speed"],
@@ -312,7 +343,7 @@ impl Reader {
                 Reads { as_run: false, also: LIFE, but: &[OF_A_RUN], unused: WORN }
             }
             Self::MachineRoughness => {
-                Reads { as_run: false, also: CALIBRATED, but: &[], unused: &[] }
+                Reads { as_run: false, also: CALIBRATED, but: &[], unused: CALIBRATED_UNUSED }
             }
         }
     }

@@ -31,6 +31,7 @@ const AFTER: &[(&str, &str)] = &[
     ("belief", "What the controller believes"),
     ("noise", "Noise"),
     ("plant", "Plant"),
+    ("formula", "Own formulas of the models"),
     ("tool", "Cutter"),
     ("wear", "Wear over the tool's life"),
     ("feed_drive", "Feed drive"),

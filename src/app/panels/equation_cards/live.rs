@@ -9,7 +9,6 @@ use super::models::{desired_force, roughness};
 use super::overrides::overrides;
 pub use crate::base::equation::Live;
 use crate::base::units::percent_from_ratio;
-use crate::models::genetic::GeneticModels;
 use crate::models::structure::RoughnessFrom;
 use crate::run::explanation::explain_force;
 use crate::run::scenario::Scenario;
@@ -31,8 +30,7 @@ pub struct Moment<'a> {
 pub fn live(block: Block, moment: &Moment<'_>) -> Vec<Live> {
     let Moment { row, scenario, delayed } = *moment;
     let belief = scenario.believed();
-    let plant = GeneticModels::new(scenario.plant.model_set, scenario.plant.calibration);
-    let plant = plant.for_tool(&scenario.tool);
+    let plant = scenario.of_plant();
     match block {
         Block::Reference => vec![desired_force(&belief, row)],
         Block::Controller => controller(&belief, row, scenario),

@@ -9,6 +9,7 @@ use crate::app::format;
 use crate::base::equation::Live;
 use crate::base::math;
 use crate::models::Valued;
+use crate::models::formula_model::FormulaModel;
 use crate::models::genetic::sdnrp_2007::{K2_MIN_N, K3_MAX_N, K5_MAX_N};
 use crate::models::genetic::strategy_2013;
 use crate::models::genetic::{
@@ -37,10 +38,24 @@ fn live(symbol: &str, (formula, values, range): Law, answer: Valued, unit: &str)
     }
 }
 
+/// An own formula in the place of a model, at its one input.
+fn own(model: &FormulaModel, symbol: &str, unit: &str, x: f64) -> Law {
+    let [formula, values] = model.shown(&[symbol], &[x]);
+    let range = model.inputs().first().map_or([x, x], |input| [input.range.low, input.range.high]);
+    (formula, values, format!("{}; straight on beyond", from_to(symbol, range, unit)))
+}
+
 /// Model 1 at the target.
 pub fn desired_force(belief: &GeneticModels, row: &Row) -> Live {
     let ra = row.ra_target_um;
     let force = belief.force_from_ra(ra);
+    if let Some(model) = &belief.own.force_of_ra {
+        let mut law = own(model, "Ra", "um", ra);
+        if force.value == FORCE_REF_MIN_N {
+            law.1 = format!("max({}, {})", number(FORCE_REF_MIN_N), law.1);
+        }
+        return live("F_d", law, force, "N");
+    }
     let mut law = match belief.roughness {
         ForceRoughness::K1K5 => (
             "293 - 593 / √(39.37 Ra)".to_owned(),
@@ -66,6 +81,10 @@ pub fn desired_force(belief: &GeneticModels, row: &Row) -> Live {
 
 /// Model 2 at a force.
 pub fn feed(belief: &GeneticModels, force_n: f64) -> Live {
+    if let Some(model) = &belief.own.feed {
+        let law = own(model, "F_s", "N", force_n);
+        return live("f_c", law, belief.feed_from_force(force_n), "mm/min");
+    }
     let law = match belief.feed {
         FeedLaw::K2 => (
             "25.4 (189 - 5926160 / F_s^2)".to_owned(),
@@ -94,6 +113,9 @@ pub fn feed(belief: &GeneticModels, force_n: f64) -> Live {
 /// Model 3 at a force.
 pub fn speed(belief: &GeneticModels, force_n: f64) -> Live {
     let answer = belief.speed_from_force(force_n);
+    if let Some(model) = &belief.own.speed {
+        return live("n_c", own(model, "F_s", "N", force_n), answer, "1/min");
+    }
     let law = match belief.speed {
         SpeedLaw::K3 => {
             let radicand = format!("30064193 - 2.28 · {}^3", number(force_n));
@@ -128,6 +150,13 @@ pub fn roughness(plant: &GeneticModels, force_n: f64, ra_symbol: &str, force_sym
         return Live::everywhere(formula, "no force, so no surface is cut");
     }
     let ra = plant.ra_from_force(force_n);
+    if let Some(model) = &plant.own.ra {
+        let mut law = own(model, force_symbol, "N", force_n);
+        if ra.value == 0.0 {
+            law.1 = format!("max(0, {})", law.1);
+        }
+        return live(ra_symbol, law, ra, "um");
+    }
     let mut law = match plant.roughness {
         ForceRoughness::K1K5 => k5(plant, force_n, force_symbol),
         ForceRoughness::M1M5 { leading } => m5(leading, force_n, force_symbol),

@@ -217,8 +217,7 @@ impl ControlLaw for Tracking {
         self.setpoint_n = setpoint_for(asked_n, most, self.setpoint_n, input.models, &input.limits);
         let speed = input.models.speed_from_force(self.setpoint_n);
         let (feed_max, near) = (input.limits.feed_mm_min[1], input.applied.feed_mm_min);
-        let feed =
-            input.models.force.feed_for_force(asked_n, self.speed_undelayed_rpm, feed_max, near);
+        let feed = input.models.feed_for_force(asked_n, self.speed_undelayed_rpm, feed_max, near);
         let FeedSpeed { feed_mm_min, speed_rpm } = input.limits.resolution;
         let (asked, applied) = (self.asked, input.applied);
         let feed_owed = owed(asked.feed_mm_min, applied.feed_mm_min, feed_mm_min);

@@ -17,7 +17,7 @@ use super::material::Material;
 use super::tool_path::{Engagement, ToolPath};
 use crate::models::Valued;
 use crate::models::ball_end::MAX_TEETH;
-use crate::models::genetic::{Calibration, ModelSet};
+use crate::models::genetic::{Calibration, FormulaSettings, ModelSet};
 use crate::models::part::CutPath;
 use crate::models::tool::Tool;
 
@@ -115,11 +115,12 @@ pub struct CutStep<'a> {
 }
 
 impl Process {
-    /// The process of a plant with a tool along a path at a radial depth in mm, in steps of `dt_s`, `window` to a
+    /// The process of a plant, with own formulas of its models, with a tool along a path at a radial depth in mm, in steps of `dt_s`, `window` to a
     /// control period.
     #[must_use]
     pub fn new(
         plant: &PlantSettings,
+        formulas: &FormulaSettings,
         tool: &Tool,
         path: &ToolPath,
         radial_depth_mm: f64,
@@ -128,6 +129,7 @@ impl Process {
     ) -> Self {
         Self::of(&ForceSetup {
             plant,
+            formulas,
             tool,
             radial_depth_mm,
             several: path.is_several(),

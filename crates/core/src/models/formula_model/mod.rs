@@ -9,6 +9,7 @@ mod setting;
 
 use self::file::ModelText;
 use super::Valued;
+use crate::base::equation::number;
 use crate::base::formula::{
     CompiledFormula, Formula, FormulaError, Interval, NumberUnits, Unit, UnitReport,
 };
@@ -161,10 +162,45 @@ impl FormulaModel {
     /// The slope by an input, at the nearest place of the ranges: that of [`Self::at`].
     #[must_use]
     pub fn slope(&self, input: usize, inputs: &[f64]) -> f64 {
-        let nearest: Vec<f64> = (self.inputs.iter().zip(inputs))
-            .map(|(input, x)| x.max(input.range.low).min(input.range.high))
-            .collect();
+        let mut nearest = [0.0; MAX_MODEL_INPUTS];
+        for ((place, input), x) in nearest.iter_mut().zip(&self.inputs).zip(inputs) {
+            *place = x.max(input.range.low).min(input.range.high);
+        }
         self.slopes.get(input).map_or(f64::NAN, |slope| slope.value(&nearest))
+    }
+
+    /// The same model with its inputs in another order.
+    pub(super) fn in_order(self, order: &[usize]) -> Result<Self, String> {
+        if order.iter().copied().eq(0..self.inputs.len()) {
+            return Ok(self);
+        }
+        let inputs: Vec<FormulaInput> =
+            order.iter().filter_map(|place| self.inputs.get(*place).cloned()).collect();
+        let names: Vec<&str> = inputs.iter().map(|input| input.name.as_str()).collect();
+        let constants = self.formula.own_constants();
+        let formula = Formula::parse_with(&self.formula.to_string(), &names, &constants)
+            .map_err(|error| error.to_string())?;
+        Self::new(formula, inputs, self.output, self.source)
+    }
+
+    /// The formula with its inputs called by other names, and with values in their place, as an equation is shown;
+    /// beyond the ranges with the way straight on.
+    #[must_use]
+    pub fn shown(&self, names: &[&str], inputs: &[f64]) -> [String; 2] {
+        let with = |texts: &[String]| self.formula.text_with(texts).replace(" * ", " · ");
+        let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+        let value = |x: f64| if x < 0.0 { format!("({})", number(x)) } else { number(x) };
+        let mut nearest = Vec::new();
+        let mut beyond = String::new();
+        for (index, (input, x)) in self.inputs.iter().zip(inputs).enumerate() {
+            let place = x.max(input.range.low).min(input.range.high);
+            if place != *x {
+                let slope = value(self.slope(index, inputs));
+                beyond += &format!(" + {slope} · ({} - {})", number(*x), value(place));
+            }
+            nearest.push(value(place));
+        }
+        [with(&names), with(&nearest) + &beyond]
     }
 
     /// Whether it is right in its units, and the units of its constants.

@@ -49,11 +49,16 @@ impl<R: FormulaRole> OwnFormula<R> {
     pub fn of(model: FormulaModel) -> Result<Self, String> {
         let known = |text: &str| Unit::parse(text).unwrap_or_else(|_| Unit::none());
         let output = &model.output().unit;
-        let inputs = model.inputs().iter().map(|input| &input.unit);
-        let fits = inputs.len() == R::INPUTS.len()
-            && inputs.zip(R::INPUTS).all(|(unit, text)| unit.is_same(&known(text)))
-            && output.is_same(&known(R::OUTPUT));
-        if !fits {
+        // The units tell the inputs apart, whatever their order is.
+        let place = |text: &&str| {
+            let unit = known(text);
+            model.inputs().iter().position(|input| input.unit.is_same(&unit))
+        };
+        let order: Option<Vec<usize>> = R::INPUTS.iter().map(place).collect();
+        let order = order.filter(|_| {
+            model.inputs().len() == R::INPUTS.len() && output.is_same(&known(R::OUTPUT))
+        });
+        let Some(order) = order else {
             let given: Vec<String> = model
                 .inputs()
                 .iter()
@@ -66,7 +71,8 @@ impl<R: FormulaRole> OwnFormula<R> {
                 R::OUTPUT,
                 R::MEANING
             ));
-        }
+        };
+        let model = model.in_order(&order)?;
         Ok(Self { model: Some(Arc::new(model)), role: PhantomData })
     }
 

@@ -12,6 +12,7 @@ pub mod curve;
 pub mod exponential;
 pub mod force_formula;
 pub mod model_file;
+mod own;
 pub mod quartic;
 mod ranges;
 pub mod sdnrp_2007;
@@ -22,6 +23,9 @@ use std::sync::LazyLock;
 use self::curve::Curve;
 use self::exponential::Exponential;
 use self::force_formula::ForceFormula;
+pub use self::own::{
+    FeedOfForce, ForceOfCut, ForceOfRa, FormulaSettings, OwnModels, RaOfForce, SpeedOfForce,
+};
 use self::quartic::Quartic;
 use super::Valued;
 use super::tool::Tool;
@@ -49,7 +53,14 @@ crate::choice! {
         /// Re-identified by `steadycut identify` from the paper's own table; for the milling
         /// simulator of 2005, where nothing was printed, the only one.
         Identified = "identified", "identified";
+        /// Formulas of one's own (the settings under `formula`); a model without one stays the identified one.
+        Formula = "formula", "own formulas";
     }
+}
+
+impl Calibration {
+    /// Those that a published table can be run in: all but own formulas.
+    pub const PUBLISHED: [Self; 3] = [Self::Printed, Self::Restored, Self::Identified];
 }
 
 impl ModelSet {
@@ -135,7 +146,7 @@ pub enum SpeedLaw {
 }
 
 /// Models 1..6 of one set in one calibration.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct GeneticModels {
     /// The set.
     pub set: ModelSet,
@@ -150,6 +161,8 @@ pub struct GeneticModels {
     /// Whether the cutter is the papers' one, for which they hold; with another one every answer is
     /// marked as outside the range.
     pub of_tool: bool,
+    /// Formulas in the place of the set's models.
+    pub own: OwnModels,
 }
 
 impl GeneticModels {
@@ -177,9 +190,13 @@ impl GeneticModels {
     #[must_use]
     pub fn new(set: ModelSet, calibration: Calibration) -> Self {
         match (set, calibration) {
-            (ModelSet::Sdnrp2007, Calibration::Identified) => *IDENTIFIED_2007,
-            (ModelSet::Strategy2013, Calibration::Identified) => *IDENTIFIED_2013,
-            (ModelSet::Milling2005, _) => *IDENTIFIED_MILLING_2005,
+            (ModelSet::Sdnrp2007, Calibration::Identified | Calibration::Formula) => {
+                IDENTIFIED_2007.clone()
+            }
+            (ModelSet::Strategy2013, Calibration::Identified | Calibration::Formula) => {
+                IDENTIFIED_2013.clone()
+            }
+            (ModelSet::Milling2005, _) => IDENTIFIED_MILLING_2005.clone(),
             (ModelSet::Sdnrp2007, _) => Self {
                 set,
                 roughness: ForceRoughness::K1K5,
@@ -191,6 +208,7 @@ impl GeneticModels {
                     sdnrp_2007::K4_RESTORED
                 },
                 of_tool: true,
+                own: OwnModels::default(),
             },
             (ModelSet::Strategy2013, Calibration::Printed) => Self {
                 set,
@@ -199,6 +217,7 @@ impl GeneticModels {
                 speed: SpeedLaw::Exponential(strategy_2013::M3, strategy_2013::FORCE_RANGE_N),
                 force: strategy_2013::M4,
                 of_tool: true,
+                own: OwnModels::default(),
             },
             (ModelSet::Strategy2013, Calibration::Restored) => Self {
                 set,
@@ -210,6 +229,7 @@ impl GeneticModels {
                 ),
                 force: strategy_2013::M4,
                 of_tool: true,
+                own: OwnModels::default(),
             },
         }
     }
@@ -218,10 +238,11 @@ impl GeneticModels {
     /// [`FORCE_REF_MIN_N`]; invalid where that floor or a continuation was used.
     #[must_use]
     pub fn force_from_ra(&self, ra_um: f64) -> Valued {
-        let force = match self.roughness {
-            ForceRoughness::K1K5 => sdnrp_2007::k1(ra_um),
-            ForceRoughness::M1M5 { .. } => strategy_2013::m1(ra_um),
-            ForceRoughness::Curve(curve) => curve.at(ra_um),
+        let force = match (&self.own.force_of_ra, self.roughness) {
+            (Some(own), _) => own.at(&[ra_um]),
+            (None, ForceRoughness::K1K5) => sdnrp_2007::k1(ra_um),
+            (None, ForceRoughness::M1M5 { .. }) => strategy_2013::m1(ra_um),
+            (None, ForceRoughness::Curve(curve)) => curve.at(ra_um),
         };
         let low = Valued::new(FORCE_REF_MIN_N, false);
         self.within(if force.value >= FORCE_REF_MIN_N { force } else { low })
@@ -231,10 +252,11 @@ impl GeneticModels {
     #[must_use]
     #[inline]
     pub fn ra_from_force(&self, force_n: f64) -> Valued {
-        let ra = match self.roughness {
-            ForceRoughness::K1K5 => sdnrp_2007::k5(force_n),
-            ForceRoughness::M1M5 { leading } => strategy_2013::m5(force_n, leading),
-            ForceRoughness::Curve(curve) => curve.inverse(force_n),
+        let ra = match (&self.own.ra, self.roughness) {
+            (Some(own), _) => own.at(&[force_n]),
+            (None, ForceRoughness::K1K5) => sdnrp_2007::k5(force_n),
+            (None, ForceRoughness::M1M5 { leading }) => strategy_2013::m5(force_n, leading),
+            (None, ForceRoughness::Curve(curve)) => curve.inverse(force_n),
         };
         self.within(if ra.value >= 0.0 { ra } else { Valued::new(0.0, false) })
     }
@@ -243,6 +265,9 @@ impl GeneticModels {
     /// printed: the caller limits it.
     #[must_use]
     pub fn feed_from_force(&self, force_n: f64) -> Valued {
+        if let Some(own) = &self.own.feed {
+            return self.within(own.at(&[force_n]));
+        }
         self.within(match self.feed {
             FeedLaw::K2 => sdnrp_2007::k2(force_n),
             FeedLaw::M2 => {
@@ -259,6 +284,9 @@ impl GeneticModels {
     /// printed K3 is negative.
     #[must_use]
     pub fn speed_from_force(&self, force_n: f64) -> Valued {
+        if let Some(own) = &self.own.speed {
+            return self.within(own.at(&[force_n]));
+        }
         self.within(match self.speed {
             SpeedLaw::K3 => sdnrp_2007::k3(force_n),
             SpeedLaw::Exponential(law, [low, high]) => {
@@ -272,7 +300,14 @@ impl GeneticModels {
     #[must_use]
     #[inline]
     pub fn force(&self, feed_mm_min: f64, speed_rpm: f64) -> Valued {
-        self.within(self.force.at(feed_mm_min, speed_rpm))
+        self.within(match &self.own.force {
+            None => self.force.at(feed_mm_min, speed_rpm),
+            Some(own) => {
+                let found = own.at(&[feed_mm_min, speed_rpm]);
+                let force = found.value + self.own.force_offset_n;
+                Valued::new(math::positive(force), found.valid && force >= 0.0)
+            }
+        })
     }
 }
 

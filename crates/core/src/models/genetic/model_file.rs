@@ -5,7 +5,7 @@ use serde::Deserialize;
 use super::curve::Curve;
 use super::exponential::Exponential;
 use super::force_formula::ForceFormula;
-use super::{Calibration, FeedLaw, ForceRoughness, GeneticModels, ModelSet, SpeedLaw};
+use super::{Calibration, FeedLaw, ForceRoughness, GeneticModels, ModelSet, OwnModels, SpeedLaw};
 use crate::base::files::from_toml;
 
 /// K1..K4 of 2007.
@@ -132,7 +132,16 @@ pub fn parse(set: ModelSet, text: &str) -> Result<GeneticModels, String> {
             (stand_in.roughness, feed, file.k3.law("k3")?, file.k4.formula("k4")?)
         }
     };
-    Ok(GeneticModels { set, roughness, feed: FeedLaw::Curve(feed), speed, force, of_tool: true })
+    let own = OwnModels::default();
+    Ok(GeneticModels {
+        set,
+        roughness,
+        feed: FeedLaw::Curve(feed),
+        speed,
+        force,
+        of_tool: true,
+        own,
+    })
 }
 
 #[cfg(test)]

@@ -1,19 +1,39 @@
 //! Where each model of a set holds: the range of its input.
 //!
-//! An end that the model does not have is infinite. Model 4 has its ends in
-//! [`force_formula`](super::force_formula).
+//! An end that the model does not have is infinite.
 
+use std::sync::Arc;
+
+use super::force_formula::{FEED_MIN_MM_MIN, SPEED_MIN_RPM};
 use super::sdnrp_2007::{K2_MIN_N, K3_MAX_N, K5_MAX_N};
 use super::strategy_2013::{FORCE_RANGE_N, RA_RANGE_UM};
 use super::{
     FORCE_REF_MIN_N, FeedLaw, ForceRoughness, GeneticModels, M2_RESTORED_RANGE_N, SpeedLaw,
 };
 use crate::base::math;
+use crate::models::formula_model::FormulaModel;
+
+/// The range of an input of an own formula.
+fn own_range(own: &Option<Arc<FormulaModel>>, input: usize) -> Option<[f64; 2]> {
+    let range = own.as_ref()?.inputs().get(input)?.range;
+    Some([range.low, range.high])
+}
 
 impl GeneticModels {
+    /// Model 4: feed, mm/min, and speed, 1/min.
+    #[must_use]
+    pub fn cut_ranges(&self) -> [[f64; 2]; 2] {
+        let least = [FEED_MIN_MM_MIN, SPEED_MIN_RPM];
+        [0, 1]
+            .map(|input| own_range(&self.own.force, input).unwrap_or([least[input], f64::INFINITY]))
+    }
+
     /// Model 1: target roughness, um.
     #[must_use]
     pub fn ra_range_um(&self) -> [f64; 2] {
+        if let Some(range) = own_range(&self.own.force_of_ra, 0) {
+            return range;
+        }
         match self.roughness {
             // 2007 eq. 4 solved for the Ra whose force is the least reference.
             ForceRoughness::K1K5 => {
@@ -29,6 +49,9 @@ impl GeneticModels {
     /// (M2 holds where its feed is positive and rises).
     #[must_use]
     pub fn feed_range_n(&self) -> Option<[f64; 2]> {
+        if let Some(range) = own_range(&self.own.feed, 0) {
+            return Some(range);
+        }
         match self.feed {
             FeedLaw::K2 => Some([K2_MIN_N, f64::INFINITY]),
             FeedLaw::M2 => None,
@@ -40,6 +63,9 @@ impl GeneticModels {
     /// Model 3: force that the controller asks for, N.
     #[must_use]
     pub fn speed_range_n(&self) -> [f64; 2] {
+        if let Some(range) = own_range(&self.own.speed, 0) {
+            return range;
+        }
         match self.speed {
             SpeedLaw::K3 => [0.0, K3_MAX_N],
             SpeedLaw::Exponential(_, range) => range,
@@ -50,6 +76,9 @@ impl GeneticModels {
     /// Models 5 and 6: force of the cut, N.
     #[must_use]
     pub fn roughness_range_n(&self) -> [f64; 2] {
+        if let Some(range) = own_range(&self.own.ra, 0) {
+            return range;
+        }
         match self.roughness {
             ForceRoughness::K1K5 => [0.0, K5_MAX_N],
             // 2013 eq. 6 turns round where its slope is zero.

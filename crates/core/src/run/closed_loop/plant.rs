@@ -51,8 +51,15 @@ pub struct CutNow {
 
 fn process(scenario: &Scenario, path: &ToolPath, radial_depth_mm: f64, dt_s: f64) -> Process {
     let window = u64::from(scenario.run.steps_per_control);
-    let mut process =
-        Process::new(&scenario.plant, &scenario.tool, path, radial_depth_mm, dt_s, window);
+    let mut process = Process::new(
+        &scenario.plant,
+        &scenario.formula,
+        &scenario.tool,
+        path,
+        radial_depth_mm,
+        dt_s,
+        window,
+    );
     if scenario.machine.coupled {
         process.make_rigid();
     }

@@ -78,8 +78,7 @@ impl ClosedLoop {
 
 /// The models of what really is cut.
 fn true_models(scenario: &Scenario) -> GeneticModels {
-    let models = GeneticModels::new(scenario.plant.model_set, scenario.plant.calibration);
-    models.for_tool(&scenario.tool)
+    scenario.of_plant()
 }
 
 /// The CNC with the programmed values and limits of every cut; one cut where the path is one.

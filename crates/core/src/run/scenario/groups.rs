@@ -10,7 +10,7 @@ use crate::blocks::cutting::disturbance::NoiseSettings;
 use crate::blocks::cutting::process::PlantSettings;
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::Target;
-use crate::models::genetic::GeneticModels;
+use crate::models::genetic::{FormulaSettings, GeneticModels};
 use crate::models::machine_trend::LifeSettings;
 use crate::models::part::ProgrammedPart;
 use crate::models::plan::PlanSettings;
@@ -106,6 +106,7 @@ scenario! {
     "target", target: Target;
     "tool", tool: Tool;
     "plant", plant: PlantSettings;
+    "formula", formula: FormulaSettings;
     "noise", noise: NoiseSettings;
     "controller", controller: ControllerSettings;
     "belief", belief: Belief;
@@ -156,7 +157,14 @@ impl Settings {
     #[must_use]
     pub fn believed(&self) -> GeneticModels {
         let Belief { model_set, calibration, .. } = self.belief;
-        GeneticModels::new(model_set, calibration).for_tool(&self.tool)
+        GeneticModels::with_formulas(model_set, calibration, &self.formula).for_tool(&self.tool)
+    }
+
+    /// The models of what really is cut, for the cutter.
+    #[must_use]
+    pub fn of_plant(&self) -> GeneticModels {
+        let PlantSettings { model_set, calibration, .. } = self.plant;
+        GeneticModels::with_formulas(model_set, calibration, &self.formula).for_tool(&self.tool)
     }
 
     /// What the controller is set up from.

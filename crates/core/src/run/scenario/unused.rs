@@ -11,7 +11,7 @@ use super::groups::Settings;
 use super::table::{Param, param};
 use crate::base::settings::SettingError;
 use crate::blocks::reference::Reference;
-use crate::models::genetic::ModelSet;
+use crate::models::genetic::{Calibration, ModelSet};
 use crate::models::structure::RoughnessFrom;
 use crate::models::tool::EndShape;
 use crate::models::wear::WearModel;
@@ -59,6 +59,16 @@ fn all_cuts_have_feeds(s: &Settings) -> bool {
     cuts > 0 && s.program.cut_feeds_mm_min.len() >= cuts
 }
 
+/// Whether the controller's models are own formulas where there are any.
+fn believes_formulas(s: &Settings) -> bool {
+    s.belief.calibration == Calibration::Formula && s.belief.model_set != ModelSet::Milling2005
+}
+
+/// Whether the plant's are.
+fn cut_by_formulas(s: &Settings) -> bool {
+    s.plant.calibration == Calibration::Formula && s.plant.model_set != ModelSet::Milling2005
+}
+
 /// Whether no source of noise draws anything.
 fn no_noise(s: &Settings) -> bool {
     let n = &s.noise;
@@ -94,6 +104,29 @@ pub const UNUSED: &[Unused] = &[
         &["plant.calibration"],
         |s| s.plant.model_set == ModelSet::Milling2005,
         "`plant.model_set` is milling_2005, which has one calibration",
+    ),
+    unused(
+        &["formula.force_of_ra"],
+        |s| s.target.reference == Reference::Force,
+        "`target.reference` is force",
+    ),
+    unused(
+        &["formula.force_of_ra", "formula.feed", "formula.speed"],
+        |s| !believes_formulas(s),
+        "`belief.calibration` is not formula, or `belief.model_set` milling_2005",
+    ),
+    unused(
+        &["formula.force"],
+        |s| {
+            let cut = cut_by_formulas(s) && s.plant.force_model.is_formula();
+            !cut && !believes_formulas(s)
+        },
+        "neither `belief.calibration` nor `plant.calibration`, where `plant.force_model` is formula, is formula",
+    ),
+    unused(
+        &["formula.ra"],
+        |s| !cut_by_formulas(s) && !believes_formulas(s),
+        "neither `belief.calibration` nor `plant.calibration` is formula",
     ),
     unused(
         &["tool.corner_radius_mm"],

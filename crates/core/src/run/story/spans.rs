@@ -16,8 +16,6 @@ use super::{EventKind, StoryEvent, words};
 use crate::base::stats;
 use crate::base::units::percent_from_ratio;
 use crate::blocks::cutting::tool_path::ToolPath;
-use crate::models::genetic::GeneticModels;
-use crate::models::genetic::force_formula::{FEED_MIN_MM_MIN, SPEED_MIN_RPM};
 
 /// Gaps up to this are closed for limits and ranges, s (chosen).
 const GAP_S: f64 = 5.0;
@@ -194,13 +192,12 @@ fn range_left(lasting: &Lasting<'_>, number: u32) -> RangeLeft {
 fn outside_input(lasting: &Lasting<'_>, number: u32) -> Option<RangedInput> {
     let scenario = lasting.scenario;
     let plant = &scenario.plant;
-    let of_plant = GeneticModels::new(plant.model_set, plant.calibration);
+    let of_plant = scenario.of_plant();
     let belief = scenario.believed();
     let input = |name, unit, of: fn(&Row) -> f64, range: [f64; 2]| {
         let value = furthest(lasting.flagged().map(of), range)?;
         Some(RangedInput { name, unit, value, range })
     };
-    let open = f64::INFINITY;
     match number {
         1 => input("target Ra", "µm", |row| row.ra_target_um, belief.ra_range_um()),
         2 => {
@@ -210,8 +207,9 @@ fn outside_input(lasting: &Lasting<'_>, number: u32) -> Option<RangedInput> {
         3 => input("force asked for", "N", |row| row.force_setpoint_n, belief.speed_range_n()),
         4 if plant.force_model.is_formula() => {
             let speed = |row: &Row| row.spindle_rpm;
-            input("feed", "mm/min", |row| row.feed_mm_min, [FEED_MIN_MM_MIN, open])
-                .or_else(|| input("spindle speed", "1/min", speed, [SPEED_MIN_RPM, open]))
+            let [feed, turns] = of_plant.cut_ranges();
+            input("feed", "mm/min", |row| row.feed_mm_min, feed)
+                .or_else(|| input("spindle speed", "1/min", speed, turns))
         }
         5 => input("force", "N", |row| row.force_n, of_plant.roughness_range_n()),
         6 => {

@@ -13,8 +13,9 @@ use crate::base::equation::{Live, number};
 use crate::blocks::cutting::process::PlantSettings;
 use crate::blocks::cutting::tool_path::Engagement;
 use crate::models::Valued;
+use crate::models::formula_model::FormulaModel;
 use crate::models::genetic::force_formula::{FEED_MIN_MM_MIN, INCH, SPEED_MIN_RPM};
-use crate::models::genetic::{GeneticModels, ModelSet};
+use crate::models::genetic::{FormulaSettings, GeneticModels, ModelSet, OwnModels};
 use crate::models::printed::Printed;
 use crate::models::tool::Tool;
 
@@ -66,6 +67,13 @@ impl MapLaw for FormulaMap {
         }
     }
 
+    fn with_formulas(mut self, plant: &PlantSettings, formulas: &FormulaSettings) -> Self {
+        let PlantSettings { model_set, calibration, force_offset_n, .. } = *plant;
+        let models = GeneticModels::with_formulas(model_set, calibration, formulas);
+        self.models.own = OwnModels { force_offset_n, ..models.own };
+        self
+    }
+
     #[inline]
     fn force(
         &mut self,
@@ -100,33 +108,16 @@ impl MapLaw for FormulaMap {
 
     /// Model 4 of the plant, and what it does not know.
     fn explain(moment: &ForceMoment) -> Vec<Live> {
-        let ForceMoment { plant, tool, feed_mm_min: feed, speed_rpm: speed, place, .. } = *moment;
-        let mut map = Self::new(plant, tool, place.radial_depth_mm);
+        let ForceMoment { plant, formulas, tool, place, .. } = *moment;
+        let (feed, speed) = (moment.feed_mm_min, moment.speed_rpm);
+        let mut map = Self::new(plant, tool, place.radial_depth_mm).with_formulas(plant, formulas);
         let force = map.force(feed, speed, &place, 1.0);
         let models = &map.models;
         let k4 = models.force(feed, speed);
         let name = format!("{}4", models.set.letter());
-        let [intercept, feed_coefficient, inch, speed_coefficient] =
-            [models.force.intercept_n, models.force.feed, INCH, models.force.speed * 1e10]
-                .map(number);
-        let formula = |f: &str, n: &str, times: &str| {
-            format!(
-                "{intercept} - {speed_coefficient}·10^{{-10}}{times}{n}^3 \
-                 - {feed_coefficient} ln({inch}{times}{f}) / {f}"
-            )
-        };
-        let with = formula(&number(feed.max(FEED_MIN_MM_MIN)), &number(speed), " · ");
-        let with = if k4.value == 0.0 { format!("max(0, {with})") } else { with };
-        let model = Live {
-            formula: format!("{name} = {}", formula("f", "n", " ")),
-            values: format!("{name} = {with} = {} N", number(k4.value)),
-            range: format!(
-                "f from {} mm/min on (its least force), n from {} 1/min on{}",
-                number(FEED_MIN_MM_MIN),
-                number(SPEED_MIN_RPM),
-                if models.of_tool { "" } else { "; of the papers' cutter alone" }
-            ),
-            valid: k4.valid,
+        let model = match &models.own.force {
+            Some(own) => own_card(own, models, &name, [feed, speed]),
+            None => printed_card(models, &name, [feed, speed]),
         };
         let [axial_mm, radial_mm] = models.set.engagement_mm();
         let reference = axial_mm * radial_mm;
@@ -145,5 +136,60 @@ impl MapLaw for FormulaMap {
             ),
         );
         vec![model, product]
+    }
+}
+
+/// Model 4 of the set with the values of a moment.
+fn printed_card(models: &GeneticModels, name: &str, [feed, speed]: [f64; 2]) -> Live {
+    let k4 = models.force(feed, speed);
+    let [intercept, feed_coefficient, inch, speed_coefficient] =
+        [models.force.intercept_n, models.force.feed, INCH, models.force.speed * 1e10].map(number);
+    let formula = |f: &str, n: &str, times: &str| {
+        format!(
+            "{intercept} - {speed_coefficient}·10^{{-10}}{times}{n}^3 \
+                 - {feed_coefficient} ln({inch}{times}{f}) / {f}"
+        )
+    };
+    let with = formula(&number(feed.max(FEED_MIN_MM_MIN)), &number(speed), " · ");
+    let with = if k4.value == 0.0 { format!("max(0, {with})") } else { with };
+    Live {
+        formula: format!("{name} = {}", formula("f", "n", " ")),
+        values: format!("{name} = {with} = {} N", number(k4.value)),
+        range: format!(
+            "f from {} mm/min on (its least force), n from {} 1/min on{}",
+            number(FEED_MIN_MM_MIN),
+            number(SPEED_MIN_RPM),
+            if models.of_tool { "" } else { "; of the papers' cutter alone" }
+        ),
+        valid: k4.valid,
+    }
+}
+
+/// A formula in its place.
+fn own_card(
+    own: &FormulaModel,
+    models: &GeneticModels,
+    name: &str,
+    [feed, speed]: [f64; 2],
+) -> Live {
+    let force = models.force(feed, speed);
+    let offset_n = models.own.force_offset_n;
+    let offset = if offset_n == 0.0 { String::new() } else { format!(" + {}", number(offset_n)) };
+    let [formula, with] = own.shown(&["f", "n"], &[feed, speed]);
+    let with = with + &offset;
+    let with = if force.value == 0.0 { format!("max(0, {with})") } else { with };
+    let [f, n] = models.cut_ranges().map(|range| range.map(number));
+    Live {
+        formula: format!("{name} = {formula}{offset}"),
+        values: format!("{name} = {with} = {} N", number(force.value)),
+        range: format!(
+            "f {} to {} mm/min, n {} to {} 1/min; straight on beyond{}",
+            f[0],
+            f[1],
+            n[0],
+            n[1],
+            if models.of_tool { "" } else { "; of the papers' cutter alone" }
+        ),
+        valid: force.valid,
     }
 }

@@ -4,7 +4,7 @@ use crate::base::equation::Live;
 use crate::blocks::cutting::process::{CutStep, Force, PlantSettings};
 use crate::blocks::cutting::tool_path::Engagement;
 use crate::models::Valued;
-use crate::models::genetic::ModelSet;
+use crate::models::genetic::{FormulaSettings, ModelSet};
 use crate::models::neural_force::NeuralKind;
 use crate::models::printed::Printed;
 use crate::models::tool::Tool;
@@ -14,6 +14,8 @@ use crate::models::tool::Tool;
 pub struct ForceSetup<'a> {
     /// The plant.
     pub plant: &'a PlantSettings,
+    /// Own formulas of the plant's models.
+    pub formulas: &'a FormulaSettings,
     /// The tool.
     pub tool: &'a Tool,
     /// Radial depth of the path, mm.
@@ -33,6 +35,8 @@ pub struct ForceSetup<'a> {
 pub struct ForceMoment<'a> {
     /// The plant.
     pub plant: &'a PlantSettings,
+    /// Own formulas of the plant's models.
+    pub formulas: &'a FormulaSettings,
     /// The tool.
     pub tool: &'a Tool,
     /// Actual feed, mm/min.

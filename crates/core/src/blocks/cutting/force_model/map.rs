@@ -14,7 +14,7 @@ use crate::blocks::cutting::tool_path::Engagement;
 use crate::models::Valued;
 use crate::models::ball_end::MAX_TEETH;
 use crate::models::feed_speed::FeedSpeed;
-use crate::models::genetic::ModelSet;
+use crate::models::genetic::{FormulaSettings, ModelSet};
 use crate::models::neural_force::NeuralKind;
 use crate::models::printed::Printed;
 use crate::models::tool::{Outline, Tool};
@@ -30,6 +30,12 @@ pub trait MapLaw: Clone + std::fmt::Debug {
 
     /// The map of a plant with a tool at a radial depth of cut in mm.
     fn new(plant: &PlantSettings, tool: &Tool, radial_depth_mm: f64) -> Self;
+
+    /// The same with formulas of one's own, where it is the formula of a model set.
+    #[must_use]
+    fn with_formulas(self, _: &PlantSettings, _: &FormulaSettings) -> Self {
+        self
+    }
 
     /// The largest force of a revolution in N at feed in mm/min, speed in 1/min and an engagement, 0 in the
     /// air; `life_factor` is that of the wear over the tool's life.
@@ -75,7 +81,8 @@ impl<M: MapLaw> ForceModelLaw for Mapped<M> {
 
     fn new(setup: &ForceSetup) -> Self {
         Self {
-            map: M::new(setup.plant, setup.tool, setup.radial_depth_mm),
+            map: M::new(setup.plant, setup.tool, setup.radial_depth_mm)
+                .with_formulas(setup.plant, setup.formulas),
             outline: setup.tool.outline(),
             several: setup.several,
         }
@@ -108,7 +115,8 @@ impl<M: MapLaw> ForceModelLaw for Mapped<M> {
         speed_rpm: f64,
         place: &Engagement,
     ) -> Option<Valued> {
-        let mut map = M::new(setup.plant, setup.tool, place.radial_depth_mm);
+        let mut map = M::new(setup.plant, setup.tool, place.radial_depth_mm)
+            .with_formulas(setup.plant, setup.formulas);
         Some(map.force(feed_mm_min, speed_rpm, place, 1.0))
     }
 

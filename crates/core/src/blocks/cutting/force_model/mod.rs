@@ -53,6 +53,7 @@ impl ForceModel {
 mod tests {
     use super::*;
     use crate::blocks::cutting::process::PlantSettings;
+    use crate::models::genetic::FormulaSettings;
     use crate::models::tool::Tool;
 
     #[test]
@@ -71,6 +72,7 @@ mod tests {
                     PlantSettings { force_model, force_offset_n, ..PlantSettings::default() };
                 let setup = ForceSetup {
                     plant: &plant,
+                    formulas: &FormulaSettings::default(),
                     tool: &Tool::default(),
                     radial_depth_mm: 3.0,
                     several: false,
