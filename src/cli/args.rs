@@ -6,7 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser, ValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::files::{FormulaPath, InPath, OutFolder, OutPath, ScenarioPath};
-use super::machine_args::MachineArgs;
+use super::machine::args::MachineArgs;
 use crate::base::network::Activation;
 use crate::base::settings::Group;
 use crate::blocks::control::ControllerKind;

@@ -31,9 +31,9 @@ mod baseline {
     use super::{Row, Scenario};
     use steadycut_core::base::rng::Stream;
     use steadycut_core::blocks::sensing::peak::PeakWindow;
-    use steadycut_core::models::ball_end::{CK45, Cutter, Kienzle, MAX_TEETH, Sliced};
     use steadycut_core::models::feed_drive::{DriveState, ExactDrive, FeedDriveKind};
     use steadycut_core::models::genetic::{Calibration, GeneticModels, ModelSet};
+    use steadycut_core::models::mechanistic::{CK45, Cutter, Kienzle, MAX_TEETH, Sliced};
     use steadycut_core::models::part::CutPath;
 
     const RING: usize = 2048;

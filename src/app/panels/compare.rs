@@ -2,13 +2,13 @@
 //! the printed Table 1 of 2005 as the line to beat, and what was chosen with it in view.
 
 mod boxes;
+mod claims;
 mod contest;
 mod controls;
 mod robust;
 mod sheets;
 mod step;
 mod table;
-mod told;
 
 use egui::{Frame, Margin, RichText, Ui};
 
@@ -84,7 +84,7 @@ impl ComparePanel {
         ui.add_space(8.0);
         boxes::show(ui, &contest.runs(), compared, &mut self.measure, printed);
         step::show(ui, contest, printed, commands);
-        told::show(ui, compared, contest.transients(), printed);
+        claims::show(ui, compared, contest.transients(), printed);
         robust::show(ui, &mut self.contests.robust, view.jobs, commands);
     }
 }

@@ -1,11 +1,11 @@
 //! Pure model functions that both the plant (truth) and the controllers (belief) need.
 
-pub mod ball_end;
 pub mod feed_drive;
 pub mod feed_speed;
 pub mod formula_model;
 pub mod genetic;
 pub mod machine_trend;
+pub mod mechanistic;
 pub mod neural_force;
 pub mod part;
 pub mod plan;

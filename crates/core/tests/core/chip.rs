@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use steadycut_core::base::math;
 use steadycut_core::base::settings::Value;
 use steadycut_core::blocks::cutting::milling::{Milling, MillingSetup};
-use steadycut_core::models::ball_end::{
+use steadycut_core::models::mechanistic::{
     CK45, Cutter, Kienzle, MAX_TEETH, Sliced, StaticCut, Steel, static_peak, steady,
 };
 use steadycut_core::models::part::CutPath;

@@ -7,7 +7,7 @@ use steadycut_core::blocks::control::{ControlInput, Controller, ControllerKind, 
 use steadycut_core::blocks::cutting::force_model::law::ForceSetup;
 use steadycut_core::blocks::cutting::process::ForceModel;
 use steadycut_core::blocks::cutting::tool_path::Engagement;
-use steadycut_core::models::ball_end::{CK45, Cutter, Kienzle, StaticCut, static_peak};
+use steadycut_core::models::mechanistic::{CK45, Cutter, Kienzle, StaticCut, static_peak};
 use steadycut_core::run::closed_loop::limits;
 use steadycut_core::run::edits::Edits;
 use steadycut_core::run::one_run::{End, Run};

@@ -3,7 +3,7 @@
 
 use steadycut_core::base::math;
 use steadycut_core::base::settings::Value;
-use steadycut_core::models::ball_end::{CK45, Cutter, Kienzle, Sliced, steady};
+use steadycut_core::models::mechanistic::{CK45, Cutter, Kienzle, Sliced, steady};
 use steadycut_core::models::tool::{EndShape, ShippedTool, Tool};
 use steadycut_core::run::edits::Edits;
 use steadycut_core::run::one_run::Run;

@@ -11,7 +11,7 @@ use super::outcome::means;
 use crate::base::stats;
 use crate::base::units::{mm_from_um, percent_from_ratio};
 use crate::blocks::control::FeedSpeed;
-use crate::models::ball_end::{CK45, Cutter, Kienzle, StaticCut, static_peak};
+use crate::models::mechanistic::{CK45, Cutter, Kienzle, StaticCut, static_peak};
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
 use crate::run::scenario::Scenario;

@@ -4,7 +4,7 @@
 use serde::Serialize;
 
 use crate::base::units::percent_from_ratio;
-use crate::models::ball_end::{CK45, Cutter, Kienzle, StaticCut, static_peak};
+use crate::models::mechanistic::{CK45, Cutter, Kienzle, StaticCut, static_peak};
 use crate::models::tool::Tool;
 
 /// Feed per tooth of both experiments, mm.

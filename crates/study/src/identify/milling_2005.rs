@@ -21,13 +21,13 @@ use nalgebra::{Matrix3, Vector3};
 use super::sdnrp_2007::fit;
 use super::{Fit, Identified};
 use crate::base::math;
-use crate::models::ball_end::{CK45, Cutter, Kienzle, StaticCut, static_peak};
 use crate::models::genetic::exponential::Exponential;
 use crate::models::genetic::force_formula::{ForceFormula, INCH};
 use crate::models::genetic::{
     Calibration, FeedLaw, GeneticModels, MILLING_AXIAL_DEPTH_MM, MILLING_RADIAL_DEPTH_MM, ModelSet,
     OwnModels, SpeedLaw,
 };
+use crate::models::mechanistic::{CK45, Cutter, Kienzle, StaticCut, static_peak};
 use crate::models::tool::Tool;
 
 /// The programmed cut of both experiments: cutting speed in m/min and feed per tooth in mm.

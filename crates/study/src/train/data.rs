@@ -2,11 +2,11 @@
 //!
 //! The papers' 3500 measurements were never published. In their place: a Latin hypercube (McKay,
 //! Beckman, Conover 1979) over the ranges of `models/neural_force`, forces of
-//! `models/ball_end`, and the noise of a measurement. Run-out, slice and noise are chosen.
+//! `models/mechanistic`, and the noise of a measurement. Run-out, slice and noise are chosen.
 
 use crate::base::math;
 use crate::base::rng::Stream;
-use crate::models::ball_end::{CK45, Cutter, Kienzle, MNCRSI5, StaticCut, static_peak};
+use crate::models::mechanistic::{CK45, Cutter, Kienzle, MNCRSI5, StaticCut, static_peak};
 use crate::models::neural_force::{
     AXIAL_DEPTH_MM, AXIAL_PER_DIAMETER, CutPoint, FEED_PER_TOOTH_MM, HARDNESS_HB,
     RADIAL_PER_DIAMETER, SPEED_M_MIN, TEETH, speed_m_min,

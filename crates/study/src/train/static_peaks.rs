@@ -3,7 +3,7 @@
 
 use serde::Serialize;
 
-use crate::models::ball_end::{CK45, Cutter, Kienzle, StaticCut, StaticPeak, static_peak};
+use crate::models::mechanistic::{CK45, Cutter, Kienzle, StaticCut, StaticPeak, static_peak};
 use crate::models::tool::Tool;
 
 /// The cuts: feed per tooth in mm, A_D and R_D in mm, run-out in mm; then Fx, Fy, Fz at the instant

@@ -1,5 +1,5 @@
 //! The milling simulator's process: the end mill turning tooth by tooth through the part
-//! (2005, Fig. 3; [`crate::models::ball_end`]).
+//! (2005, Fig. 3; [`crate::models::mechanistic`]).
 //!
 //! ```text
 //! X_k = G [F_x(t) - F_x(t_k)],  Y_k likewise       the k-th tooth before stood here at t_k     (2005 eq. 1)
@@ -14,7 +14,7 @@
 use super::surface_left::{Stand, SurfaceLeft};
 use crate::base::math;
 use crate::base::units::rev_s_from_rpm;
-use crate::models::ball_end::{Cutter, Cutting, Kienzle, Sliced, Steel};
+use crate::models::mechanistic::{Cutter, Cutting, Kienzle, Sliced, Steel};
 use crate::models::part::CutPath;
 
 /// Cutting speed in m/min at which the law's constants are worked out; the force follows

@@ -16,8 +16,8 @@ pub use super::force_model::{ForceModel, Process};
 use super::material::Material;
 use super::tool_path::{Engagement, ToolPath};
 use crate::models::Valued;
-use crate::models::ball_end::MAX_TEETH;
 use crate::models::genetic::{Calibration, FormulaSettings, ModelSet};
+use crate::models::mechanistic::MAX_TEETH;
 use crate::models::part::CutPath;
 use crate::models::tool::Tool;
 
@@ -56,7 +56,7 @@ pub struct Force {
     /// F_x, F_y, F_z of this instant in N, tooth by tooth.
     pub teeth_n: Option<[f64; 3]>,
     /// Height of the edges in the cut in mm by the tooth before that left the surface, tooth by tooth
-    /// ([`crate::models::ball_end::Cutting`]).
+    /// ([`crate::models::mechanistic::Cutting`]).
     pub height_mm: [f64; MAX_TEETH],
     /// No chip is cut: the tool is in the air, or stands.
     pub air: bool,

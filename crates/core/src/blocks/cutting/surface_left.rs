@@ -13,7 +13,7 @@
 //! that changes within a tooth period is felt half a tooth period early. Before the first record the tool
 //! counts as fed steadily, without force.
 
-use crate::models::ball_end::{Advances, MAX_TEETH};
+use crate::models::mechanistic::{Advances, MAX_TEETH};
 
 /// Records in a turn at most: a turn in steps of 0.18 degrees, nearly twice as fine as the samples of the
 /// papers' set-up (0.33 degrees at 1592 1/min and 28.8 kHz). A slower spindle leaves samples out.

@@ -18,7 +18,7 @@
 use super::response::{CutForce, LeftBy, ModalResponse, Motion};
 use crate::base::math::{self, TAU};
 use crate::base::units::rev_s_from_rpm;
-use crate::models::ball_end::MAX_TEETH;
+use crate::models::mechanistic::MAX_TEETH;
 use crate::models::spindle::SLOWEST_RPM;
 use crate::models::structure::engagement::EngagementAngles;
 use crate::models::structure::reduction::Reduction;

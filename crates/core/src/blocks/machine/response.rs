@@ -16,7 +16,7 @@
 //! When contact is lost (F = 0) the surface stays where the tooth before left it.
 
 use crate::base::math;
-use crate::models::ball_end::MAX_TEETH;
+use crate::models::mechanistic::MAX_TEETH;
 use crate::models::structure::Complex;
 use crate::models::structure::reduction::Reduction;
 

@@ -2,7 +2,7 @@
 //! components, arc tangent (2013, section 2.3).
 //!
 //! The 3500 measurements that the papers trained it with were never published. The two networks
-//! shipped here learned from the mechanistic model of [`super::ball_end`] with noise
+//! shipped here learned from the mechanistic model of [`super::mechanistic`] with noise
 //! (`steadycut train force`). Their outputs are the signed Fx, Fy, Fz at the instant of the largest
 //! F_xy, so that sqrt(Fx^2 + Fy^2) is the peak force; separate maxima of the axes would overstate
 //! it by 5 to 20 %, absolute values would put a kink where Fy changes sign.

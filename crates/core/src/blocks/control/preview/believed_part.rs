@@ -13,7 +13,7 @@
 
 use crate::base::math;
 use crate::base::units::ratio_from_percent;
-use crate::models::ball_end::{CK45, Cutter, Kienzle, PeakTable, Sliced};
+use crate::models::mechanistic::{CK45, Cutter, Kienzle, PeakTable, Sliced};
 use crate::models::part::{CutPath, ProgrammedPart};
 use crate::models::part::{DepthStep, Section};
 use crate::models::tool::Tool;

@@ -75,7 +75,7 @@ pub fn static_peak(cutter: &Cutter, law: &Kienzle, cut: &StaticCut) -> StaticPea
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::ball_end::CK45;
+    use crate::models::mechanistic::CK45;
 
     fn peak(feed: f64, axial: f64, radial: f64, runout_mm: f64) -> StaticPeak {
         let law = Kienzle::new(&CK45, 80.0, 12.0, 200.0);

@@ -2,8 +2,8 @@
 
 use clap::{Args, Subcommand};
 
-use super::args::one_of;
-use super::files::OutPath;
+use crate::cli::args::one_of;
+use crate::cli::files::OutPath;
 use crate::models::structure::parameters::Parameters;
 
 /// Arguments of `machine`.

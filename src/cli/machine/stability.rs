@@ -5,9 +5,9 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::machine::{deliver, name, scenario};
-use super::machine_args::StabilityArgs;
-use super::{Outcome, progress};
+use super::args::StabilityArgs;
+use super::model::{deliver, name, scenario};
+use crate::cli::{Outcome, progress};
 use crate::study::stability::chart::{BAND_PERCENT, ChartJob, DT_S, LobePoint, Range};
 use crate::study::uses::Reader;
 

@@ -1,70 +1,21 @@
-//! `steadycut machine`: the five-mass machine of 2019.
+//! Modes, frequency response and the calibrated roughness of the machine.
 
 use std::fmt::Write as _;
-use std::io::Write as _;
 use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::Outcome;
-use super::machine_args::{MachineArgs, MachineModel, MachineWhat};
-use super::scenarios::apply;
-use super::{given, machine_stability, machine_wear};
+use super::args::MachineModel;
+use super::model::{deliver, name, scenario};
+use crate::cli::Outcome;
 use crate::models::structure::FiveMass;
 use crate::models::structure::frf::{FrequencyResponse, frequencies_hz, gauss};
 use crate::models::structure::modes::{damped, undamped};
 use crate::models::structure::parameters::NODES;
-use crate::run::edits::Edits;
-use crate::run::scenario::Scenario;
 use crate::study::machine_life::calibration::{CalibratedRow, calibrate};
 use crate::study::uses::Reader;
 
-pub fn execute(args: &MachineArgs) -> Outcome {
-    match &args.what {
-        MachineWhat::Modes(model) => modes(model),
-        MachineWhat::Frf(model) => frf(model),
-        MachineWhat::Stability(args) => machine_stability::execute(args),
-        MachineWhat::Wear(model) => machine_wear::wear(model),
-        MachineWhat::Life(args) => machine_wear::life(args),
-        MachineWhat::Roughness(model) => roughness(model),
-    }
-}
-
-/// The scenario that `--set` and `--parameters` describe.
-pub(super) fn scenario(
-    model: &MachineModel,
-    reader: Reader,
-) -> Result<Scenario, Box<dyn std::error::Error>> {
-    let mut scenario = Scenario::default();
-    apply(&mut scenario, &model.set)?;
-    if let Some(parameters) = model.parameters {
-        given::once("--parameters", &["machine.parameters"], &model.set)?;
-        scenario.change(|settings| settings.machine.parameters = parameters)?;
-    }
-    given::all_used(reader, &scenario, &Edits::none(), &model.set)?;
-    Ok(scenario)
-}
-
-/// Prints `text`, or writes it where `--out` says.
-pub(super) fn deliver(model: &MachineModel, text: &str) -> Result<(), Box<dyn std::error::Error>> {
-    match &model.out {
-        Some(path) => path.write(text)?,
-        None => std::io::stdout().lock().write_all(text.as_bytes())?,
-    }
-    Ok(())
-}
-
-pub(super) fn name(scenario: &Scenario) -> String {
-    let machine = &scenario.machine;
-    format!(
-        "five-mass machine, variant {}, parameters {}, spindle quality {}",
-        machine.variant.id(),
-        machine.parameters.id(),
-        machine.spindle_quality
-    )
-}
-
-fn modes(model: &MachineModel) -> Outcome {
+pub(super) fn modes(model: &MachineModel) -> Outcome {
     let scenario = scenario(model, Reader::MachineModes)?;
     let machine = FiveMass::new(&scenario.machine);
     let missing = "the eigenvalues of this machine do not converge";
@@ -130,7 +81,7 @@ fn modes(model: &MachineModel) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
-fn roughness(model: &MachineModel) -> Outcome {
+pub(super) fn roughness(model: &MachineModel) -> Outcome {
     let scenario = scenario(model, Reader::MachineRoughness)?;
     let found = calibrate(&scenario);
     let mut text = String::new();
@@ -173,7 +124,7 @@ fn numbers(response: &FrequencyResponse) -> [f64; 9] {
     [*f_hz, h33.re, h33.im, hww.re, hww.im, h3w.re, h3w.im, grel.re, grel.im]
 }
 
-fn frf(model: &MachineModel) -> Outcome {
+pub(super) fn frf(model: &MachineModel) -> Outcome {
     let scenario = scenario(model, Reader::MachineFrf)?;
     let machine = FiveMass::new(&scenario.machine);
     let sweep: Option<Vec<FrequencyResponse>> =

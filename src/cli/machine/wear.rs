@@ -7,9 +7,9 @@ use std::process::ExitCode;
 use serde::Serialize;
 use serde_json::json;
 
-use super::machine::{deliver, name, scenario};
-use super::machine_args::{LifeArgs, MachineModel};
-use super::{Outcome, progress};
+use super::args::{LifeArgs, MachineModel};
+use super::model::{deliver, name, scenario};
+use crate::cli::{Outcome, progress};
 use crate::models::machine_trend::TrendPoint;
 use crate::models::roughness_profile::Roughness;
 use crate::models::tool_life::Growth;

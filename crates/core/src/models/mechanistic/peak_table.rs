@@ -83,7 +83,7 @@ impl PeakTable {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::ball_end::{CK45, Cutter, StaticCut, static_peak};
+    use crate::models::mechanistic::{CK45, Cutter, StaticCut, static_peak};
 
     #[test]
     fn the_table_gives_the_peaks_of_static_cuts() {
