@@ -332,8 +332,8 @@ fn coupled_ratio() {
 
 fn loops(criterion: &mut Criterion) {
     check_baseline();
-    ratio();
     own_formula();
+    ratio();
     neural_ratio();
     coupled_ratio();
     let steps = 15_000;
