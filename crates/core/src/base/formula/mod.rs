@@ -116,12 +116,6 @@ impl Formula {
         &self.inputs
     }
 
-    /// The text with other words in the place of the inputs, as they are.
-    #[must_use]
-    pub fn text_with(&self, words: &[String]) -> String {
-        text::print_with(self, Some(words)).0
-    }
-
     /// The number of nodes: every number, input, constant, function and operator counts.
     #[must_use]
     pub fn size(&self) -> usize {

@@ -36,23 +36,13 @@ pub(super) fn name(text: &str) -> String {
 /// The text, and where in it (in bytes) every node stands, in the order of their first parts: a node before
 /// its operands, left before right.
 pub(super) fn print(formula: &Formula) -> (String, Vec<Range<usize>>) {
-    print_with(formula, None)
-}
-
-/// The same with other words in the place of the inputs.
-pub(super) fn print_with(
-    formula: &Formula,
-    words: Option<&[String]>,
-) -> (String, Vec<Range<usize>>) {
-    let (text, spans) = (String::new(), Vec::new());
-    let mut printer = Printer { inputs: formula.inputs(), words, text, spans };
+    let mut printer = Printer { inputs: formula.inputs(), text: String::new(), spans: Vec::new() };
     printer.node(formula.root());
     (printer.text, printer.spans)
 }
 
 struct Printer<'a> {
     inputs: &'a [String],
-    words: Option<&'a [String]>,
     text: String,
     spans: Vec<Range<usize>>,
 }
@@ -78,9 +68,8 @@ impl Printer<'_> {
         match node {
             Node::Number(x) => self.text += &number(*x),
             Node::Input(input) => {
-                let word = self.words.and_then(|words| words.get(*input)).cloned();
-                let named = || name(self.inputs.get(*input).map_or("?", |input| input));
-                self.text += &word.unwrap_or_else(named);
+                let named = self.inputs.get(*input).map_or("?", |input| input);
+                self.text += &name(named);
             }
             Node::Constant(constant) => self.text += &name(&constant.name),
             Node::Unary(Function::Negative, operand) => {

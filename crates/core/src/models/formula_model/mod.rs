@@ -187,8 +187,6 @@ impl FormulaModel {
     /// beyond the ranges with the way straight on.
     #[must_use]
     pub fn shown(&self, names: &[&str], inputs: &[f64]) -> [String; 2] {
-        let with = |texts: &[String]| self.formula.text_with(texts).replace(" * ", " · ");
-        let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
         let value = |x: f64| if x < 0.0 { format!("({})", number(x)) } else { number(x) };
         let mut nearest = Vec::new();
         let mut beyond = String::new();
@@ -200,7 +198,8 @@ impl FormulaModel {
             }
             nearest.push(value(place));
         }
-        [with(&names), with(&nearest) + &beyond]
+        let nearest: Vec<&str> = nearest.iter().map(String::as_str).collect();
+        [self.formula.equation(names), self.formula.equation(&nearest) + &beyond]
     }
 
     /// Whether it is right in its units, and the units of its constants.

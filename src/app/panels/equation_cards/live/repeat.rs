@@ -2,7 +2,7 @@
 
 use crate::base::math;
 
-/// The value of a formula of numbers: `+ - · / ^ % √ ln e max`, and factors that stand side by
+/// The value of a formula of numbers: `+ - · / ^ % √ ln exp e max pow`, and factors that stand side by
 /// side.
 pub fn repeated(text: &str) -> f64 {
     let mut reader = Reader { text, rest: text };
@@ -97,6 +97,16 @@ impl Reader<'_> {
             self.must(")");
             return inside;
         }
+        if self.take("exp") {
+            return math::exp(self.factor());
+        }
+        if self.take("pow(") {
+            let base = self.sum();
+            self.must(",");
+            let exponent = self.sum();
+            self.must(")");
+            return math::power(base, exponent);
+        }
         if self.take("e") {
             return std::f64::consts::E;
         }
@@ -115,6 +125,7 @@ fn formulas_are_calculated_as_they_are_read() {
         ("2 (3 - 1) / 4 · 3^2", 9.0),
         ("√(max(0, 2 - 9)) + 10^{-2} · 50 %", 0.005),
         ("3 ln(e) / 2 + √9", 4.5),
+        ("exp(2 - 2) + pow(2, 1 + 2)", 9.0),
     ] {
         assert!((repeated(text) - value).abs() < 1e-12, "{text}");
     }

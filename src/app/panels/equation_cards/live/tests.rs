@@ -7,7 +7,10 @@ use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::control::law::Held;
 use crate::blocks::cutting::process::ForceModel;
-use crate::models::genetic::{Calibration, ModelSet};
+use crate::models::formula_model::FormulaRole;
+use crate::models::genetic::{
+    Calibration, FeedOfForce, ForceOfCut, ForceOfRa, ModelSet, RaOfForce, SpeedOfForce,
+};
 use crate::run::edits::Edits;
 use crate::run::one_run::Run;
 use crate::run::presets;
@@ -101,6 +104,55 @@ fn cards_show_what_the_run_recorded_in_every_set_and_calibration() {
                 assert_eq!(valid, !lit, "{block:?} {line} {set:?} {calibration:?}");
             }
         }
+    }
+}
+
+/// Own formulas in all five places, in place and far out of their ranges.
+#[test]
+fn cards_of_own_formulas_show_what_the_models_compute() {
+    let mut scenario = presets::load("table3-5").expect("shipped");
+    let own = [
+        ("force_of_ra", ForceOfRa::EXAMPLE),
+        ("feed", FeedOfForce::EXAMPLE),
+        ("speed", SpeedOfForce::EXAMPLE),
+        ("force", ForceOfCut::EXAMPLE),
+        ("ra", RaOfForce::EXAMPLE),
+    ];
+    let calibrations = ["plant.calibration", "belief.calibration"];
+    let mut changes: Vec<(String, Value)> =
+        calibrations.map(|path| (path.to_owned(), Value::Text("formula".to_owned()))).to_vec();
+    changes
+        .extend(own.map(|(role, text)| (format!("formula.{role}"), Value::Text(text.to_owned()))));
+    scenario.set_all(&changes).expect("examples");
+    let (plant, belief) = (scenario.of_plant(), scenario.believed());
+    for (force_n, ra_um, feed_mm_min, spindle_rpm) in
+        [(180.0, 0.81, 330.0, 1600.0), (90.0, 0.2, 100.0, 700.0), (260.0, 2.5, 900.0, 3100.0)]
+    {
+        let row = Row {
+            ra_target_um: ra_um,
+            force_ref_n: force_n,
+            force_measured_n: force_n,
+            force_n,
+            force_dyn_n: force_n,
+            feed_mm_min,
+            spindle_rpm,
+            axial_depth_mm: 2.0,
+            radial_depth_mm: 3.0,
+            ..Row::default()
+        };
+        let moment = at(&row, &scenario);
+        let [reference, control, cutting, surface] =
+            [Block::Reference, Block::Controller, Block::Cutting, Block::Surface]
+                .map(|block| live(block, &moment));
+        for line in [&reference[..], &control, &cutting[..1], &surface].concat() {
+            follows(&line);
+        }
+        near(&reference[0], belief.force_from_ra(ra_um).value);
+        near(&cutting[0], plant.force(feed_mm_min, spindle_rpm).value);
+        near(&surface[0], plant.ra_from_force(force_n).value);
+        assert_eq!(cutting[0].valid, plant.force(feed_mm_min, spindle_rpm).valid);
+        assert!(surface[0].formula.contains("300 - F"), "{surface:?}");
+        assert!(control.iter().any(|line| line.formula.contains("exp(")), "{control:?}");
     }
 }
 

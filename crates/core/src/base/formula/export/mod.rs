@@ -4,6 +4,7 @@
 //! are those of the platform; the others agree but for rounding.
 
 mod code;
+mod equation;
 mod latex;
 
 use super::{Formula, text};

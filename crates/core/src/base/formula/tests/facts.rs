@@ -204,3 +204,19 @@ fn the_names_of_a_text_are_its_inputs() {
     assert!(Formula::names("log(f)").unwrap_err().problem.contains("unknown function `log`"));
     assert!(Formula::names("f +").unwrap_err().problem.contains("ends here"));
 }
+
+#[test]
+fn equations_are_shown_with_raised_powers_and_other_words() {
+    for (text, shown) in [
+        ("5.82e-10*x^3", "5.82·10^{-10} · a^3"),
+        ("(x/256)^-0.245", "(a / 256)^{-0.245}"),
+        ("-x^2 - -3*sqrt(y)", "-a^2 - -3 · √((-7))"),
+        ("x / (2e-9 * y)", "a / (2·10^{-9} · (-7))"),
+        ("2^(x + 1)", "pow(2, a + 1)"),
+        ("x * -y", "a · (-(-7))"),
+        ("1e-9^x", "(1·10^{-9})^a"),
+        ("exp(x)^y", "exp(a)^{(-7)}"),
+    ] {
+        assert_eq!(read(text).equation(&["a", "(-7)"]), shown, "{text}");
+    }
+}
