@@ -262,6 +262,10 @@ pub struct IdentifyGpArgs {
     /// default search. The report says which of the two found the formula.
     #[arg(long, value_enum)]
     pub paper: Option<Paper>,
+    /// What is known of the formula, for example `a + b*n^3 + T(f)`: names that are no columns are constants
+    /// to fit, T(...) stands for what is searched for. Without T only the constants are fitted.
+    #[arg(long, value_name = "FORMULA")]
+    pub template: Option<String>,
     /// Whether formulas have to be right in their units.
     #[arg(long, value_enum, default_value = "free")]
     pub units: UnitsArg,

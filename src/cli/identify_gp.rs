@@ -8,9 +8,12 @@ use super::files::report as report_to;
 use super::{Outcome, progress};
 use crate::base::formula::Unit;
 use crate::run::job::Job;
+use crate::study::identify::gp::declared::declared_report;
 use crate::study::identify::gp::job::{GpJob, GpSettings};
+use crate::study::identify::gp::model::model;
 use crate::study::identify::gp::problem::GpProblem;
 use crate::study::identify::gp::report::{FrontFormula, GpReport};
+use crate::study::published::PaperId;
 
 /// Units given as `COLUMN=UNIT`.
 fn units(args: &IdentifyGpArgs) -> Result<Vec<(String, Unit)>, String> {
@@ -28,7 +31,11 @@ fn units(args: &IdentifyGpArgs) -> Result<Vec<(String, Unit)>, String> {
     args.unit.iter().map(one).collect()
 }
 
-fn begun(args: &IdentifyGpArgs) -> Result<GpJob, Box<dyn std::error::Error>> {
+/// What the user may give where the rows do not tell the effects of two inputs apart.
+const DECLARE: &str = "give the structure, as --template 'a + b*n^3 + c*ln(0.039*f)/f': then its constants are \
+                       fitted, with their intervals";
+
+fn asked(args: &IdentifyGpArgs) -> Result<GpProblem, Box<dyn std::error::Error>> {
     let problem = GpProblem::read(&args.data.text()?, &args.target, &args.inputs)
         .map_err(|problem| format!("{}: {problem}", args.data))?;
     let given = units(args)?;
@@ -36,7 +43,20 @@ fn begun(args: &IdentifyGpArgs) -> Result<GpJob, Box<dyn std::error::Error>> {
         UnitsArg::Strict => problem.strict(&given)?,
         UnitsArg::Free => problem,
     };
-    let settings = GpSettings { seed: args.seed, batches: args.batches };
+    Ok(match &args.template {
+        Some(text) => {
+            problem.with_template(text).map_err(|problem| format!("--template: {problem}"))?
+        }
+        None => problem,
+    })
+}
+
+fn begun(args: &IdentifyGpArgs, problem: GpProblem) -> Result<GpJob, Box<dyn std::error::Error>> {
+    let paper = args.paper.map(PaperId::from);
+    let settings = GpSettings { seed: args.seed, batches: args.batches, paper };
+    if let Some(collinear) = problem.collinear().filter(|_| args.template.is_none()) {
+        return Err(format!("{}: {collinear}; {DECLARE}", args.data).into());
+    }
     let mut job =
         GpJob::new(problem, &settings).map_err(|problem| format!("{}: {problem}", args.data))?;
     if let Some(path) = &args.resume {
@@ -47,24 +67,73 @@ fn begun(args: &IdentifyGpArgs) -> Result<GpJob, Box<dyn std::error::Error>> {
 
 pub fn execute(args: &IdentifyGpArgs) -> Outcome {
     let mut out = report_to(args.json, args.out.as_ref())?;
-    let mut job = begun(args)?;
-    let worked = progress::work(&mut job, "search", args.json);
-    if let Some(path) = &args.state {
-        path.write(&job.state_text())?;
+    let problem = asked(args)?;
+    let declared = problem.template.clone().filter(|template| template.free.is_none());
+    let report = match declared {
+        Some(template) => {
+            if args.resume.is_some() || args.state.is_some() || args.paper.is_some() {
+                let unused =
+                    "without T nothing is searched for: leave out --resume, --state, --paper";
+                return Err(format!("--template: {unused}").into());
+            }
+            declared_report(&problem, &template, args.seed)
+                .map_err(|problem| format!("--template: {problem}"))?
+        }
+        None => searched(args, begun(args, problem.clone())?)?,
+    };
+    if let Some(path) = &args.out {
+        let text = model_text(args, &problem, &report);
+        path.write(&text.map_err(|problem| format!("{path}: {problem}"))?)?;
     }
-    if let Err(error) = worked {
-        return Err(match &args.state {
-            Some(path) => Box::new(error.kept(format!("go on with --resume {path}"))),
-            None => Box::new(error),
-        });
-    }
-    let report = job.partial();
     if args.json {
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
         print(&mut out, &report)?;
     }
+    if let Some(path) = args.out.as_ref().filter(|_| !args.json) {
+        writeln!(out, "model written to {path}")?;
+    }
     Ok(if report.chosen().is_some() { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}
+
+/// Searches to the end, and keeps the search where that is wished.
+fn searched(args: &IdentifyGpArgs, mut job: GpJob) -> Result<GpReport, Box<dyn std::error::Error>> {
+    let worked = progress::work(&mut job, "search", args.json);
+    if let Some(path) = &args.state {
+        path.write(&job.state_text())?;
+    }
+    match (worked, &args.state) {
+        (Ok(()), _) => Ok(job.partial()),
+        (Err(error), Some(path)) => Err(error.kept(format!("go on with --resume {path}")).into()),
+        (Err(error), None) => Err(error.into()),
+    }
+}
+
+/// The model file of the formula chosen, or of that of another size.
+fn model_text(
+    args: &IdentifyGpArgs,
+    problem: &GpProblem,
+    report: &GpReport,
+) -> Result<String, String> {
+    let wanted = match args.size {
+        None => report.chosen().ok_or("not written: no formula is chosen")?,
+        Some(size) => {
+            report.front.iter().find(|formula| formula.size == size).ok_or_else(|| {
+                let sizes: Vec<String> =
+                    report.front.iter().map(|formula| formula.size.to_string()).collect();
+                format!(
+                    "not written: --size {size}: the sizes of the front are {}",
+                    sizes.join(", ")
+                )
+            })?
+        }
+    };
+    let source = format!(
+        "found by `steadycut identify gp` on {} rows of {}, seed {}, {} batches; rms error {:.4e}",
+        report.rows, args.data, args.seed, report.batches, wanted.error
+    );
+    let model = model(problem, &wanted.formula, &units(args)?, source);
+    Ok(model.map_err(|problem| format!("not written: {problem}"))?.write())
 }
 
 fn print(out: &mut impl Write, report: &GpReport) -> std::io::Result<()> {
@@ -92,6 +161,24 @@ fn print(out: &mut impl Write, report: &GpReport) -> std::io::Result<()> {
         "* chosen; - unsure: twice the least error left out, or not certain to be finite"
     )?;
     writeln!(out, "left out: {told}")?;
+    if let Some(paper) = &report.paper {
+        writeln!(
+            out,
+            "\nas the paper of {} searched: {} of size {}, R2 {:.5} after {} generations, stop at {}{}",
+            paper.paper,
+            paper.formula.as_deref().unwrap_or("no formula"),
+            paper.size,
+            paper.fitness,
+            paper.generations,
+            paper.stop,
+            if paper.reached { "" } else { " not reached" }
+        )?;
+        writeln!(
+            out,
+            "the formula of the smaller error is that of the {} search",
+            report.found_by
+        )?;
+    }
     if let Some(chosen) = report.chosen() {
         print_chosen(out, report, chosen)?;
     } else {

@@ -45,3 +45,36 @@ fn what_cannot_be_told_is_refused() {
     let error = refused(&gp(K4, &["--units", "strict", "--unit", "force_n=furlong"]));
     assert!(error.contains("furlong"), "{error}");
 }
+
+#[test]
+fn any_formula_of_the_front_becomes_a_model_file() {
+    use steadycut::models::formula_model::FormulaModel;
+    let file = temporary("found.toml");
+    let path = file.to_str().unwrap();
+    let front = json(&gp(K4, &["--batches", "2", "--out", path, "--json"]));
+    let model = FormulaModel::parse(&std::fs::read_to_string(&file).unwrap()).unwrap();
+    let chosen = front["front"].as_array().unwrap().iter().find(|entry| entry["chosen"] == true);
+    assert_eq!(model.formula().to_string(), chosen.unwrap()["formula"].as_str().unwrap());
+    assert_eq!((model.output().unit.to_string(), model.inputs().len()), ("N".to_owned(), 2));
+    assert!(model.inputs()[0].range.low > 150.0);
+    let size = front["front"][1]["size"].to_string();
+    json(&gp(K4, &["--batches", "2", "--out", path, "--size", &size, "--json"]));
+    let model = FormulaModel::parse(&std::fs::read_to_string(&file).unwrap()).unwrap();
+    assert_eq!(model.formula().to_string(), front["front"][1]["formula"].as_str().unwrap());
+    let error = refused(&gp(K4, &["--batches", "2", "--out", path, "--size", "1000"]));
+    assert!(error.contains("--size 1000") && error.contains(&size), "{error}");
+}
+
+#[test]
+fn a_declared_structure_takes_the_place_of_a_search() {
+    let table = "assets/data/table3_2007.csv";
+    let columns = ["--target", "force_final_n", "--inputs", "feed_final_mm_min,spindle_final_rpm"];
+    let law = "a + b*spindle_final_rpm^3 + c*ln(0.039*feed_final_mm_min)/feed_final_mm_min";
+    let more = ["--template", law, "--json"];
+    let report = json(&[&["identify", "gp", "--data", table], &columns[..], &more].concat());
+    assert_eq!(report["batches"], 0);
+    assert_eq!(report["front"][0]["constants"].as_array().unwrap().len(), 3);
+    assert_eq!(report["outliers"][0]["row"], 10);
+    let error = refused(&gp(K4, &["--template", "a + speed_rpm^3 + T(feed_mm_min)"]));
+    assert!(error.contains("--template") && error.contains("speed_rpm^3"), "{error}");
+}

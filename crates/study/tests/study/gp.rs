@@ -4,6 +4,7 @@
 use steadycut_core::base::formula::Formula;
 use steadycut_core::base::math;
 use steadycut_core::run::job::{Budget, Job};
+use steadycut_study::identify::gp::declared::declared_report;
 use steadycut_study::identify::gp::job::{GpJob, GpSettings};
 use steadycut_study::identify::gp::problem::GpProblem;
 use steadycut_study::identify::gp::report::{FrontFormula, GpReport};
@@ -20,7 +21,7 @@ fn problem(text: &str, target: &str, inputs: &[&str]) -> GpProblem {
 }
 
 fn job(problem: GpProblem, seed: u64, batches: u64) -> GpJob {
-    GpJob::new(problem, &GpSettings { seed, batches }).unwrap()
+    GpJob::new(problem, &GpSettings { seed, batches, paper: None }).unwrap()
 }
 
 fn report(problem: GpProblem, seed: u64, batches: u64) -> GpReport {
@@ -71,7 +72,7 @@ fn bits_are_those_that_they_were() {
     let digests = [clean.digest.as_str(), nguyen.digest.as_str()];
     assert_eq!(
         digests,
-        ["22b6bd64671c8d47", "62d5e708fb067f35"],
+        ["fb95be04863699e8", "db8e8c3152e6f8f9"],
         "{:?} {:?}",
         chosen(&clean),
         chosen(&nguyen)
@@ -155,6 +156,59 @@ fn strict_units_let_only_consistent_formulas_through() {
     assert!(report.front.len() > 3);
     let unknown = problem(NGUYEN_5, "y", &["x1"]).strict(&[]).unwrap_err();
     assert!(unknown.contains("`x1`") && unknown.contains("--unit"), "{unknown}");
+}
+
+#[test]
+fn a_known_part_stays_and_the_rest_is_found() {
+    let text = "a + b*speed_rpm^3 + T(feed_mm_min)";
+    let template = problem(CLEAN, "force_n", &FORCE).with_template(text).unwrap();
+    let report = report(template, 1, 40);
+    for entry in &report.front {
+        let formula = Formula::parse(&entry.formula, &FORCE).unwrap();
+        let part = |n: f64| formula.value(&[300.0, n]) - formula.value(&[300.0, 1000.0]);
+        let ratio = part(2000.0) / part(1500.0);
+        assert!((ratio - 7e9 / 2.375e9).abs() < 1e-9, "{entry:?}");
+    }
+    assert!(chosen(&report).exact, "{:?}", chosen(&report));
+}
+
+/// The constants of a declared structure have intervals; two inputs on one line leave theirs undetermined.
+#[test]
+fn a_declared_structure_has_its_constants_fitted_with_intervals() {
+    let declared = |problem: GpProblem, text: &str| {
+        let problem = problem.with_template(text).unwrap();
+        let template = problem.template.clone().unwrap();
+        declared_report(&problem, &template, 1).unwrap()
+    };
+    let law = "a - b*speed_rpm^p - c*ln(k*feed_mm_min)/feed_mm_min";
+    let noisy = declared(problem(NOISE, "force_n", &FORCE), law);
+    let truth = [286.44, 5.82e-10, 3.0, 8973.0, 0.039];
+    for (constant, truth) in chosen(&noisy).constants.iter().zip(truth) {
+        let [low, high] = constant.interval.unwrap();
+        assert!(low < truth && truth < high, "{constant:?} {truth}");
+    }
+    assert_eq!(chosen(&noisy).constants.len(), 5);
+    let inputs = ["feed_final_mm_min", "spindle_final_rpm"];
+    let table = problem(PaperId::Sdnrp2007.text(), "force_final_n", &inputs);
+    let law = "a + b*spindle_final_rpm^3 + c*ln(0.039*feed_final_mm_min)/feed_final_mm_min";
+    let determined: Vec<bool> = chosen(&declared(table, law))
+        .constants
+        .iter()
+        .map(|constant| constant.determined)
+        .collect();
+    assert_eq!(determined, [true, false, false]);
+}
+
+#[test]
+fn the_search_of_a_paper_runs_beside_and_is_told_apart() {
+    let settings = GpSettings { seed: 1, batches: 10, paper: Some(PaperId::Strategy2013) };
+    let rows = (1..30).map(|i| vec![f64::from(i), 3.0 + f64::from(i) * f64::from(i)]);
+    let mut job = GpJob::new(problem(&table(&["x", "y"], rows), "y", &["x"]), &settings).unwrap();
+    job.to_end();
+    let report = job.report();
+    let paper = report.paper.unwrap();
+    assert!(paper.reached && paper.fitness > 0.98 && paper.formula.is_some(), "{paper:?}");
+    assert_eq!((paper.paper, report.found_by), ("2013", "default"));
 }
 
 /// Targets of the papers' tables: name, rows, and the least error at rows left out of the simple families

@@ -25,6 +25,7 @@ use steadycut_study::compare::entrants::{Entrant, TABLE_1, on};
 use steadycut_study::compare::iterations::IterationsJob;
 use steadycut_study::compare::tournament::Tournament;
 use steadycut_study::identify::gp::job::{GpJob, GpSettings};
+use steadycut_study::identify::gp::paper::PaperSearch;
 use steadycut_study::identify::gp::problem::GpProblem;
 use steadycut_study::machine_life::adaptive::AdaptiveLife;
 use steadycut_study::machine_life::monte_carlo::{LifeMonteCarlo, Tools};
@@ -210,7 +211,9 @@ fn searches_for_formulas() {
     let line = |x: f64| format!("{x},{}\n", 3.0 + 2.0 / x + 0.01 * math::sin(7.0 * x));
     let text = format!("x,y\n{}", rows.map(line).collect::<String>());
     let problem = GpProblem::read(&text, "y", &["x".to_owned()]).unwrap();
-    let job = GpJob::new(problem, &GpSettings { seed: 2, batches: 4 }).unwrap();
+    let job = GpJob::new(problem, &GpSettings { seed: 2, batches: 4, paper: None }).unwrap();
+    let paper = PaperSearch::new(PaperId::Sdnrp2007, job.problem().rows.clone(), 1);
+    check("PaperSearch", &paper, 137);
     check("GpSearch", job.search(), 37);
     check("GpJob", &job, 7);
 }

@@ -2,14 +2,16 @@
 
 use super::archive::{Archive, FittedSum};
 use super::draw::{Draws, Language};
-use super::families::families;
+use super::families::{families, families_of};
 use super::fit::{EXACT, Effort, Fitter};
-use super::node::{Step, Sum, start_of};
+use super::node::{Product, Step, Sum, start_of};
 use super::rows::{DataRows, Probes};
+use super::template::Template;
 use super::tidy::Tidy;
 use super::units::UnitRule;
 use super::vary::{SumBounds, Variation};
 use super::written::joined;
+use crate::base::formula::{CompiledFormula, Formula};
 use crate::base::math;
 
 /// Steps of the constants of an offspring.
@@ -34,6 +36,15 @@ pub struct Nursery {
     bounds: SumBounds,
     spread: f64,
     rule: Option<UnitRule>,
+    lock: Option<Lock>,
+}
+
+/// What every formula has: the parts of a template, which are the last inputs.
+#[derive(Clone, Debug)]
+struct Lock {
+    parts: Vec<CompiledFormula>,
+    /// Inputs that the rest may read.
+    free: Vec<u8>,
 }
 
 impl Nursery {
@@ -41,9 +52,9 @@ impl Nursery {
     #[must_use]
     pub fn new(rows: DataRows, languages: Vec<Language>, bounds: SumBounds) -> Self {
         let first = rows.sample(FIRST_ROWS);
-        let probes = Probes::new(&rows);
+        let probes = Probes::new(&rows, &[]);
         let spread = rows.spread();
-        Self { rows, first, probes, languages, bounds, spread, rule: None }
+        Self { rows, first, probes, languages, bounds, spread, rule: None, lock: None }
     }
 
     /// With a rule that formulas be right in their units.
@@ -53,12 +64,64 @@ impl Nursery {
         self
     }
 
+    /// With the parts of a template in every formula.
+    #[must_use]
+    pub fn locked(self, template: Option<&Template>) -> Self {
+        let Some((template, free)) = template.and_then(|t| Some((t, t.free.clone()?))) else {
+            return self;
+        };
+        let parts = template.parts.iter().map(Formula::compile).collect();
+        self.relocked(Some(Lock { parts, free }))
+    }
+
+    fn relocked(mut self, lock: Option<Lock>) -> Self {
+        if let Some(lock) = &lock {
+            self.probes = Probes::new(&self.rows, &lock.parts);
+            let on = |language: Language| language.on(&lock.free);
+            self.languages = self.languages.into_iter().map(on).collect();
+        }
+        self.lock = lock;
+        self
+    }
+
+    /// The locked terms: the last inputs.
+    fn locked_terms(&self) -> Vec<Product> {
+        let count = self.lock.as_ref().map_or(0, |lock| lock.parts.len());
+        let inputs = self.rows.inputs.len();
+        let term = |input: usize| Product::of(vec![Step::Input(input as u8)]);
+        (inputs - count..inputs).map(term).collect()
+    }
+
+    /// A formula with all locked terms, and without these inputs anywhere else.
+    fn with_lock(&self, mut sum: Sum) -> Sum {
+        let Some(lock) = &self.lock else { return sum };
+        let reads = |step: &Step| match step {
+            Step::Input(number) => lock.free.contains(number),
+            Step::Constant(_)
+            | Step::Add
+            | Step::Sub
+            | Step::Mul
+            | Step::Div
+            | Step::Power { .. }
+            | Step::Ln
+            | Step::Exp
+            | Step::Sin
+            | Step::Cos => true,
+        };
+        let locked = self.locked_terms();
+        sum.terms.retain(|term| term.nodes().all(reads) && !locked.contains(term));
+        sum.terms.extend(locked);
+        sum
+    }
+
     /// The same for other rows.
     #[must_use]
     pub fn on(&self, rows: DataRows) -> Self {
         let half = rows.len() / 2;
         let bounds = SumBounds { constants: self.bounds.constants.min(half), ..self.bounds };
-        Self::new(rows, self.languages.clone(), bounds).with(self.rule.clone())
+        Self::new(rows, self.languages.clone(), bounds)
+            .with(self.rule.clone())
+            .relocked(self.lock.clone())
     }
 
     /// The families of curves that a search begins with, fitted.
@@ -66,8 +129,12 @@ impl Nursery {
     pub fn first(&self) -> Vec<FittedSum> {
         let mut fitter = Fitter::default();
         let empty = Archive::default();
-        let judged = families(&self.rows).into_iter();
-        judged.filter_map(|sum| self.judge(sum, &empty, &mut fitter)).collect()
+        let families = match &self.lock {
+            None => families(&self.rows),
+            Some(lock) => families_of(&self.rows, &lock.free),
+        };
+        let locked = families.into_iter().map(|sum| self.with_lock(sum));
+        locked.filter_map(|sum| self.judge(sum, &empty, &mut fitter)).collect()
     }
 
     /// Number of islands.
@@ -111,7 +178,7 @@ impl Nursery {
         let mut fitter = Fitter::default();
         let own = &islands[island];
         let a = self.parent(own, most.saturating_add(6), draws).cloned().unwrap_or_default();
-        let other = if draws.chance(0.15) { draws.below(islands.len()) } else { island };
+        let other = if draws.chance(0.05) { draws.below(islands.len()) } else { island };
         let b = self
             .parent(&islands[other], most.saturating_add(6), draws)
             .cloned()
@@ -120,6 +187,7 @@ impl Nursery {
         let language = &self.languages[island];
         let variation = Variation { language, bounds, rows: &self.first };
         let sum = variation.offspring(&a, &b, draws, &mut fitter);
+        let sum = self.with_lock(sum);
         if !variation.fits(&sum) || sum.terms.is_empty() {
             return None;
         }
@@ -192,8 +260,13 @@ impl Nursery {
     /// Takes out what does not matter: terms at the level of rounding, free exponents that are whole or
     /// half, and with `parts` whatever else of a term is not needed.
     fn clear(&self, mut candidate: FittedSum, parts: bool, fitter: &mut Fitter) -> FittedSum {
+        let locked = self.locked_terms();
         let mut number = 0;
         while number < candidate.sum.terms.len() && candidate.sum.terms.len() > 1 {
+            if locked.contains(&candidate.sum.terms[number]) {
+                number += 1;
+                continue;
+            }
             let mut sum = candidate.sum.clone();
             sum.terms.remove(number);
             match self.refit(sum, fitter) {

@@ -101,52 +101,78 @@ impl FittedFormula {
     }
 }
 
-/// The formula with its fitted numbers as further inputs, and these numbers.
-fn opened(formula: &Formula) -> Option<(Formula, Vec<f64>)> {
-    fn open(node: &Node, exponent: bool, first: usize, numbers: &mut Vec<f64>) -> Node {
-        match node {
-            Node::Number(x) if exponent && (2.0 * x).floor() == 2.0 * x => node.clone(),
-            Node::Number(x) => {
-                numbers.push(*x);
-                Node::Input(first + numbers.len() - 1)
+/// Whether a part is a constant that is called by its name and fitted.
+#[must_use]
+pub fn is_named(node: &Node) -> bool {
+    matches!(node, Node::Constant(constant) if constant.name != "pi" && constant.name != "e")
+}
+
+/// Which numbers of a formula are fitted.
+struct Numbers {
+    /// The names of its constants, where it has some: these are fitted then, and its numbers stay.
+    names: Vec<String>,
+    values: Vec<f64>,
+}
+
+impl Numbers {
+    fn of(formula: &Formula) -> Self {
+        fn collect(node: &Node, names: &mut Vec<String>) {
+            if let Node::Constant(constant) = node
+                && is_named(node)
+                && !names.contains(&constant.name)
+            {
+                names.push(constant.name.clone());
             }
-            Node::Input(_) | Node::Constant(_) => node.clone(),
-            Node::Unary(function, a) => Node::unary(*function, open(a, false, first, numbers)),
+            node.operands().iter().for_each(|operand| collect(operand, names));
+        }
+        let mut names = Vec::new();
+        collect(formula.root(), &mut names);
+        Self { values: vec![0.0; names.len()], names }
+    }
+
+    /// The formula with every fitted number replaced: `by` is given its place and its value.
+    fn replaced(&mut self, node: &Node, exponent: bool, by: &dyn Fn(usize, f64) -> Node) -> Node {
+        match node {
+            Node::Constant(constant) if is_named(node) => {
+                let place = self.names.iter().position(|name| *name == constant.name).unwrap_or(0);
+                self.values[place] = constant.value;
+                by(place, constant.value)
+            }
+            Node::Number(x)
+                if self.names.is_empty() && !(exponent && (2.0 * x).floor() == 2.0 * x) =>
+            {
+                self.values.push(*x);
+                by(self.values.len() - 1, *x)
+            }
+            Node::Number(_) | Node::Input(_) | Node::Constant(_) => node.clone(),
+            Node::Unary(function, a) => Node::unary(*function, self.replaced(a, false, by)),
             Node::Binary(operator, pair) => {
                 let [a, b] = &**pair;
-                let a = open(a, false, first, numbers);
-                let b = open(b, *operator == Operator::Power, first, numbers);
+                let a = self.replaced(a, false, by);
+                let b = self.replaced(b, *operator == Operator::Power, by);
                 Node::binary(*operator, a, b)
             }
         }
     }
+}
+
+/// The formula with its fitted numbers as further inputs, and these numbers.
+fn opened(formula: &Formula) -> Option<(Formula, Vec<f64>)> {
     let first = formula.inputs().len();
-    let mut numbers = Vec::new();
-    let root = open(formula.root(), false, first, &mut numbers);
+    let mut numbers = Numbers::of(formula);
+    let root = numbers.replaced(formula.root(), false, &|place, _| Node::Input(first + place));
     let mut names = formula.inputs().to_vec();
     // Names that no column can have.
-    names.extend((0..numbers.len()).map(|number| format!("\u{1}{number}")));
-    Some((Formula::new(root, &names).ok()?, numbers))
+    names.extend((0..numbers.values.len()).map(|number| format!("\u{1}{number}")));
+    Some((Formula::new(root, &names).ok()?, numbers.values))
 }
 
 /// The formula with other fitted numbers, in the same order.
-fn closed(formula: &Formula, numbers: &[f64]) -> Option<Formula> {
-    fn close(node: &Node, exponent: bool, left: &mut std::slice::Iter<'_, f64>) -> Node {
-        match node {
-            Node::Number(x) if exponent && (2.0 * x).floor() == 2.0 * x => node.clone(),
-            Node::Number(x) => Node::Number(left.next().copied().unwrap_or(*x)),
-            Node::Input(_) | Node::Constant(_) => node.clone(),
-            Node::Unary(function, a) => Node::unary(*function, close(a, false, left)),
-            Node::Binary(operator, pair) => {
-                let [a, b] = &**pair;
-                let a = close(a, false, left);
-                let b = close(b, *operator == Operator::Power, left);
-                Node::binary(*operator, a, b)
-            }
-        }
-    }
-    let root = close(formula.root(), false, &mut numbers.iter());
-    Formula::new(root, formula.inputs()).ok()
+#[must_use]
+pub fn closed(formula: &Formula, values: &[f64]) -> Option<Formula> {
+    let mut numbers = Numbers::of(formula);
+    let value = |place: usize, own: f64| Node::Number(values.get(place).copied().unwrap_or(own));
+    Formula::new(numbers.replaced(formula.root(), false, &value), formula.inputs()).ok()
 }
 
 /// Digits that the constants of an exact formula are rounded to where it stays exact.
@@ -208,9 +234,9 @@ pub fn fitted(formula: &Formula, rows: &DataRows) -> Result<FittedFormula, Strin
         return Err(format!("{constants} constants cannot be fitted to {rows} rows"));
     }
     let program = open.compile();
-    let slopes: Vec<CompiledFormula> = (0..numbers.len())
-        .map(|k| Ok(open.derivative(first + k)?.compile()))
-        .collect::<Result<_, String>>()?;
+    let derived: Vec<Formula> =
+        (0..numbers.len()).map(|k| open.derivative(first + k)).collect::<Result<_, String>>()?;
+    let slopes: Vec<CompiledFormula> = derived.iter().map(Formula::compile).collect();
     let residuals = |numbers: &[f64]| -> Vec<f64> {
         let values = column(&program, rows, numbers);
         rows.target.iter().zip(values).map(|(y, value)| y - value).collect()
@@ -221,6 +247,24 @@ pub fn fitted(formula: &Formula, rows: &DataRows) -> Result<FittedFormula, Strin
         return Err("the formula has no finite value on some row".to_owned());
     }
     let mut damping = 1e-6;
+    if !Numbers::of(formula).names.is_empty() {
+        // They may be far off: those that enter linearly come first, by least squares.
+        let linear = linear(&derived, first);
+        let jacobian: Vec<Vec<f64>> =
+            linear.iter().map(|k| column(&slopes[*k], rows, &numbers)).collect();
+        let some: Vec<f64> = linear.iter().map(|k| numbers[*k]).collect();
+        let whole = |some: &[f64]| {
+            let mut whole = numbers.clone();
+            linear.iter().zip(some).for_each(|(k, value)| whole[*k] = *value);
+            whole
+        };
+        let of = |some: &[f64]| residuals(&whole(some));
+        let mut none = 0.0;
+        if let Some((next, less, residual)) = step(&jacobian, &left, &some, squares, &mut none, &of)
+        {
+            (numbers, squares, left) = (whole(&next), less, residual);
+        }
+    }
     for _ in 0..STEPS {
         let jacobian: Vec<Vec<f64>> =
             slopes.iter().map(|slope| column(slope, rows, &numbers)).collect();
@@ -239,6 +283,19 @@ pub fn fitted(formula: &Formula, rows: &DataRows) -> Result<FittedFormula, Strin
         slopes.iter().map(|slope| column(slope, rows, &numbers)).collect();
     let formula = closed(formula, &numbers).ok_or("a constant is not finite")?;
     Ok(with_intervals(formula, &numbers, jacobian, left, slopes))
+}
+
+/// Constants that enter linearly, all of them at once: the slope by none reads another of them.
+fn linear(slopes: &[Formula], first: usize) -> Vec<usize> {
+    let mut found: Vec<usize> = Vec::new();
+    for k in 0..slopes.len() {
+        let reads = |slope: usize, constant: usize| slopes[slope].reads()[first + constant];
+        let apart = found.iter().all(|other| !reads(k, *other) && !reads(*other, k));
+        if apart && !reads(k, k) {
+            found.push(k);
+        }
+    }
+    found
 }
 
 type Step = (Vec<f64>, f64, Vec<f64>);

@@ -6,6 +6,7 @@
 
 use super::node::{Factor, Product, RECIPROCAL, Step, fixed, size_of};
 use super::rows::DataRows;
+use crate::base::math;
 use crate::base::rng::Stream;
 
 /// Random numbers in a row, from one stream.
@@ -74,6 +75,8 @@ pub struct Language {
     scales: Vec<f64>,
     /// Whether all values of an input are positive.
     pub(super) positive: Vec<bool>,
+    /// The inputs that formulas may read.
+    inputs: Vec<u8>,
     /// Most nodes of a factor.
     most: usize,
 }
@@ -88,12 +91,21 @@ impl Language {
             functions,
             scales: ranges.iter().map(scale).collect(),
             positive: ranges.iter().map(|[low, _]| *low > 0.0).collect(),
+            inputs: (0..ranges.len() as u8).collect(),
             most: 14,
         }
     }
 
-    fn input(&self, draws: &mut Draws) -> usize {
-        draws.below(self.scales.len())
+    /// The same for some of the inputs.
+    #[must_use]
+    pub fn on(mut self, inputs: &[u8]) -> Self {
+        self.inputs = inputs.to_vec();
+        self
+    }
+
+    /// The number of one of the inputs.
+    pub fn input(&self, draws: &mut Draws) -> usize {
+        usize::from(draws.of(&self.inputs))
     }
 
     /// An exponent for a base; a base that may be negative has whole ones.
@@ -109,24 +121,39 @@ impl Language {
         Step::Power { exponent: (draws.uniform() * 6.0 - 2.5).max(-2.5) + 0.013, free: true }
     }
 
+    /// An offset of at most this size: half of the time of any magnitude down to a
+    /// hundred-thousandth.
+    fn offset(&self, size: f64, draws: &mut Draws) -> f64 {
+        let share = draws.uniform();
+        if draws.chance(0.5) { size * share } else { size * math::exp(-12.0 * share) }
+    }
+
     /// What stands inside a function.
     fn inner(&self, draws: &mut Draws) -> (Factor, bool) {
         let x = self.input(draws);
         let (input, scale) = (Step::Input(x as u8), self.scales[x]);
         let constant = |size: f64| Step::Constant(size);
-        match draws.below(9) {
+        match draws.below(10) {
+            9 => {
+                // As in the inverse hyperbolic functions, and in hypotenuses.
+                let mut code = vec![input];
+                let (part, positive) = self.inner(draws);
+                code.extend(part);
+                code.extend([self.exponent(positive, draws), Step::Add]);
+                (code, self.positive[x] && positive)
+            }
             0 if !self.functions.scaled => (vec![input], self.positive[x]),
             1 | 2 => {
                 let a = scale * (draws.uniform() * 2.0 - 0.7);
                 (vec![input, constant(a), Step::Add], self.positive[x] && a > 0.0)
             }
             3 => {
-                let a = scale * scale * draws.uniform();
+                let a = self.offset(scale * scale, draws);
                 (vec![input, fixed(2.0), constant(a), Step::Add], true)
             }
             4 => {
                 let a = scale * (draws.uniform() * 1.4 - 0.7);
-                let b = scale * scale * draws.uniform();
+                let b = self.offset(scale * scale, draws);
                 let code = vec![input, constant(a), Step::Add, fixed(2.0), constant(b), Step::Add];
                 (code, true)
             }
@@ -238,7 +265,11 @@ impl Language {
                     code
                 }
                 10 if self.functions.periodic => {
-                    vec![input, draws.of(&[Step::Sin, Step::Cos])]
+                    let mut code = vec![input, draws.of(&[Step::Sin, Step::Cos])];
+                    if draws.chance(0.3) {
+                        code.push(fixed(draws.of(&[2.0, 3.0])));
+                    }
+                    code
                 }
                 11 => self.any(3, draws),
                 _ => continue,

@@ -28,6 +28,23 @@ pub fn declared(rows: &DataRows, size: usize) -> Vec<FittedSum> {
     found
 }
 
+/// The families of some of the inputs.
+#[must_use]
+pub fn families_of(rows: &DataRows, inputs: &[u8]) -> Vec<Sum> {
+    let column = |input: &u8| rows.inputs[usize::from(*input)].clone();
+    let some =
+        DataRows { inputs: inputs.iter().map(column).collect(), target: rows.target.clone() };
+    let mut found = families(&some);
+    for step in
+        found.iter_mut().flat_map(|sum| &mut sum.terms).flat_map(|term| &mut term.factors).flatten()
+    {
+        if let Step::Input(number) = step {
+            *number = inputs[usize::from(*number)];
+        }
+    }
+    found
+}
+
 /// The families for these rows.
 #[must_use]
 pub fn families(rows: &DataRows) -> Vec<Sum> {

@@ -4,12 +4,14 @@ use super::archive::FittedSum;
 use super::breed::Nursery;
 use super::draw::{Functions, Language};
 use super::folds::Folds;
+use super::paper::PaperSearch;
 use super::problem::{GpProblem, SMALL};
 use super::report::{GpReport, report};
 use super::rows::DataRows;
 use super::search::{GpSearch, Stop};
 use super::units::UnitRule;
 use super::vary::SumBounds;
+use crate::published::PaperId;
 use crate::run::job::{Budget, Job, Progress};
 
 /// Islands with their functions: on half of them formulas have no sines and cosines.
@@ -28,11 +30,13 @@ pub struct GpSettings {
     pub seed: u64,
     /// Most batches.
     pub batches: u64,
+    /// The paper whose own search runs beside.
+    pub paper: Option<PaperId>,
 }
 
 impl Default for GpSettings {
     fn default() -> Self {
-        Self { seed: 1, batches: BATCHES }
+        Self { seed: 1, batches: BATCHES, paper: None }
     }
 }
 
@@ -42,6 +46,7 @@ pub struct GpJob {
     problem: GpProblem,
     settings: GpSettings,
     search: GpSearch,
+    paper: Option<PaperSearch>,
     folds: Option<Folds>,
     over: bool,
 }
@@ -63,13 +68,17 @@ impl GpJob {
     /// # Errors
     /// The inputs lie on one line.
     pub fn new(problem: GpProblem, settings: &GpSettings) -> Result<Self, String> {
-        if let Some(collinear) = problem.collinear() {
+        if let Some(collinear) = problem.collinear().filter(|_| problem.template.is_none()) {
             return Err(collinear.to_string());
         }
-        let nursery = nursery(problem.searched(settings.seed), problem.rule.clone());
+        let nursery = nursery(problem.searched(settings.seed), problem.rule.clone())
+            .locked(problem.template.as_ref());
         let stop = Stop { batches: settings.batches, idle: IDLE };
+        let paper = settings
+            .paper
+            .map(|paper| PaperSearch::new(paper, nursery.rows.clone(), settings.seed));
         let search = GpSearch::started(nursery, settings.seed, stop);
-        Ok(Self { problem, settings: settings.clone(), search, folds: None, over: false })
+        Ok(Self { problem, settings: settings.clone(), search, paper, folds: None, over: false })
     }
 
     /// What is asked.
@@ -129,7 +138,8 @@ impl GpJob {
         let left_out = self.folds.as_ref().filter(|_| self.over);
         let left_out = left_out.map(|folds| (folds.left_out(&front), folds.told()));
         let repeated = self.folds.as_ref().is_some_and(Folds::is_repeated);
-        report(&self.problem, &self.search, &front, left_out, repeated && self.over)
+        let paper = self.paper.as_ref().map(|paper| paper.result(&self.problem.inputs));
+        report(&self.problem, &self.search, &front, left_out, repeated && self.over).beside(paper)
     }
 }
 
@@ -140,8 +150,13 @@ impl Job for GpJob {
         if !self.search.advance(budget) {
             return false;
         }
+        if let Some(paper) = &mut self.paper
+            && !paper.advance(budget)
+        {
+            return false;
+        }
         if self.folds.is_none() {
-            let GpSettings { seed, batches } = self.settings;
+            let GpSettings { seed, batches, .. } = self.settings;
             self.folds = Some(Folds::new(&self.search, &self.front(), seed, batches));
         }
         self.over = self.folds.as_mut().is_some_and(|folds| folds.advance(budget));
@@ -149,12 +164,13 @@ impl Job for GpJob {
     }
 
     fn progress(&self) -> Progress {
-        // The folds count as a fifth of the batches.
+        // The folds count as a fifth of the batches, and the paper's search too.
         let batches = self.settings.batches as f64;
         let share = |folds: &Folds| folds.progress() / folds.count().max(1) as f64;
         let folds = self.folds.as_ref().map_or(0.0, share);
-        let done = self.search.progress().share() + 0.25 * folds;
-        Progress { done: batches * done / 1.25, total: batches, unit: "batches" }
+        let paper = self.paper.as_ref().map_or(1.0, |paper| paper.progress().share());
+        let done = self.search.progress().share() + 0.25 * (folds + paper);
+        Progress { done: batches * done / 1.5, total: batches, unit: "batches" }
     }
 
     fn partial(&self) -> GpReport {

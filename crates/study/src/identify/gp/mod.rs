@@ -10,6 +10,9 @@
 //! | Which survive, island by island and size by size | [`archive`], [`breed`], [`search`] |
 //! | How they do on rows left out | [`folds`] |
 //! | Formulas as people write them, constants with intervals | [`written`], [`constants`] |
+//! | The papers' own search, beside | [`paper`] |
+//! | A formula of the front as a model file | [`model`] |
+//! | Formulas of which a part is known | [`template`] |
 //! | What is told: front, choice, range, outliers | [`report`], [`range`], [`outliers`] |
 //!
 //! A search is a job ([`job`]): offspring are pure functions of (seed, batch, number) and the survivors before
@@ -18,6 +21,7 @@
 pub mod archive;
 pub mod breed;
 pub mod constants;
+pub mod declared;
 pub mod draw;
 pub mod evaluate;
 pub mod families;
@@ -25,14 +29,17 @@ pub mod fit;
 pub mod folds;
 pub mod job;
 pub mod lanes;
+pub mod model;
 pub mod node;
 pub mod outliers;
+pub mod paper;
 pub mod problem;
 pub mod range;
 pub mod report;
 pub mod rows;
 pub mod search;
 pub mod state;
+pub mod template;
 pub mod tidy;
 pub mod units;
 pub mod vary;

@@ -18,7 +18,7 @@ pub fn without(problem: &GpProblem, row: usize) -> Option<f64> {
     let rest = problem.rows.only(|other| other != row);
     let families = declared(&rest, SIZE);
     let best = families.iter().min_by(|a, b| a.error.total_cmp(&b.error))?;
-    let written = formula(&best.sum, &problem.inputs).ok()?;
+    let written = formula(&best.sum, &problem.columns).ok()?;
     let fit = fitted(&written, &rest).ok()?;
     let at: Vec<f64> = problem.rows.inputs.iter().map(|column| column[row]).collect();
     let error = problem.rows.target[row] - fit.formula.value(&at);

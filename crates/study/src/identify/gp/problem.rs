@@ -1,7 +1,9 @@
 //! What is asked: a column of a table as a formula of other columns.
 
 use super::rows::DataRows;
+use super::template::Template;
 use super::units::{UnitRule, by_name};
+use super::written::Columns;
 use crate::base::formula::Unit;
 use crate::base::rng::Stream;
 use crate::base::stats;
@@ -32,6 +34,10 @@ pub struct GpProblem {
     pub rows: DataRows,
     /// The rule that formulas be right in their units, where there is one.
     pub rule: Option<UnitRule>,
+    /// The part that is known, where there is one.
+    pub template: Option<Template>,
+    /// What the inputs of the search stand for.
+    pub columns: Columns,
 }
 
 impl GpProblem {
@@ -71,6 +77,8 @@ impl GpProblem {
             inputs: inputs.to_vec(),
             rows: DataRows { inputs: values, target: last },
             rule: None,
+            template: None,
+            columns: Columns { names: inputs.to_vec(), parts: Vec::new() },
         };
         problem.check()?;
         Ok(problem)
@@ -93,7 +101,22 @@ impl GpProblem {
             })
             .collect::<Result<Vec<Unit>, String>>()?;
         let output = units.pop().unwrap_or_else(Unit::none);
-        self.rule = Some(UnitRule { names: self.inputs.clone(), inputs: units, output });
+        self.rule = Some(UnitRule { columns: self.columns.clone(), inputs: units, output });
+        Ok(self)
+    }
+
+    /// The same with a part of the formula that is known.
+    ///
+    /// # Errors
+    /// The template does not do for these inputs and rows.
+    pub fn with_template(mut self, text: &str) -> Result<Self, String> {
+        let template = Template::read(text, &self.inputs)?;
+        template.extended(&self.rows)?;
+        self.columns.parts.clone_from(&template.parts);
+        if let Some(rule) = &mut self.rule {
+            rule.columns = self.columns.clone();
+        }
+        self.template = Some(template);
         Ok(self)
     }
 
@@ -134,9 +157,13 @@ impl GpProblem {
     /// The rows that the search goes over: all, or a sample drawn with the seed.
     #[must_use]
     pub fn searched(&self, seed: u64) -> DataRows {
-        let count = self.rows.len();
+        let rows = match &self.template {
+            Some(template) => template.extended(&self.rows).unwrap_or_else(|_| self.rows.clone()),
+            None => self.rows.clone(),
+        };
+        let count = rows.len();
         if count <= MOST_SEARCHED {
-            return self.rows.clone();
+            return rows;
         }
         let stream = Stream::new(seed, "identify.gp.sample");
         let mut order: Vec<(u64, usize)> =
@@ -144,7 +171,7 @@ impl GpProblem {
         order.sort_unstable();
         let mut keep = vec![false; count];
         order[..MOST_SEARCHED].iter().for_each(|(_, row)| keep[*row] = true);
-        self.rows.only(|row| keep[row])
+        rows.only(|row| keep[row])
     }
 }
 

@@ -10,6 +10,7 @@ use super::constants::{FittedConstant, FittedFormula, fitted, rounded};
 use super::families::declared;
 use super::folds::{LeftOut, refitted};
 use super::outliers::without;
+use super::paper::PaperResult;
 use super::problem::{GpProblem, SMALL};
 use super::range::RangeReport;
 use super::rows::widened;
@@ -115,6 +116,11 @@ pub struct GpReport {
     pub residuals: Vec<f64>,
     /// Rows that do not fit.
     pub outliers: Vec<OutlyingRow>,
+    /// What the paper's own search has found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub paper: Option<PaperResult>,
+    /// Which search found the formula of the smaller error: `default` or `paper`.
+    pub found_by: &'static str,
     /// Batches of the search.
     pub batches: u64,
     /// Formulas that were made and fitted.
@@ -126,6 +132,17 @@ pub struct GpReport {
 }
 
 impl GpReport {
+    /// The same beside what the paper's own search has found.
+    #[must_use]
+    pub fn beside(mut self, paper: Option<PaperResult>) -> Self {
+        let own = self.chosen().map_or(f64::INFINITY, |chosen| chosen.error);
+        if paper.as_ref().is_some_and(|paper| paper.error < own) {
+            self.found_by = "paper";
+        }
+        self.paper = paper;
+        self
+    }
+
     /// The formula chosen.
     #[must_use]
     pub fn chosen(&self) -> Option<&FrontFormula> {
@@ -195,7 +212,7 @@ fn finished(
     candidate: &FittedSum,
     left_out: Option<LeftOut>,
 ) -> Option<Entry> {
-    let written: Formula = formula(&candidate.sum, &problem.inputs).ok()?;
+    let written: Formula = formula(&candidate.sum, &problem.columns).ok()?;
     let exact = search.nursery().is_exact(candidate);
     let mut fit = fitted(&written, &problem.rows).ok()?;
     if exact {
@@ -237,7 +254,7 @@ fn searched(
                 // Where the search was repeated, its errors stand for all formulas of this size.
                 let errors = match repeated {
                     true => errors.clone(),
-                    false => errors.as_ref().map(|_| refitted(&other.sum, &problem.rows)),
+                    false => errors.as_ref().map(|_| refitted(&other.sum, &search.nursery().rows)),
                 };
                 finished(problem, search, other, errors).filter(|entry| entry.certified)
             });
@@ -280,13 +297,67 @@ pub fn report(
     left_out: Option<(Vec<LeftOut>, &'static str)>,
     repeated: bool,
 ) -> GpReport {
-    let (errors, told) = left_out.unzip();
+    let (errors, left_out) = left_out.unzip();
     let mut entries = searched(problem, search, front, errors.as_ref(), repeated);
-    if repeated {
+    if repeated && problem.template.is_none() {
         entries = with_families(problem, search, entries);
     }
     let chosen = choose(&entries, problem.rows.len());
     let least = entries.iter().map(Entry::loo).fold(f64::INFINITY, f64::min);
+    told(
+        problem,
+        &entries,
+        chosen,
+        least,
+        Searched {
+            rows: search.nursery().rows.len(),
+            left_out,
+            batches: search.batches(),
+            evaluations: search.evaluations(),
+            exact_batch: search.exact(),
+        },
+    )
+}
+
+/// The report on one formula whose structure was declared.
+#[must_use]
+pub fn only(problem: &GpProblem, fit: FittedFormula, left_out: LeftOut) -> GpReport {
+    let certificate = fit.formula.certify(&ranges(problem, 0.0));
+    let entry = Entry {
+        certified: certificate.is_ok_and(|certificate| certificate.is_finite()),
+        error: fit.rms(),
+        exact: false,
+        periodic: 0,
+        left_out: Some(left_out),
+        fit,
+    };
+    let least = entry.loo();
+    let searched = Searched {
+        rows: problem.rows.len(),
+        left_out: Some("the constants fitted without some of the rows"),
+        batches: 0,
+        evaluations: 0,
+        exact_batch: None,
+    };
+    told(problem, &[entry], Some(0), least, searched)
+}
+
+/// How a search went.
+struct Searched {
+    rows: usize,
+    left_out: Option<&'static str>,
+    batches: u64,
+    evaluations: u64,
+    exact_batch: Option<u64>,
+}
+
+fn told(
+    problem: &GpProblem,
+    entries: &[Entry],
+    chosen: Option<usize>,
+    least: f64,
+    searched: Searched,
+) -> GpReport {
     let front: Vec<FrontFormula> = entries
         .iter()
         .enumerate()
@@ -309,16 +380,18 @@ pub fn report(
     GpReport {
         target: problem.target.clone(),
         rows: problem.rows.len(),
-        searched_rows: search.nursery().rows.len(),
+        searched_rows: searched.rows,
         front,
-        left_out: told,
+        left_out: searched.left_out,
         ranges: chosen.map(|entry| RangeReport::of(problem, &entry.fit.formula)),
         residual_deviation: chosen.map(|entry| entry.fit.deviation()),
         residuals: chosen.map(|entry| entry.fit.residuals.clone()).unwrap_or_default(),
         outliers: chosen.map(|chosen| outliers(problem, chosen)).unwrap_or_default(),
-        batches: search.batches(),
-        evaluations: search.evaluations(),
-        exact_batch: search.exact(),
+        paper: None,
+        found_by: "default",
+        batches: searched.batches,
+        evaluations: searched.evaluations,
+        exact_batch: searched.exact_batch,
         digest,
     }
 }
@@ -334,7 +407,7 @@ fn outliers(problem: &GpProblem, entry: &Entry) -> Vec<OutlyingRow> {
     if entry.exact {
         return Vec::new();
     }
-    let few = problem.rows.len() <= SMALL;
+    let few = problem.rows.len() <= SMALL && problem.template.is_none();
     let mut found: Vec<OutlyingRow> = entry
         .fit
         .studentised()

@@ -1,5 +1,7 @@
 //! The rows that a formula is fitted to.
 
+use super::template::extend;
+use crate::base::formula::CompiledFormula;
 use crate::base::math;
 use crate::base::rng::Stream;
 
@@ -85,10 +87,11 @@ pub struct Probes {
 }
 
 impl Probes {
-    /// The probes of some rows.
+    /// The probes of some rows, of which the last columns are formulas of the others.
     #[must_use]
-    pub fn new(rows: &DataRows) -> Self {
-        let ranges = rows.ranges();
+    pub fn new(rows: &DataRows, parts: &[CompiledFormula]) -> Self {
+        let mut ranges = rows.ranges();
+        ranges.truncate(rows.inputs.len() - parts.len());
         let stream = Stream::new(0, "identify.gp.probes");
         let (inside, around) = (40, 24);
         let column = |(input, range): (usize, &[f64; 2])| {
@@ -111,7 +114,8 @@ impl Probes {
             }
             column
         };
-        let inputs = ranges.iter().enumerate().map(column).collect();
+        let mut inputs = ranges.iter().enumerate().map(column).collect();
+        extend(&mut inputs, parts);
         let [low, high] = math::extent(rows.target.iter().copied());
         let room = 2.0 * (high - low);
         Self { inputs, inside, bounds: [low - room, high + room] }

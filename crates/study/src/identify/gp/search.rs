@@ -13,9 +13,9 @@ use crate::run::parts::{Making, OneStep, Parts};
 /// Offspring of a batch on each island.
 const PER_ISLAND: usize = 32;
 /// Batches that go on after an exact formula was found, to find a smaller one.
-const AFTER_EXACT: u64 = 12;
-/// Batches without any gain after which the islands begin anew, all but one.
-const RESTART: u64 = 30;
+const AFTER_EXACT: u64 = 6;
+/// Batches after which an inner island begins anew.
+const RESTART: u64 = 24;
 
 /// When a search ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -130,13 +130,32 @@ impl GpSearch {
     fn is_over(&self) -> bool {
         self.batch >= self.stop.batches
             || self.batch >= self.gained + self.stop.idle
-            || self.exact.is_some_and(|exact| self.batch >= exact.max(self.gained) + AFTER_EXACT)
+            || self.exact.is_some_and(|exact| {
+                // The larger it is, the longer a smaller one is looked for.
+                let longer = AFTER_EXACT + self.most().min(self.nursery.bounds().size) as u64;
+                self.batch >= exact.max(self.gained) + longer
+            })
     }
 
     /// The size that offspring may have: nothing larger than an exact formula is wanted.
     fn most(&self) -> usize {
         let exact = self.best.all().find(|candidate| self.nursery.is_exact(candidate));
         exact.map_or(usize::MAX, |candidate| candidate.size)
+    }
+
+    /// The inner islands in turn hand their survivors to the outer one beside them and begin anew: a search
+    /// that has run itself into a corner is no longer asked.
+    fn restart(&mut self) {
+        let inner = self.islands.len().saturating_sub(2);
+        if inner == 0 {
+            return;
+        }
+        let turn = (self.batch / RESTART) as usize % inner;
+        let outer = if turn < inner / 2 { 0 } else { inner + 1 };
+        let survivors = std::mem::take(&mut self.islands[1 + turn]);
+        for survivor in survivors.all() {
+            self.islands[outer].admit(survivor.clone());
+        }
     }
 
     /// Takes the offspring of a batch in.
@@ -170,9 +189,8 @@ impl GpSearch {
             self.gained = self.batch + 1;
         }
         self.batch += 1;
-        let idle = self.batch - self.gained;
-        if idle > 0 && idle.is_multiple_of(RESTART) {
-            self.islands[1..].fill(Archive::default());
+        if self.batch.is_multiple_of(RESTART) {
+            self.restart();
         }
     }
 }

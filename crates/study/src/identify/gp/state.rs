@@ -36,7 +36,9 @@ fn digest(problem: &GpProblem, seed: u64) -> String {
         digest.word(u64::MAX);
     }
     // Units and the like, as they are printed.
-    format!("{:?}", problem.rule).bytes().for_each(|byte| digest.word(u64::from(byte)));
+    format!("{:?}{:?}", problem.rule, problem.template)
+        .bytes()
+        .for_each(|byte| digest.word(u64::from(byte)));
     for column in problem.rows.inputs.iter().chain([&problem.rows.target]) {
         column.iter().for_each(|x| digest.word(x.to_bits()));
     }

@@ -1,7 +1,7 @@
 //! Units of the columns, and formulas that are right in them.
 
 use super::node::Sum;
-use super::written::formula;
+use super::written::{Columns, formula};
 use crate::base::formula::{Formula, NumberUnits, Unit};
 
 /// Endings of column names that tell a unit, the longer ones first.
@@ -39,8 +39,8 @@ pub fn by_name(column: &str) -> Option<Unit> {
 /// The rule that formulas are right in their units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnitRule {
-    /// Names of the inputs.
-    pub names: Vec<String>,
+    /// The inputs of the search.
+    pub columns: Columns,
     /// Their units.
     pub inputs: Vec<Unit>,
     /// The target's.
@@ -64,7 +64,7 @@ impl UnitRule {
     /// Whether a formula of the search is right in its units.
     #[must_use]
     pub fn allows(&self, sum: &Sum) -> bool {
-        let Ok(formula) = formula(sum, &self.names) else { return false };
+        let Ok(formula) = formula(sum, &self.columns) else { return false };
         formula.check_units(&self.inputs, &self.output, NumberUnits::Solved).is_ok()
     }
 }

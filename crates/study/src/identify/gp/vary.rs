@@ -51,8 +51,9 @@ impl Variation<'_> {
                 }
                 self.pursue(&mut sum, draws, fitter);
             }
-            40..50 => self.cross(&mut sum, b, draws),
-            50..62 => self.hone(&mut sum, b, draws, fitter),
+            40..47 => self.cross(&mut sum, b, draws),
+            47..52 => self.extend(&mut sum, draws, fitter),
+            52..62 => self.hone(&mut sum, b, draws, fitter),
             62..78 => {
                 self.mutate(&mut sum, b, draws);
                 if draws.chance(0.3) {
@@ -114,6 +115,30 @@ impl Variation<'_> {
             let gain = gain / (3.0 + term.size() as f64);
             if best.as_ref().is_none_or(|(most, _)| gain > *most) {
                 best = Some((gain, term));
+            }
+        }
+        sum.terms.extend(best.map(|(_, term)| term));
+    }
+
+    /// Adds one of the terms times another one, the one that explains most of what the formula leaves: a
+    /// factor in brackets, as in A (B + c), comes about so.
+    fn extend(&self, sum: &mut Sum, draws: &mut Draws, fitter: &mut Fitter) {
+        if sum.terms.is_empty() || !fitter.explain(sum, self.rows) || sum.terms.is_empty() {
+            return;
+        }
+        let term = sum.terms[draws.below(sum.terms.len())].clone();
+        let mut best: Option<(f64, Product)> = None;
+        let mut room = Vec::new();
+        for _ in 0..CANDIDATES {
+            let mut other = self.language.term(draws);
+            other.factors.extend(term.factors.iter().cloned());
+            self.tidy(&mut other, draws);
+            if other.factors.is_empty() {
+                continue;
+            }
+            let gain = fitter.gain(&other.code(), sum, self.rows, &mut room);
+            if best.as_ref().is_none_or(|(most, _)| gain > *most) {
+                best = Some((gain, other));
             }
         }
         sum.terms.extend(best.map(|(_, term)| term));
@@ -295,7 +320,7 @@ impl Variation<'_> {
                     factor[at] = self.language.function(draws);
                 }
             }
-            _ => factor[at] = Step::Input(draws.below(self.rows.inputs.len()) as u8),
+            _ => factor[at] = Step::Input(self.language.input(draws) as u8),
         }
     }
 }

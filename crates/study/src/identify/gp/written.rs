@@ -22,13 +22,13 @@ fn power(base: Tree, exponent: f64) -> Tree {
 }
 
 /// A factor as a tree.
-fn tree(code: &[Step]) -> Tree {
+fn tree(code: &[Step], parts: &Columns) -> Tree {
     let mut stack: Vec<Tree> = Vec::new();
     let missing = || Tree::Number(f64::NAN);
     for node in code {
         let mut pop = || stack.pop().unwrap_or_else(missing);
         let tree = match *node {
-            Step::Input(number) => Tree::Input(usize::from(number)),
+            Step::Input(number) => parts.tree(usize::from(number)),
             Step::Constant(value) => Tree::Number(value),
             Step::Add => match (pop(), pop()) {
                 (Tree::Number(b), a) if b < 0.0 => {
@@ -65,15 +65,15 @@ fn tree(code: &[Step]) -> Tree {
 }
 
 /// A term times a number that is not negative.
-fn term(term: &Product, coefficient: f64) -> Tree {
+fn term(term: &Product, coefficient: f64, parts: &Columns) -> Tree {
     let mut above = (coefficient != 1.0).then_some(Tree::Number(coefficient));
     let mut below = None;
     for factor in &term.factors {
         match factor.split_last() {
             Some((Step::Power { exponent, .. }, base)) if *exponent < 0.0 => {
-                below = Some(product(below, power(tree(base), -exponent)));
+                below = Some(product(below, power(tree(base, parts), -exponent)));
             }
-            _ => above = Some(product(above, tree(factor))),
+            _ => above = Some(product(above, tree(factor, parts))),
         }
     }
     match (above, below) {
@@ -84,11 +84,29 @@ fn term(term: &Product, coefficient: f64) -> Tree {
     }
 }
 
-/// The formula of inputs with these names, simplified.
+/// What the inputs of the search stand for: columns by their names, then the parts of a template.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Columns {
+    /// Names of the columns.
+    pub names: Vec<String>,
+    /// Formulas of the columns.
+    pub parts: Vec<Formula>,
+}
+
+impl Columns {
+    fn tree(&self, input: usize) -> Tree {
+        match input.checked_sub(self.names.len()).and_then(|part| self.parts.get(part)) {
+            Some(part) => part.root().clone(),
+            None => Tree::Input(input),
+        }
+    }
+}
+
+/// The formula of the columns, simplified.
 ///
 /// # Errors
 /// A constant is not finite, or a name does not do.
-pub fn formula(sum: &Sum, names: &[String]) -> Result<Formula, String> {
+pub fn formula(sum: &Sum, columns: &Columns) -> Result<Formula, String> {
     let mut whole = sum.intercept.then(|| Tree::Number(sum.coefficients[0]));
     // What is added first, so that no formula begins with a sign where that can be helped.
     let terms = sum.terms.iter().zip(&sum.coefficients[1..]);
@@ -96,24 +114,24 @@ pub fn formula(sum: &Sum, names: &[String]) -> Result<Formula, String> {
     for (next, coefficient) in added.into_iter().chain(taken) {
         whole = Some(match whole {
             None => {
-                let tree = term(next, coefficient.abs());
-                if *coefficient < 0.0 { term_with_sign(next, *coefficient) } else { tree }
+                let tree = term(next, coefficient.abs(), columns);
+                if *coefficient < 0.0 { term_with_sign(next, *coefficient, columns) } else { tree }
             }
             Some(whole) => {
                 let operator = if *coefficient < 0.0 { Operator::Subtract } else { Operator::Add };
-                Tree::binary(operator, whole, term(next, coefficient.abs()))
+                Tree::binary(operator, whole, term(next, coefficient.abs(), columns))
             }
         });
     }
-    let raw = Formula::new(whole.unwrap_or(Tree::Number(0.0)), names)?;
+    let raw = Formula::new(whole.unwrap_or(Tree::Number(0.0)), &columns.names)?;
     Ok(raw.simplified())
 }
 
-fn term_with_sign(next: &Product, coefficient: f64) -> Tree {
+fn term_with_sign(next: &Product, coefficient: f64, parts: &Columns) -> Tree {
     if coefficient == -1.0 {
-        Tree::unary(Function::Negative, term(next, 1.0))
+        Tree::unary(Function::Negative, term(next, 1.0, parts))
     } else {
-        term(next, coefficient)
+        term(next, coefficient, parts)
     }
 }
 
