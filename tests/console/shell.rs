@@ -329,6 +329,9 @@ fn a_finger_that_begins_on_a_slider_or_field_scrolls_unless_it_goes_across() {
             // It stands above the plots, which are scrolled.
             assert_eq!(rect_of(&screen, role, "Target Ra"), before);
             assert!(plot(&screen) < top - 60.0, "scrolled: {top} to {}", plot(&screen));
+            // The next finger at the very same place is one of its own.
+            swipe(&mut screen, before.center(), vec2(60.0, 0.0));
+            assert_ne!(target_um(&screen), target, "{role:?} {way:?}, then across");
         }
         // Among the settings it goes with them.
         let mut screen = open(PHONE, None, false);

@@ -314,6 +314,7 @@ test("a finger that scrolls changes nothing, and one that goes across does", asy
   const swipe = async (from, way) => {
     const at = (share) => [{ x: from[0] + share * way[0], y: from[1] + share * way[1] }];
     await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: at(0) });
+    await new Promise((resolve) => setTimeout(resolve, 600));
     for (const share of [0.2, 0.5, 0.8, 1]) {
       await touch.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: at(share) });
       await new Promise((resolve) => setTimeout(resolve, 400)); // a frame under software drawing

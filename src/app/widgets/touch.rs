@@ -25,6 +25,8 @@ const ACROSS: f32 = 1.5;
 struct Swipe {
     /// Where it began.
     from: Pos2,
+    /// When, s: the next one may begin at the very same place.
+    since_s: f64,
     /// Whether it goes across; none while that is open.
     across: Option<bool>,
 }
@@ -44,11 +46,14 @@ fn swipe(ui: &Ui) -> Swipe {
     let before = ui.data(|data| data.get_temp::<Swipe>(id));
     let (from, at, began) = ui.input(|input| {
         let pointer = &input.pointer;
-        (pointer.press_origin(), pointer.latest_pos(), pointer.any_pressed())
+        let from = pointer.press_origin().zip(pointer.press_start_time());
+        (from, pointer.latest_pos(), pointer.any_pressed())
     });
     let now = match (from, at, before) {
-        (Some(from), Some(at), Some(before)) if before.from == from => before.to(at),
-        (Some(from), Some(at), _) => Swipe { from, across: None }.to(at),
+        (Some(begin), Some(at), Some(before)) if (before.from, before.since_s) == begin => {
+            before.to(at)
+        }
+        (Some((from, since_s)), Some(at), _) => Swipe { from, since_s, across: None }.to(at),
         // Lifted in this frame; or put down as well, which is a tap.
         (_, _, Some(before)) if !began => before,
         (_, _, _) => Swipe::default(),
@@ -134,7 +139,7 @@ mod tests {
 
     #[test]
     fn a_swipe_is_decided_once_and_across_only_where_it_is_mostly_so() {
-        let begun = Swipe { from: pos2(100.0, 100.0), across: None };
+        let begun = Swipe { from: pos2(100.0, 100.0), since_s: 1.0, across: None };
         assert_eq!(begun.to(pos2(103.0, 104.0)).across, None);
         assert_eq!(begun.to(pos2(115.0, 400.0)).across, Some(false));
         assert_eq!(begun.to(pos2(110.0, 109.0)).across, Some(false));
