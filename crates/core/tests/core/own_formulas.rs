@@ -60,7 +60,7 @@ fn the_card_shows_the_formula_with_the_values_of_the_row() {
             "K4 = 354.9 - 182 · (300 / 256)^{-0.245} - 0.572 · (1500 / 1024)^{3.11} = "
         )
     );
-    assert!(card.valid && card.range.starts_with("f 150 to 600 mm/min, n 800 to 2500 1/min"));
+    assert!(card.valid && card.range.starts_with("f 150 to 600 mm/min, n 800 to 3000 1/min"));
     row.feed_mm_min = 700.0;
     let card = &explain_force(&scenario, &row)[0];
     assert!(!card.valid && card.values.contains(" · (700 - 600)"), "{card:?}");

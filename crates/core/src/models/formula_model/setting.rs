@@ -113,7 +113,7 @@ impl<R: FormulaRole> Structure for OwnFormula<R> {
         let Value::Text(text) = value else { return None };
         // The line with the caret does not go into a message of one line.
         let fault = Self::from_text(text).err()?;
-        Some(fault.lines().next().unwrap_or_default().to_owned())
+        Some(format!("this text ({})", fault.lines().next().unwrap_or_default()))
     }
     fn editor(_: [f64; 2]) -> Editor {
         Editor::Presence
