@@ -17,7 +17,7 @@ use crate::run::job::{Budget, Job, Progress};
 /// Islands with their functions: on half of them formulas have no sines and cosines.
 const ISLANDS: usize = 4;
 /// Batches without gain after which a search ends.
-const IDLE: u64 = 60;
+const IDLE: u64 = 120;
 /// Most batches of a search by default.
 pub const BATCHES: u64 = 400;
 /// How much better a formula with sines and cosines has to be than all others of its size.
