@@ -13,8 +13,6 @@ use super::super::theme;
 use super::focus::pointer_only;
 use super::zoom::by_touch;
 
-/// Least width and height of what a finger is to hit, points.
-pub const TARGET: f32 = 44.0;
 /// Way of a finger before it is known where it goes, points.
 const DECIDED_AFTER: f32 = 8.0;
 /// How much more it has to go across than along to change a value.

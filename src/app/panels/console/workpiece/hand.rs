@@ -4,9 +4,8 @@
 
 use egui::{CursorIcon, Id, Pos2, Rect, Response, Sense, Stroke, Ui, Vec2, vec2};
 
-use crate::app::theme::Palette;
+use crate::app::theme::{self, Palette};
 use crate::app::widgets::focus::pointer_only;
-use crate::app::widgets::touch::TARGET;
 use crate::app::widgets::zoom::by_touch;
 
 /// What an edge stands for, with the number of its section.
@@ -96,6 +95,15 @@ impl Hand {
         pointer_only(!by_touch(ui))
     }
 
+    /// What to do with the mouse, or with a finger.
+    pub fn help(ui: &Ui, what: &str) -> String {
+        if theme::fingers(ui.ctx()) {
+            format!("Tap {what}, then drag its dot.")
+        } else {
+            format!("Drag {what}.")
+        }
+    }
+
     /// Follows the pointer over a picture with these edges, marks the one in reach, and gives what moved.
     pub fn over(&mut self, ui: &Ui, response: &Response, edges: &[Edge]) -> Option<Moved> {
         if by_touch(ui) {
@@ -130,12 +138,12 @@ impl Hand {
         if response.clicked()
             && let Some(at) = response.interact_pointer_pos()
         {
-            self.chosen = nearest(edges, at, 0.5 * TARGET).map(|edge| edge.kind);
+            self.chosen = nearest(edges, at, 0.5 * theme::FINGER).map(|edge| edge.kind);
         }
         let chosen = self.chosen?;
         let edge = edges.iter().find(|edge| edge.kind == chosen)?;
         mark(ui, edge, 8.0);
-        let area = Rect::from_center_size(edge.middle(), vec2(TARGET, TARGET));
+        let area = Rect::from_center_size(edge.middle(), vec2(theme::FINGER, theme::FINGER));
         let handle = ui.interact(area, Id::unique(("handle", response.id)), Sense::drag());
         if handle.drag_started() {
             let from = ui.input(|input| input.pointer.press_origin());

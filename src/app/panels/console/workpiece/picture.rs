@@ -120,14 +120,20 @@ pub fn show(ui: &mut Ui, part: &PicturePart, hand: &mut Hand) -> (PictureMap, Op
     let title = |ui: &mut Ui, text: String| {
         ui.label(RichText::new(text).small().color(palette.weak));
     };
-    title(ui, format!("From the side, axial depths in mm, {scale}. Drag a floor or an end."));
+    title(
+        ui,
+        format!(
+            "From the side, axial depths in mm, {scale}. {}",
+            Hand::help(ui, "a floor or an end")
+        ),
+    );
     let said = format!("Cut from the side: {}", listed(part, |section| section[1]));
     let height_mm = [ABOVE_MM, depth_mm + BELOW_MM];
     let (response, sheet) = sheet(ui, &map, rise, height_mm, said);
     side(&sheet, part, depth_mm + BELOW_MM);
     let in_side = hand.over(ui, &response, &side_edges(&sheet, part));
-    let walls = if part.walls { ". Drag a wall." } else { "" };
-    title(ui, format!("From above, radial depths in mm{walls}"));
+    let walls = if part.walls { Hand::help(ui, "a wall") } else { String::new() };
+    title(ui, format!("From above, radial depths in mm. {walls}"));
     let radial = listed(part, |section| radial_depth_mm(&part.outline, section[1], section[2]));
     let said = format!("Cut from above: {radial}");
     let (response, sheet) = self::sheet(ui, &map, rise, [ACROSS_MM; 2], said);
