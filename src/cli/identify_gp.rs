@@ -15,6 +15,9 @@ use crate::study::identify::gp::problem::GpProblem;
 use crate::study::identify::gp::report::{FrontFormula, GpReport};
 use crate::study::published::PaperId;
 
+/// Most rows that do not fit which are printed.
+const MOST_ROWS: usize = 10;
+
 /// Units given as `COLUMN=UNIT`.
 fn units(args: &IdentifyGpArgs) -> Result<Vec<(String, Unit)>, String> {
     let columns: Vec<&String> = args.inputs.iter().chain([&args.target]).collect();
@@ -228,12 +231,16 @@ fn print_chosen(
             writeln!(out, "    {:?}: {}", place.at, place.why)?;
         }
     }
-    for row in &report.outliers {
+    let more = report.outliers.len().saturating_sub(MOST_ROWS);
+    for row in report.outliers.iter().take(MOST_ROWS) {
         writeln!(
             out,
             "row {} does not fit: {} = {}, studentised residual {:.1}; it was used all the same",
             row.row, report.target, row.target, row.studentised
         )?;
+    }
+    if more > 0 {
+        writeln!(out, "{more} more rows with studentised residuals above 3: --json lists them")?;
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use super::draw::{Draws, Language};
 use super::families::{families, families_of};
 use super::fit::{EXACT, Effort, Fitter};
 use super::node::{Product, Step, Sum, start_of};
-use super::rows::{DataRows, Probes};
+use super::rows::{DataRows, FEW_ROWS, Probes};
 use super::template::Template;
 use super::tidy::Tidy;
 use super::units::UnitRule;
@@ -23,6 +23,9 @@ const FIRST_LOOK: f64 = 1.8;
 
 /// Most that a term may vary, as a multiple of the target: terms that nearly cancel say nothing.
 const CANCEL: f64 = 30.0;
+
+/// Leverage of a row, among many, above which a formula owes a term to this row alone.
+const ALONE: f64 = 0.9;
 
 /// What offspring are made from and judged by.
 #[derive(Clone, Debug)]
@@ -211,6 +214,12 @@ impl Nursery {
         let left = fitter.fit(&mut sum, &self.rows, effort)?;
         let candidate = self.candidate(sum, left, fitter)?;
         if candidate.error >= own.goal(candidate.size) {
+            return None;
+        }
+        // A spike or a pole beside one row, which alone decides it.
+        let alone = |leverage: &f64| *leverage > ALONE;
+        let many = self.rows.len() > FEW_ROWS && !self.is_exact(&candidate);
+        if many && fitter.leverages(&candidate.sum, self.rows.len()).iter().any(alone) {
             return None;
         }
         let parts = self.is_exact(&candidate) || self.leads(&candidate, own);

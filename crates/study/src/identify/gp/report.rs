@@ -302,7 +302,7 @@ pub fn report(
     if repeated && problem.template.is_none() {
         entries = with_families(problem, search, entries);
     }
-    let chosen = choose(&entries, problem.rows.len());
+    let chosen = choose(&entries, search.nursery().rows.len());
     let least = entries.iter().map(Entry::loo).fold(f64::INFINITY, f64::min);
     told(
         problem,
