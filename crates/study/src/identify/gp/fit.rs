@@ -64,21 +64,10 @@ fn take_out(from: &mut [f64], share: f64, of: &[f64]) {
 
 /// Whether all free exponents are within their bounds.
 fn within(sum: &Sum) -> bool {
-    sum.terms.iter().flat_map(super::node::Product::nodes).all(|node| match node {
-        Step::Power { exponent, free: true } => {
-            (LEAST_EXPONENT..=MOST_EXPONENT).contains(&exponent.abs())
-        }
-        Step::Power { .. }
-        | Step::Input(_)
-        | Step::Constant(_)
-        | Step::Add
-        | Step::Sub
-        | Step::Mul
-        | Step::Div
-        | Step::Ln
-        | Step::Exp
-        | Step::Sin
-        | Step::Cos => true,
+    let mut nodes = sum.terms.iter().flat_map(super::node::Product::nodes);
+    nodes.all(|node| {
+        let free = node.power().filter(|(_, free)| *free);
+        free.is_none_or(|(exponent, _)| (LEAST_EXPONENT..=MOST_EXPONENT).contains(&exponent.abs()))
     })
 }
 

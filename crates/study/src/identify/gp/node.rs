@@ -53,12 +53,11 @@ impl Step {
         }
     }
 
-    /// Nodes that it is printed with.
-    fn size(self) -> usize {
+    /// The exponent of a power, and whether it is fitted.
+    #[must_use]
+    pub fn power(self) -> Option<(f64, bool)> {
         match self {
-            // A square root is one node.
-            Self::Power { exponent: 0.5, free: false } => 1,
-            Self::Power { .. } => 2,
+            Self::Power { exponent, free } => Some((exponent, free)),
             Self::Input(_)
             | Self::Constant(_)
             | Self::Add
@@ -68,26 +67,19 @@ impl Step {
             | Self::Ln
             | Self::Exp
             | Self::Sin
-            | Self::Cos => 1,
+            | Self::Cos => None,
         }
+    }
+
+    /// Nodes that it is printed with: a power has its exponent, but a square root is one node.
+    fn size(self) -> usize {
+        1 + usize::from(self.power().is_some_and(|power| power != (0.5, false)))
     }
 
     /// Whether a value of it is fitted.
     #[must_use]
     pub fn is_free(self) -> bool {
-        match self {
-            Self::Constant(_) => true,
-            Self::Power { free, .. } => free,
-            Self::Input(_)
-            | Self::Add
-            | Self::Sub
-            | Self::Mul
-            | Self::Div
-            | Self::Ln
-            | Self::Exp
-            | Self::Sin
-            | Self::Cos => false,
-        }
+        matches!(self, Self::Constant(_)) || self.power().is_some_and(|(_, free)| free)
     }
 
     /// Whether it is periodic.

@@ -141,7 +141,7 @@ impl Tidy<'_> {
     fn function(&self, node: Step, a: Part) -> Part {
         let power = |exponent: f64, free: bool| Step::Power { exponent, free };
         match (node, a) {
-            (Step::Power { exponent, .. }, Constant(a)) => Constant(math::pow(a, exponent)),
+            (Step::Power { exponent, .. }, Constant(a)) => Constant(math::power(a, exponent)),
             (Step::Power { exponent: 1.0, free: false }, a) => a,
             (Step::Power { exponent: 0.0, free: false }, _) => Constant(1.0),
             (Step::Power { exponent, free }, One(Step::Power { exponent: inner, free: f }, a))
