@@ -19,6 +19,12 @@ pub enum Command {
 }
 
 impl Command {
+    /// Sets one setting.
+    #[must_use]
+    pub fn set(path: &str, value: Value) -> Self {
+        Self::Session(SessionCommand::Set { path: path.to_owned(), value })
+    }
+
     /// Shows a message.
     #[must_use]
     pub fn notify(text: String) -> Self {

@@ -5,7 +5,7 @@ mod structured;
 
 use egui::{ComboBox, Response, Slider, Ui};
 
-use super::super::command::{Command, SessionCommand};
+use super::super::command::Command;
 use super::super::format;
 use super::number::NumberField;
 use super::{focus, touch};
@@ -92,9 +92,7 @@ pub fn setting(
         }
     });
     commands.extend(said.map(Command::notify));
-    commands.extend(
-        changed.map(|value| Command::Session(SessionCommand::Set { path: path.to_owned(), value })),
-    );
+    commands.extend(changed.map(|value| Command::set(path, value)));
 }
 
 /// The tooltip: what it is, what is allowed, its name in files.

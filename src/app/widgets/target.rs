@@ -3,7 +3,7 @@
 
 use egui::Ui;
 
-use super::super::command::{Command, SessionCommand};
+use super::super::command::Command;
 use super::super::theme::{self, Palette};
 use super::focus::pointer_only;
 use super::setting::{Size, setting, slider_rect};
@@ -50,10 +50,7 @@ pub fn target(ui: &mut Ui, screen: Screen, scenario: &Scenario, commands: &mut V
         let at = egui::pos2(x, row.top() + 4.0);
         ui.painter().text(at, egui::Align2::CENTER_TOP, name, font, color);
         if response.on_hover_text(format!("ISO 1302 grade {name}: Ra {ra_um} µm")).clicked() {
-            commands.push(Command::Session(SessionCommand::Set {
-                path: PATH.to_owned(),
-                value: Value::Float(ra_um),
-            }));
+            commands.push(Command::set(PATH, Value::Float(ra_um)));
         }
     }
 }

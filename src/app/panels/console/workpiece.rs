@@ -9,7 +9,7 @@ mod table;
 use egui::{RichText, Ui};
 
 use super::super::View;
-use crate::app::command::{Command, SessionCommand};
+use crate::app::command::Command;
 use crate::app::format;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
@@ -133,10 +133,7 @@ impl WorkpieceWindow {
             table::sections(ui, &part.outline, (self.cut, &mut cuts), &mut self.said);
         }
         if cuts != workpiece.cuts {
-            commands.push(Command::Session(SessionCommand::Set {
-                path: CUTS.to_owned(),
-                value: Value::from(cuts),
-            }));
+            commands.push(Command::set(CUTS, Value::from(cuts)));
         }
     }
 
@@ -223,10 +220,7 @@ impl WorkpieceWindow {
 /// The shipped parts, and the way from one path to cuts and back.
 fn parts(ui: &mut Ui, workpiece: &Workpiece, outline: &Outline, commands: &mut Vec<Command>) {
     let mut set = |cuts: Vec<Vec<Section>>| {
-        commands.push(Command::Session(SessionCommand::Set {
-            path: CUTS.to_owned(),
-            value: Value::from(cuts),
-        }));
+        commands.push(Command::set(CUTS, Value::from(cuts)));
     };
     ui.horizontal_wrapped(|ui| {
         ui.label("Take the part of");

@@ -11,7 +11,7 @@ use egui_plot::MarkerShape;
 
 use self::whole_run::{CutOfRun, deepest};
 use super::plot::{Figure, Marks, PlotCurve};
-use crate::app::command::{Command, SessionCommand};
+use crate::app::command::Command;
 use crate::app::format;
 use crate::app::jobs::{Jobs, Work};
 use crate::app::session::Session;
@@ -191,11 +191,7 @@ fn quality(ui: &mut Ui, now: f64, commands: &mut Vec<Command>) {
         ] {
             let chosen = now == quality;
             if ui.selectable_label(chosen, name).on_hover_text(help).clicked() && !chosen {
-                let path = "machine.spindle_quality".to_owned();
-                commands.push(Command::Session(SessionCommand::Set {
-                    path,
-                    value: Value::Float(quality),
-                }));
+                commands.push(Command::set("machine.spindle_quality", Value::Float(quality)));
             }
         }
     });

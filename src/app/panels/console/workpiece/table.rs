@@ -3,7 +3,7 @@
 use egui::{RichText, Ui, WidgetInfo};
 
 use super::hand::{EdgeKind, Moved};
-use crate::app::command::{Command, SessionCommand};
+use crate::app::command::Command;
 use crate::app::format;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
@@ -160,9 +160,7 @@ pub fn move_section(sections: &mut [Section], moved: Moved) {
 
 /// Takes over what was dragged in the picture of the one path, within what its table allows.
 pub fn move_stretch(workpiece: &Workpiece, moved: Moved, commands: &mut Vec<Command>) {
-    let mut set = |path: &str, value| {
-        commands.push(Command::Session(SessionCommand::Set { path: path.to_owned(), value }));
-    };
+    let mut set = |path: &str, value| commands.push(Command::set(path, value));
     let deepest_mm = bound(STEPS, "max_depth_mm");
     let mut steps = workpiece.depth_steps.clone();
     match moved.kind {
@@ -247,9 +245,7 @@ pub fn profile(
         let [last_mm, depth_mm] = steps.last().copied().unwrap_or([0.0, first_mm]);
         steps.push([last_mm + NEXT_STEP_MM, depth_mm]);
     }
-    let mut set = |path: &str, value| {
-        commands.push(Command::Session(SessionCommand::Set { path: path.to_owned(), value }))
-    };
+    let mut set = |path: &str, value| commands.push(Command::set(path, value));
     if first_mm != workpiece.axial_depth_mm {
         set(AXIAL, Value::Float(first_mm));
     }
