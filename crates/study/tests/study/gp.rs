@@ -8,6 +8,7 @@ use steadycut_study::identify::gp::declared::declared_report;
 use steadycut_study::identify::gp::job::{GpJob, GpSettings};
 use steadycut_study::identify::gp::problem::GpProblem;
 use steadycut_study::identify::gp::report::{FrontFormula, GpReport};
+use steadycut_study::identify::gp::standing::{GpStage, GpStanding};
 use steadycut_study::published::PaperId;
 
 const CLEAN: &str = include_str!("../data/gp/k4_clean.csv");
@@ -101,6 +102,52 @@ fn a_search_goes_on_from_its_file_with_the_same_bits() {
     assert_ne!(input, text);
     let error = job(self::problem(NOISE, "force_n", &FORCE), 3, 8).resume(&input).unwrap_err();
     assert!(error.contains("cannot be"), "{error}");
+}
+
+/// What is told on the way is what the report tells at the end, but for what only the end knows.
+#[test]
+fn a_search_tells_its_front_on_the_way() {
+    let problem = problem(NOISE, "force_n", &FORCE);
+    let mut job = job(problem.clone(), 3, 6);
+    let first = job.standing();
+    assert_eq!((first.stage, first.batches, first.most_batches), (GpStage::Search, 0, 6));
+    while job.search().batches() < 4 {
+        job.advance(&Budget::steps(40));
+    }
+    let under_way = job.standing();
+    assert_eq!((under_way.stage, under_way.batches), (GpStage::Search, 4));
+    assert!(under_way.evaluations >= 4 * 128, "{}", under_way.evaluations);
+    let least = |standing: &GpStanding| standing.front.last().unwrap().error;
+    assert!(least(&under_way) < least(&first));
+    let mut stages = vec![under_way.stage];
+    while !job.advance(&Budget::steps(1)) {
+        stages.push(job.standing().stage);
+    }
+    stages.dedup();
+    assert_eq!(stages, [GpStage::Search, GpStage::LeftOut]);
+    let (end, report) = (job.standing(), job.report());
+    assert_eq!(end.stage, GpStage::Over);
+    for standing in [&first, &under_way, &end] {
+        for pair in standing.front.windows(2) {
+            assert!(pair[0].size < pair[1].size && pair[0].error > pair[1].error, "{pair:?}");
+        }
+        for told in &standing.front {
+            let law = Formula::parse(&told.formula, &FORCE).unwrap();
+            let rows = &problem.rows;
+            let squares: f64 = (0..rows.len())
+                .map(|row| {
+                    rows.target[row] - law.value(&[rows.inputs[0][row], rows.inputs[1][row]])
+                })
+                .map(|off| off * off)
+                .sum();
+            let error = (squares / rows.len() as f64).sqrt();
+            assert!((error / told.error - 1.0).abs() < 1e-6, "{error} {told:?}");
+            assert_eq!(law.size(), told.size, "{told:?}");
+        }
+    }
+    let sizes = |front: &GpReport| front.front.iter().map(|entry| entry.size).collect::<Vec<_>>();
+    let told: Vec<usize> = end.front.iter().map(|entry| entry.size).collect();
+    assert!(sizes(&report).iter().filter(|size| told.contains(size)).count() >= told.len() - 1);
 }
 
 #[test]

@@ -9,6 +9,7 @@ use super::problem::{GpProblem, SMALL};
 use super::report::{GpReport, report};
 use super::rows::DataRows;
 use super::search::{GpSearch, Stop};
+use super::standing::GpStage;
 use super::units::UnitRule;
 use super::vary::SumBounds;
 use crate::published::PaperId;
@@ -101,6 +102,19 @@ impl GpJob {
     #[must_use]
     pub fn search(&self) -> &GpSearch {
         &self.search
+    }
+
+    /// What it is at.
+    pub(super) fn stage(&self) -> GpStage {
+        if self.over {
+            GpStage::Over
+        } else if self.folds.is_some() {
+            GpStage::LeftOut
+        } else if self.search.progress().share() < 1.0 {
+            GpStage::Search
+        } else {
+            GpStage::Paper
+        }
     }
 
     /// The front: the best formula of each size that pays for its size; one with sines and cosines only

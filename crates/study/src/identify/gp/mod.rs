@@ -14,6 +14,7 @@
 //! | A formula of the front as a model file | [`model`] |
 //! | Formulas of which a part is known | [`template`] |
 //! | What is told: front, choice, range, outliers | [`report`], [`range`], [`outliers`] |
+//! | What is told on the way | [`standing`] |
 //!
 //! A search is a job ([`job`]): offspring are pure functions of (seed, batch, number) and the survivors before
 //! the batch, so that threads, slices and pauses do not show in the bits.
@@ -38,6 +39,7 @@ pub mod range;
 pub mod report;
 pub mod rows;
 pub mod search;
+pub mod standing;
 pub mod state;
 pub mod template;
 pub mod tidy;
