@@ -1,7 +1,7 @@
 //! All that the console can show, one view after the other, for tests that judge every one of them.
 
 use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers, Theme, Vec2, vec2};
+use egui::{Event, Key, Modifiers, Rect, Shape, Theme, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use steadycut::app::Console;
@@ -18,8 +18,9 @@ pub const DESKTOP: Vec2 = vec2(1280.0, 800.0);
 pub const PHONE: Vec2 = vec2(390.0, 844.0);
 /// Both with the names that tests give them.
 pub const SIZES: [(&str, Vec2); 2] = [("desktop", DESKTOP), ("phone", PHONE)];
-/// Heights of windows in which whole pages are seen, points: on the desktop and on a phone.
-const TALL: [f32; 2] = [2000.0, 3000.0];
+/// Heights of windows in which whole pages are seen, points: on the desktop and on a phone. The last shows all of
+/// every page; a picture costs by its height, so one is drawn at the first height that shows as much.
+const TALL: [[f32; 4]; 2] = [[800.0, 1100.0, 1500.0, 2000.0], [844.0, 1500.0, 2200.0, 3000.0]];
 
 /// What looks at a view; it gets its name.
 pub type Look<'l> = &'l mut dyn FnMut(&mut Screen<'_>, &str);
@@ -70,16 +71,39 @@ fn settle(screen: &mut Screen<'_>) {
     screen::rest(screen);
 }
 
+/// How many texts are seen, in part at least.
+fn texts(screen: &Screen<'_>) -> usize {
+    fn of(shape: &Shape, clip: Rect) -> usize {
+        match shape {
+            Shape::Vec(shapes) => shapes.iter().map(|shape| of(shape, clip)).sum(),
+            Shape::Text(text) => usize::from(clip.intersects(text.visual_bounding_rect())),
+            _ => 0,
+        }
+    }
+    let whole = screen.ctx.content_rect();
+    let shapes = screen.output().shapes.iter();
+    shapes.map(|clipped| of(&clipped.shape, clipped.clip_rect.intersect(whole))).sum()
+}
+
 /// The view as it is, and as a page of any length; the former is a part of the latter, and not drawn as well.
 fn whole(screen: &mut Screen<'_>, name: &str, look: Look<'_>) {
     settle(screen);
-    if screen.ctx.pixels_per_point() == 1.0 {
+    let drawn = screen.ctx.pixels_per_point() != 1.0;
+    if !drawn {
         look(screen, name);
     }
     let size = screen.ctx.content_rect().size();
-    screen.set_size(vec2(size.x, TALL[usize::from(size.x == PHONE.x)]));
-    screen.run_steps(4);
-    settle(screen);
+    let heights = TALL[usize::from(size.x == PHONE.x)];
+    let at = |screen: &mut Screen<'_>, height: f32| {
+        screen.set_size(vec2(size.x, height));
+        screen.run_steps(4);
+        settle(screen);
+        texts(screen)
+    };
+    let all = at(screen, heights[3]);
+    if drawn {
+        heights.into_iter().find(|height| at(screen, *height) >= all);
+    }
     look(screen, &format!("{name}, whole"));
     screen.set_size(size);
     screen.run_steps(4);

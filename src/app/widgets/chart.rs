@@ -3,6 +3,7 @@
 
 mod content;
 mod curves;
+mod envelope;
 mod reading;
 
 use egui::Ui;
@@ -69,7 +70,7 @@ pub fn show(
                 plot.hline(HLine::new(*name, *level).stroke(stroke).style(style));
             }
             for line in lines {
-                plot.line(line);
+                plot.add(line);
             }
             let playhead = VLine::new("", session.playback().playhead_s).allow_hover(false);
             plot.vline(playhead.color(palette.playhead).width(1.0));

@@ -1,8 +1,9 @@
 //! What a chart draws: the range of its values, the band, and the lines in their order.
 
-use egui_plot::{FilledArea, Line, PlotPoints};
+use egui_plot::FilledArea;
 
 use super::content::{ALL, Axes, Chart, FUTURE, GHOST, TWIN, index};
+use super::envelope::Curve;
 use crate::app::cut::Cut;
 use crate::app::session::Session;
 use crate::app::theme::{Look, Palette};
@@ -104,19 +105,14 @@ pub(super) fn lines(
     [range, values]: [[f64; 2]; 2],
     width: f32,
     palette: &Palette,
-) -> Vec<Line<'static>> {
+) -> Vec<Curve> {
     let span = values[1] - values[0];
     let shown = |name: &'static str| !axes.hidden.contains(&(chart.id, name));
     let compared = |name: &'static str| !axes.hidden.contains(&(ALL, name));
     let line = |name: &str, look: Look, points: Vec<[f64; 2]>| {
-        let (stroke, style) = look.line(palette);
-        let lines = pieces(&points).into_iter().map(|piece| {
-            let points = PlotPoints::from(without_flats(piece, span));
-            let line = Line::new(name.to_owned(), points);
-            // The points are few already; bands would fill the area below a step.
-            line.stroke(stroke).style(style).allow_band(false)
-        });
-        lines.collect::<Vec<_>>()
+        let pieces = pieces(&points).into_iter();
+        let curve = |piece| Curve::new(name, without_flats(piece, span), look.line(palette));
+        pieces.map(curve).collect::<Vec<_>>()
     };
     let revealed = session.revealed().len();
     let playhead_s = session.playback().playhead_s;
