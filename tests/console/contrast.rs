@@ -9,12 +9,11 @@ use egui_kittest::kittest::NodeT;
 
 use steadycut::base::math::pow;
 
-use crate::drawn;
+use crate::judged::Judge;
 use crate::screen::Screen;
-use crate::views::{self, DESKTOP, PHONE};
 
 /// Pixels to the point: thin strokes have to have pixels of their own.
-const PIXELS: f32 = 2.0;
+pub const PIXELS: f32 = 2.0;
 /// Least contrast of text, of large text, and of that of controls that are out of use (WCAG 2.2, 1.4.3,
 /// which has no limit for the last).
 const LEAST: [f64; 3] = [4.5, 3.0, 3.0];
@@ -115,40 +114,16 @@ fn is_disabled(screen: &Screen<'_>, at: Pos2) -> bool {
     })
 }
 
-/// Every text that is too faint in a size, in both themes: each view is drawn in both, since what it shows takes
-/// longer to work out than to draw.
-fn judge(size: Vec2) {
-    if !drawn::in_software() {
-        return;
-    }
-    let mut found = Found::default();
-    views::all(size, Theme::Light, Some(PIXELS), &mut |screen, view| {
-        for theme in [Theme::Dark, Theme::Light] {
-            screen.ctx.set_theme(theme);
-            screen.run_steps(2);
-            found.view(screen, &format!("{theme:?}, {view}"));
-        }
-    });
-    found.disabled.sort();
-    found.disabled.dedup();
-    let Found { count, mut faint, disabled } = found;
-    println!("{size}: {count} texts; controls out of use: {}", disabled.join(", "));
-    assert!(count > 2000, "{count} texts were seen");
-    faint.sort();
-    faint.dedup();
-    assert!(faint.is_empty(), "{} texts:\n{}", faint.len(), faint.join("\n"));
-}
-
-/// What was found so far.
+/// Texts that are too faint, in both themes: what a view shows takes longer to work out than to draw.
 #[derive(Default)]
-struct Found {
+pub struct Contrast {
     count: usize,
     faint: Vec<String>,
     disabled: Vec<String>,
 }
 
-impl Found {
-    fn view(&mut self, screen: &mut Screen<'_>, view: &str) {
+impl Contrast {
+    fn drawn(&mut self, screen: &mut Screen<'_>, view: &str) {
         let pieces = seen(screen);
         // A busy machine may take longer for a large picture than is waited for.
         let picture = (0..5).find_map(|_| screen.render().ok()).expect("a picture");
@@ -179,14 +154,22 @@ impl Found {
     }
 }
 
-#[test]
-fn every_text_stands_out_on_the_desktop_in_both_themes() {
-    judge(DESKTOP);
-}
+impl Judge for Contrast {
+    fn view(&mut self, screen: &mut Screen<'_>, view: &str) {
+        for theme in [Theme::Dark, Theme::Light] {
+            screen.ctx.set_theme(theme);
+            screen.run_steps(2);
+            self.drawn(screen, &format!("{theme:?}, {view}"));
+        }
+    }
 
-#[test]
-fn every_text_stands_out_on_a_phone_in_both_themes() {
-    judge(PHONE);
+    fn verdict(&mut self) -> Vec<String> {
+        self.disabled.sort();
+        self.disabled.dedup();
+        println!("{} texts; controls out of use: {}", self.count, self.disabled.join(", "));
+        assert!(self.count > 2000, "{} texts were seen", self.count);
+        std::mem::take(&mut self.faint)
+    }
 }
 
 #[test]

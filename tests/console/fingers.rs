@@ -1,18 +1,23 @@
 //! Targets for fingers: on a phone all that is pressed, dragged or written in is large enough.
 
-use egui::Theme;
 use egui::accesskit::{Action, Role};
 use egui_kittest::kittest::NodeT;
 
-use crate::views::{self, PHONE};
+use crate::judged::Judge;
+use crate::screen::Screen;
 
 /// Least width and height of a target, points (WCAG 2.2, 2.5.5).
 const LEAST: f32 = 44.0;
 
-#[test]
-fn whatever_is_pressed_on_a_phone_is_large_enough_for_a_finger() {
-    let (mut small, mut seen) = (Vec::new(), 0);
-    views::all(PHONE, Theme::Light, None, &mut |screen, view| {
+/// Targets that are too small.
+#[derive(Default)]
+pub struct Fingers {
+    small: Vec<String>,
+    seen: usize,
+}
+
+impl Judge for Fingers {
+    fn view(&mut self, screen: &mut Screen<'_>, view: &str) {
         for node in screen.root().children_recursive() {
             let inner = node.accesskit_node();
             // Texts that can be marked take clicks as well; fingers scroll by what is scrolled, not by its bar.
@@ -22,16 +27,17 @@ fn whatever_is_pressed_on_a_phone_is_large_enough_for_a_finger() {
             if !pressed || inner.bounding_box().is_none() {
                 continue;
             }
-            seen += 1;
+            self.seen += 1;
             let size = node.rect().size() + egui::Vec2::splat(0.1);
             if size.min_elem() < LEAST {
                 let name = inner.label().or_else(|| inner.value()).unwrap_or_default();
-                small.push(format!("{view}: {:?} {name}: {size:?}", inner.role()));
+                self.small.push(format!("{view}: {:?} {name}: {size:?}", inner.role()));
             }
         }
-    });
-    assert!(seen > 1000, "{seen} targets were seen");
-    small.sort();
-    small.dedup();
-    assert!(small.is_empty(), "{} targets:\n{}", small.len(), small.join("\n"));
+    }
+
+    fn verdict(&mut self) -> Vec<String> {
+        assert!(self.seen > 700, "{} targets were seen", self.seen);
+        std::mem::take(&mut self.small)
+    }
 }

@@ -1,12 +1,13 @@
 //! Whether everything can be read: sizes of all texts, and signs beside the colours that judge.
 
 use egui::epaint::ClippedShape;
-use egui::{Shape, Theme};
+use egui::{Shape, Theme, Vec2};
 
 use steadycut::app::theme::Palette;
 
+use crate::judged::Judge;
 use crate::screen::Screen;
-use crate::views::{self, PHONE, SIZES};
+use crate::views::PHONE;
 
 /// Smallest size of a text in logical pixels, on the desktop and on a phone.
 const LEAST: [f32; 2] = [12.0, 13.0];
@@ -26,35 +27,75 @@ pub fn each_text(screen: &Screen<'_>, mut found: impl FnMut(&egui::epaint::TextS
     }
 }
 
-#[test]
-fn no_text_on_any_screen_is_smaller_than_can_be_read() {
-    let mut small = Vec::new();
-    for (name, size) in SIZES {
+/// Texts that are smaller than can be read.
+pub struct Sizes {
+    least: f32,
+    small: Vec<String>,
+    seen: usize,
+}
+
+impl Sizes {
+    pub fn at(size: Vec2) -> Self {
         let least = LEAST[usize::from(size == PHONE)];
-        let mut seen = 0;
-        views::all(size, Theme::Light, None, &mut |screen, view| {
-            each_text(screen, |text, _| {
-                seen += 1;
-                for section in &text.galley.job.sections {
-                    let size = section.format.font_id.size;
-                    let range = section.byte_range.start.0..section.byte_range.end.0;
-                    let part = &text.galley.job.text[range];
-                    if size < least && !part.trim().is_empty() {
-                        small.push(format!("{name}, {view}: {size} px: {part}"));
-                    }
-                }
-            });
-        });
-        assert!(seen > 2000, "{seen} texts were seen");
+        Self { least, small: Vec::new(), seen: 0 }
     }
-    small.sort();
-    small.dedup();
-    assert!(small.is_empty(), "{} texts:\n{}", small.len(), small.join("\n"));
+}
+
+impl Judge for Sizes {
+    fn view(&mut self, screen: &mut Screen<'_>, view: &str) {
+        each_text(screen, |text, _| {
+            self.seen += 1;
+            for section in &text.galley.job.sections {
+                let size = section.format.font_id.size;
+                let range = section.byte_range.start.0..section.byte_range.end.0;
+                let part = &text.galley.job.text[range];
+                if size < self.least && !part.trim().is_empty() {
+                    self.small.push(format!("{view}: {size} px: {part}"));
+                }
+            }
+        });
+    }
+
+    fn verdict(&mut self) -> Vec<String> {
+        assert!(self.seen > 1500, "{} texts were seen", self.seen);
+        std::mem::take(&mut self.small)
+    }
+}
+
+/// Texts that a colour alone judges.
+#[derive(Default)]
+pub struct Signs {
+    bare: Vec<String>,
+    signed: usize,
+}
+
+impl Judge for Signs {
+    fn view(&mut self, screen: &mut Screen<'_>, view: &str) {
+        let palette = Palette::of(Theme::Light);
+        let judging = [palette.good, palette.warn, palette.bad];
+        each_text(screen, |text, _| {
+            let job = &text.galley.job;
+            let judged = job.sections.iter().any(|part| judging.contains(&part.format.color))
+                || text.override_text_color.is_some_and(|color| judging.contains(&color));
+            // The sign has the room of a space before the text; a lamp has a mark behind its name.
+            let room = job.text.starts_with('\u{a0}')
+                && job.sections.get(1).is_some_and(|part| part.leading_space > 5.0);
+            match (judged, room || job.text.ends_with(" !")) {
+                (true, true) => self.signed += 1,
+                (true, false) => self.bare.push(format!("{view}: {}", job.text)),
+                (false, _) => {}
+            }
+        });
+    }
+
+    fn verdict(&mut self) -> Vec<String> {
+        assert!(self.signed > 50, "{} texts with a sign were seen", self.signed);
+        std::mem::take(&mut self.bare)
+    }
 }
 
 #[test]
-fn what_a_colour_judges_has_a_sign_as_well() {
-    let (mut bare, mut signed) = (Vec::new(), 0);
+fn colours_that_judge_have_no_other_use() {
     for theme in [Theme::Light, Theme::Dark] {
         let palette = Palette::of(theme);
         let judging = [palette.good, palette.warn, palette.bad];
@@ -64,25 +105,4 @@ fn what_a_colour_judges_has_a_sign_as_well() {
             "else they would be taken for it"
         );
     }
-    let palette = Palette::of(Theme::Light);
-    let judging = [palette.good, palette.warn, palette.bad];
-    views::all(views::DESKTOP, Theme::Light, None, &mut |screen, view| {
-        each_text(screen, |text, _| {
-            let job = &text.galley.job;
-            let judged = job.sections.iter().any(|part| judging.contains(&part.format.color))
-                || text.override_text_color.is_some_and(|color| judging.contains(&color));
-            // The sign has the room of a space before the text; a lamp has a mark behind its name.
-            let room = job.text.starts_with('\u{a0}')
-                && job.sections.get(1).is_some_and(|part| part.leading_space > 5.0);
-            match (judged, room || job.text.ends_with(" !")) {
-                (true, true) => signed += 1,
-                (true, false) => bare.push(format!("{view}: {}", job.text)),
-                (false, _) => {}
-            }
-        });
-    });
-    bare.sort();
-    bare.dedup();
-    assert!(bare.is_empty(), "{} texts:\n{}", bare.len(), bare.join("\n"));
-    assert!(signed > 100, "{signed} texts with a sign were seen");
 }

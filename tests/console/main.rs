@@ -7,6 +7,7 @@ mod drawn;
 mod finding;
 mod fingers;
 mod jobs;
+mod judged;
 mod learning;
 mod legible;
 mod machine;

@@ -16,8 +16,6 @@ use crate::screen::{self, Screen, sliced};
 pub const DESKTOP: Vec2 = vec2(1280.0, 800.0);
 /// See [`DESKTOP`].
 pub const PHONE: Vec2 = vec2(390.0, 844.0);
-/// Both with the names that tests give them.
-pub const SIZES: [(&str, Vec2); 2] = [("desktop", DESKTOP), ("phone", PHONE)];
 /// Heights of windows in which whole pages are seen, points: on the desktop and on a phone. The last shows all of
 /// every page; a picture costs by its height, so one is drawn at the first height that shows as much.
 const TALL: [[f32; 4]; 2] = [[800.0, 1100.0, 1500.0, 2000.0], [844.0, 1500.0, 2200.0, 3000.0]];
@@ -26,8 +24,8 @@ const TALL: [[f32; 4]; 2] = [[800.0, 1100.0, 1500.0, 2000.0], [844.0, 1500.0, 22
 pub type Look<'l> = &'l mut dyn FnMut(&mut Screen<'_>, &str);
 
 /// The console in a window: drawn if `pixels`, so many to the point.
-fn window<'a>(preset: &'static str, size: Vec2, theme: Theme, pixels: Option<f32>) -> Screen<'a> {
-    let builder = Harness::builder().with_size(size).with_step_dt(0.05).with_theme(theme);
+fn window<'a>(preset: &'static str, size: Vec2, pixels: Option<f32>) -> Screen<'a> {
+    let builder = Harness::builder().with_size(size).with_step_dt(0.05).with_theme(Theme::Light);
     let builder = match pixels {
         Some(pixels) => builder.with_pixels_per_point(pixels).wgpu(),
         None => builder,
@@ -109,15 +107,15 @@ fn whole(screen: &mut Screen<'_>, name: &str, look: Look<'_>) {
     screen.run_steps(4);
 }
 
-/// Shows `look` every view in this size and theme; `pixels` to the point are drawn, or none.
-pub fn all(size: Vec2, theme: Theme, pixels: Option<f32>, look: Look<'_>) {
-    screens(size, theme, pixels, look);
-    overlays(size, theme, pixels, look);
+/// Shows `look` every view in this size; `pixels` to the point are drawn, or none.
+pub fn all(size: Vec2, pixels: Option<f32>, look: Look<'_>) {
+    screens(size, pixels, look);
+    overlays(size, pixels, look);
 }
 
 /// Every screen, and every part of it that has a button.
-fn screens(size: Vec2, theme: Theme, pixels: Option<f32>, look: Look<'_>) {
-    let mut screen = window("first-cut", size, theme, pixels);
+fn screens(size: Vec2, pixels: Option<f32>, look: Look<'_>) {
+    let mut screen = window("first-cut", size, pixels);
     for panel in panels() {
         screen::show(&mut screen, panel.title());
         whole(&mut screen, panel.title(), look);
@@ -151,18 +149,18 @@ fn screens(size: Vec2, theme: Theme, pixels: Option<f32>, look: Look<'_>) {
     click(&mut screen, "Pause the comparison");
     whole(&mut screen, "Compare, some runs", look);
 
-    let mut screen = window("experiment-2", size, theme, pixels);
+    let mut screen = window("experiment-2", size, pixels);
     whole(&mut screen, "Console, several cuts", look);
     screen::show(&mut screen, "Block diagram");
     click(&mut screen, "Networks that learn");
     whole(&mut screen, "Networks", look);
-    let mut screen = window("chatter", size, theme, pixels);
+    let mut screen = window("chatter", size, pixels);
     whole(&mut screen, "Console, chatter", look);
 }
 
 /// All that lies over the screens.
-fn overlays(size: Vec2, theme: Theme, pixels: Option<f32>, look: Look<'_>) {
-    let mut screen = window("first-cut", size, theme, pixels);
+fn overlays(size: Vec2, pixels: Option<f32>, look: Look<'_>) {
+    let mut screen = window("first-cut", size, pixels);
     let phone = size == PHONE;
     let over = |screen: &mut Screen<'_>, name: &str, look: Look<'_>| {
         settle(screen);
@@ -211,7 +209,7 @@ fn overlays(size: Vec2, theme: Theme, pixels: Option<f32>, look: Look<'_>) {
     }
     whole(&mut screen, "all settings", look);
 
-    let mut screen = window("experiment-2", size, theme, pixels);
+    let mut screen = window("experiment-2", size, pixels);
     if phone {
         click(&mut screen, "Settings");
     }
