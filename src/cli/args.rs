@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, TypedValueParser, ValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use super::experiment::args::ExperimentArgs;
 use super::files::{FormulaPath, InPath, OutFolder, OutPath, ScenarioPath};
 use super::machine::args::MachineArgs;
 use crate::base::network::Activation;
@@ -47,6 +48,8 @@ pub enum CliCommand {
     Papers(PapersArgs),
     /// Identify the default models from the published tables and from the milling simulator.
     Identify(IdentifyArgs),
+    /// Plan cuts, say what they tell before a chip is cut, make them on the simulator or read a shop's sheet.
+    Experiment(ExperimentArgs),
     /// Evaluate a formula on a table, or print it in other languages with derivatives, units and certificate.
     Formula(FormulaArgs),
     /// Train the neural force model; repeat the paper's comparison of 40 networks.

@@ -4,6 +4,7 @@ pub mod args;
 mod check;
 mod combine;
 mod errata;
+mod experiment;
 mod files;
 mod force;
 mod formula;
@@ -48,6 +49,7 @@ pub fn execute(command: &CliCommand) -> ExitCode {
         CliCommand::Run(args) => run::execute(args),
         CliCommand::Papers(args) => papers::execute(args),
         CliCommand::Identify(args) => identify::execute(args),
+        CliCommand::Experiment(args) => experiment::execute(args),
         CliCommand::Formula(args) => formula::execute(args),
         CliCommand::Train(args) => train::execute(args),
         CliCommand::Force(args) => force::execute(args),

@@ -15,7 +15,8 @@ use steadycut::run::edits::Edits;
 use steadycut::run::{presets, scenario_file};
 
 /// Start of a command, and an option that is given this value in place of the one it has.
-const SHORTER: [(&str, &str, &str); 5] = [
+const SHORTER: [(&str, &str, &str); 6] = [
+    ("experiment way", "--batches", "2"),
     ("robust", "--runs", "2"),
     ("unks", "--passes", "1"),
     ("machine life", "--tools", "5"),

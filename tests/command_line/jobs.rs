@@ -11,7 +11,9 @@ fn steadycut(args: &[&str], threads: &str) -> Output {
 #[test]
 fn every_number_of_cores_gives_the_same_text_and_no_bar_without_a_terminal() {
     let cut = "workpiece.cuts=[[[4.0, 3.0, 2.0]]]";
-    let commands: [&[&str]; 6] = [
+    let commands: [&[&str]; 8] = [
+        &["experiment", "--design", "latin", "--run"],
+        &["experiment", "way", "--cuts", "30", "--batches", "1"],
         &["robust", "--runs", "5", "--set", cut],
         &["unks", "experiment-2", "--passes", "2", "--set", cut],
         &["plan", "experiment-2", "--per-cut", "lightest"],

@@ -5,6 +5,7 @@ mod combined;
 mod commands;
 mod contributing;
 mod documents;
+mod experimenting;
 mod formulas;
 mod identifying;
 mod jobs;

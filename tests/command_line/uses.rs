@@ -71,6 +71,16 @@ const TRIED: &[Tried] = &[
         ],
     },
     Tried {
+        reader: Reader::Experiment,
+        words: &["experiment", "--factor", "hardness", "--factor", "axial_depth", "--scenario"],
+        bases: &[("first-cut", &[])],
+    },
+    Tried {
+        reader: Reader::ExperimentRun,
+        words: &["experiment", "--run", "--factor", "hardness", "--scenario"],
+        bases: &[("table3-5-noise", &[]), ("machine-dynamics", &["noise.level=1"])],
+    },
+    Tried {
         reader: Reader::Unks,
         words: &["unks", "--passes", "1"],
         bases: &[("experiment-2", &SHORT), ("table3-5-noise", &["run.duration_s=3"])],
@@ -151,7 +161,8 @@ const TRIED: &[Tried] = &[
 
 /// Of these a run's own test says which settings it uses: here it counts that nothing is refused by
 /// mistake, and that what is refused says why.
-const AS_RUN: [Reader; 6] = [
+const AS_RUN: [Reader; 7] = [
+    Reader::ExperimentRun,
     Reader::Run,
     Reader::RunProfile,
     Reader::RunRevolution,

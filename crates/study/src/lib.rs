@@ -7,6 +7,7 @@
 //! | Do the published tables come out of runs in time? | [`papers`], [`papers_2019`], [`published`] |
 //! | What is wrong with what was printed? | [`errata`], [`errata_2019`] |
 //! | Where do the shipped models and networks come from? | [`identify`], [`mod@train`] |
+//! | Which cuts should be made to identify models, and what can they tell? | [`experiment`] |
 //! | Which feed and speed should be programmed? | [`plan`], [`recommend`], [`combined`] |
 //! | Does the machine chatter, and how does its tool age? | [`stability`], [`machine_life`], [`sound`] |
 //! | What does UNKS learn from pass to pass? | [`unks_passes`] |
@@ -31,6 +32,7 @@ pub mod compare;
 pub mod csv_table;
 pub mod errata;
 pub mod errata_2019;
+pub mod experiment;
 pub mod export;
 pub mod formula_table;
 pub mod golden;

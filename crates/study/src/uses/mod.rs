@@ -28,6 +28,10 @@ steadycut_core::choice! {
         RunRevolution = "run_revolution", "run --revolution";
         /// Many runs with plant and belief drawn at random.
         Robust = "robust", "robust";
+        /// The plan of an experiment's cuts.
+        Experiment = "experiment", "experiment";
+        /// The cuts of an experiment on the simulator.
+        ExperimentRun = "experiment_run", "experiment --run";
         /// Passes over the same part with UNKS.
         Unks = "unks", "unks";
         /// The five steps of the combined system.
@@ -163,6 +167,8 @@ impl Reader {
             | Self::RunProfile
             | Self::RunRevolution
             | Self::Robust
+            | Self::Experiment
+            | Self::ExperimentRun
             | Self::Plan
             | Self::PlanPerCut
             | Self::MachineModes

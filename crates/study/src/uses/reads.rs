@@ -260,6 +260,66 @@ const OF_A_RUN: (&[&str], &str) = (
     "it tells how a run goes, and this is no run",
 );
 
+/// What a sheet for a shop tells of the cuts.
+const PLANNED_CUTS: &[&str] = &[
+    "name",
+    "tool.name",
+    "tool.diameter_mm",
+    "tool.teeth",
+    "plant.material",
+    "plant.hardness_hb",
+    "plant.wear_factor",
+    "workpiece.axial_depth_mm",
+    "workpiece.radial_depth_mm",
+    "program.feed_mm_min",
+    "program.spindle_rpm",
+];
+/// What short steady cuts at constant feed leave out.
+const STEADY_CUTS: &[(&[&str], &str)] = &[
+    (
+        &[
+            "controller.",
+            "target.",
+            "belief.",
+            "formula.force_of_ra",
+            "formula.feed",
+            "formula.speed",
+            "feed_drive.",
+            "spindle_drive.",
+            "cnc.override_min_percent",
+            "cnc.override_max_percent",
+            "cnc.override_quantised",
+            "cnc.override_rate_limited",
+            "cnc.override_rate_percent_s",
+            "cnc.dead_time_s",
+        ],
+        "every cut is made at constant feed and speed",
+    ),
+    (
+        &[
+            "workpiece.length_mm",
+            "workpiece.depth_steps",
+            "workpiece.cuts",
+            "program.cut_feeds_mm_min",
+            "run.duration_s",
+        ],
+        "every cut is short, straight and of one depth",
+    ),
+    (&["machine.roughness_from", "profile."], "Ra is measured without the marks of vibration"),
+    (&["wear.adjust_speed", "life."], "every cut is made at constant speed"),
+    (&["run.seed"], "every cut draws its own from `--seed`"),
+];
+/// The same, with what no report of them prints.
+const EXPERIMENT_RUN: &[(&[&str], &str)] = &[
+    STEADY_CUTS[0],
+    STEADY_CUTS[1],
+    STEADY_CUTS[2],
+    STEADY_CUTS[3],
+    STEADY_CUTS[4],
+    DESCRIPTION,
+    ROWS,
+];
+
 impl Reader {
     /// What it reads.
     pub(super) fn reads(self) -> Reads {
@@ -301,6 +361,8 @@ impl Reader {
                 unused: &[MODELS_OF_RA],
                 ..AS_RUN
             },
+            Self::Experiment => Reads { as_run: false, also: PLANNED_CUTS, but: &[], unused: &[] },
+            Self::ExperimentRun => Reads { but: EXPERIMENT_RUN, ..AS_RUN },
             Self::Unks => Reads {
                 but: &[ALWAYS_UNKS, DESCRIPTION, TOLERANCE, ROUGHNESS, ROWS],
                 unused: &[MODELS_OF_RA],

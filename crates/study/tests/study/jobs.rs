@@ -24,6 +24,13 @@ use steadycut_study::compare::contest::ContestJob;
 use steadycut_study::compare::entrants::{Entrant, TABLE_1, on};
 use steadycut_study::compare::iterations::IterationsJob;
 use steadycut_study::compare::tournament::Tournament;
+use steadycut_study::experiment::assess::MeasuringNoise;
+use steadycut_study::experiment::factor::PAPERS_BOX;
+use steadycut_study::experiment::measure::MeasureJob;
+use steadycut_study::experiment::way::cuts::plan as planned_cuts;
+use steadycut_study::experiment::way::job::WayJob;
+use steadycut_study::experiment::way::pilot::Pilot;
+use steadycut_study::experiment::way::{WayPlant, WaySettings};
 use steadycut_study::identify::gp::job::{GpJob, GpSettings};
 use steadycut_study::identify::gp::paper::PaperSearch;
 use steadycut_study::identify::gp::problem::GpProblem;
@@ -216,6 +223,19 @@ fn searches_for_formulas() {
     check("PaperSearch", &paper, 137);
     check("GpSearch", job.search(), 37);
     check("GpJob", &job, 7);
+}
+
+#[test]
+fn experiments() {
+    let [feeds, speeds] = PAPERS_BOX;
+    let noise = MeasuringNoise::default();
+    let plan = planned_cuts(30, feeds, speeds, 2);
+    let cuts = MeasureJob::new(&plan, &scenario("table3-5-noise", &[]), noise, 2).unwrap();
+    check("MeasureJob", &cuts, 777);
+    let settings = WaySettings { cuts: 30, batches: 2, seed: 2, ..WaySettings::default() };
+    check("WayJob", &WayJob::new(&settings).unwrap().with_rows(1), 777);
+    let settings = WaySettings { plant: Some(WayPlant::Mechanistic), ..settings };
+    check("Pilot", &Pilot::new(&settings.scenario().unwrap(), false), 20_011);
 }
 
 #[test]

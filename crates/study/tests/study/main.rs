@@ -2,6 +2,7 @@
 
 mod closed_loop;
 mod coupled;
+mod experiment;
 mod golden;
 mod gp;
 mod jobs;
@@ -10,3 +11,4 @@ mod milling;
 mod per_cut;
 mod preview;
 mod stability;
+mod way;
