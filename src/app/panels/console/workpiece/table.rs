@@ -22,6 +22,10 @@ const AXIAL: &str = "workpiece.axial_depth_mm";
 const LENGTH: &str = "workpiece.length_mm";
 /// Least distance between two steps of the profile, mm.
 const STEP_GAP_MM: f64 = 0.01;
+/// Title of the column of numbers.
+const NUMBER: &str = "No.";
+/// Width below which a table is drawn closer, points.
+const NARROW: f32 = 380.0;
 /// Distance behind the last step of the profile at which one is added, mm.
 const NEXT_STEP_MM: f64 = 20.0;
 
@@ -62,17 +66,25 @@ fn cell(
 /// A table with these titles.
 fn table(ui: &mut Ui, id: &str, titles: &[&str], rows: impl FnOnce(&mut Ui)) {
     let palette = Palette::at(ui);
+    // On a phone the buttons at the end of a row fit beside its numbers, all of one unit.
+    let narrow = ui.available_width() < NARROW;
+    let (cell, gap) = if narrow { (46.0, 4.0) } else { (56.0, 6.0) };
     ui.scope(|ui| {
-        ui.spacing_mut().interact_size.x = 56.0;
+        ui.spacing_mut().interact_size.x = cell;
         ui.spacing_mut().button_padding.x = 4.0;
         touch::grid(ui, id)
             .num_columns(titles.len() + 2)
             .min_col_width(0.0)
-            .spacing([6.0, 4.0])
+            .spacing([gap, 4.0])
             .striped(true)
             .show(ui, |ui| {
                 for title in titles {
-                    ui.label(RichText::new(*title).small().color(palette.weak));
+                    let title = match (*title, narrow) {
+                        (NUMBER, true) => "mm",
+                        (title, true) => title.trim_end_matches(" mm"),
+                        (title, false) => title,
+                    };
+                    ui.label(RichText::new(title).small().color(palette.weak));
                 }
                 ui.end_row();
                 rows(ui);
@@ -100,7 +112,7 @@ pub fn sections(
     let (length_mm, depth_mm) = limits();
     let room = sections.len() < MAX_SECTIONS;
     let mut act = None;
-    let titles = ["Section", "Length mm", "Axial mm", "Wall mm", "R_D mm"];
+    let titles = [NUMBER, "Length mm", "Axial mm", "Wall mm", "R_D mm"];
     table(ui, "sections", &titles, |ui| {
         let several = sections.len() > 1;
         for (i, [length, axial, wall]) in sections.iter_mut().enumerate() {
@@ -215,7 +227,7 @@ pub fn profile(
         steps.len() < MAX_STEPS && last_mm + NEXT_STEP_MM <= most_mm
     };
     let mut act = None;
-    table(ui, "profile", &["Stretch", "From mm", "Axial mm", "R_D mm"], |ui| {
+    table(ui, "profile", &[NUMBER, "From mm", "Axial mm", "R_D mm"], |ui| {
         ui.label("1");
         ui.label("0");
         cell(ui, "Axial depth of stretch 1", &mut first_mm, [0.0, deepest_mm], said);
