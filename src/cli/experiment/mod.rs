@@ -77,7 +77,7 @@ pub fn execute(args: &ExperimentArgs) -> Outcome {
         let report = to_json(&plan, scenario.as_ref(), &assessment, measured.as_deref());
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
-        print_plan(&mut out, &plan, scenario.as_ref())?;
+        print_plan(&mut out, &plan, scenario.as_ref(), &assessment.leverages)?;
         print_assessment(&mut out, &plan, &assessment)?;
         if let Some(measured) = &measured {
             print_measured(&mut out, &plan, measured)?;

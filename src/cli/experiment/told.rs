@@ -49,6 +49,7 @@ pub fn print_plan(
     out: &mut impl Write,
     plan: &ExperimentPlan,
     scenario: Option<&Scenario>,
+    leverages: &[f64],
 ) -> Result<()> {
     writeln!(out, "{}: {} runs", plan.id, plan.runs.len())?;
     for (factor, letter) in plan.factors.iter().zip(LETTERS) {
@@ -81,14 +82,15 @@ pub fn print_plan(
     for factor in &plan.factors {
         write!(out, "{:>15}", factor.kind.column())?;
     }
-    writeln!(out)?;
+    writeln!(out, "  leverage")?;
     let runs = plan.in_order();
     for run in runs.iter().take(MOST_RUNS) {
         write!(out, "  {:>5} {:>4}  {:<11}", run.order, run.run, run.role.label())?;
         for (factor, value) in plan.factors.iter().zip(&run.values) {
             write!(out, "{:>15}", factor.text(*value))?;
         }
-        writeln!(out)?;
+        let leverage = leverages.get(run.run - 1).copied().unwrap_or(f64::NAN);
+        writeln!(out, "{leverage:>10.3}")?;
     }
     if runs.len() > MOST_RUNS {
         writeln!(out, "  {} more: --out and --json have all", runs.len() - MOST_RUNS)?;

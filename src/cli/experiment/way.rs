@@ -60,7 +60,11 @@ fn percent(value: Option<f64>) -> String {
 }
 
 fn cell(outcome: &RowOutcome) -> String {
-    let mark = if outcome.within == Some(false) { "*" } else { " " };
+    let mark = match (outcome.swings(), outcome.within) {
+        (true, _) => "~",
+        (false, Some(false)) => "*",
+        (false, Some(true) | None) => " ",
+    };
     format!("{:>12}{mark}", percent(outcome.ra_deviation_percent))
 }
 
@@ -130,7 +134,10 @@ fn print(out: &mut impl Write, report: &WayReport) -> std::io::Result<()> {
         };
         writeln!(out, "  {:>3} {:>7}{printed:>12}{cells}", row.sim, row.ra_target_um)?;
     }
-    writeln!(out, "* outside the ranges that the models were found on\n")?;
+    writeln!(
+        out,
+        "* outside the ranges that the models were found on; ~ the force still swings: no more than a mean\n"
+    )?;
     report.summary.iter().try_for_each(|one| summary(out, one))?;
     writeln!(out, "\ndigest {}", report.digest)
 }
@@ -143,9 +150,11 @@ fn summary(out: &mut impl Write, one: &EntrantSummary) -> std::io::Result<()> {
             one.without_ra
         ),
     };
-    let outside = match one.outside {
+    let rows = |count: usize, what: &str| match count {
         0 => String::new(),
-        count => format!("; {count} rows outside the ranges of the models"),
+        count => format!("; {count} rows {what}"),
     };
+    let outside = rows(one.swinging, "in which the loop swings")
+        + &rows(one.outside, "outside the ranges of the models");
     writeln!(out, "{:<9}{:<19} {held}{outside}", one.controller, one.models.label())
 }

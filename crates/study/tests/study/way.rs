@@ -4,9 +4,15 @@ use steadycut_core::base::math::limit;
 use steadycut_core::blocks::cutting::material::Material;
 use steadycut_core::models::tool::ShippedTool;
 use steadycut_core::run::job::{Budget, Job};
+use steadycut_core::run::presets::load;
+use steadycut_core::run::scenario::Scenario;
+use steadycut_study::csv_table::CsvTable;
 use steadycut_study::experiment::way::job::WayJob;
 use steadycut_study::experiment::way::report::WayReport;
 use steadycut_study::experiment::way::{WayPlant, WaySettings};
+
+/// The shipped scenario.
+const PRESET: &str = "square-12-4-42crmo4";
 
 /// A cutter and a steel that the papers did not have.
 fn unseen(batches: u64) -> WaySettings {
@@ -115,5 +121,57 @@ fn a_way_that_cannot_be_gone_is_refused_with_the_reason() {
     ] {
         let error = refused(change);
         assert!(parts.iter().all(|part| error.contains(part)), "{parts:?}: {error}");
+    }
+}
+
+/// The shipped scenario is what `steadycut experiment way --tool square-12-4 --material 42crmo4` writes, but for the
+/// search, which takes minutes: its formulas fit the cuts of the command as well as they say, and all else is equal.
+#[test]
+fn the_shipped_scenario_is_made_by_the_command() {
+    let preset = load(PRESET).unwrap();
+    let mut job = WayJob::new(&unseen(3)).unwrap().with_rows(0);
+    job.to_end();
+    let made = job.example().unwrap();
+    let bare = |scenario: &Scenario| {
+        let with = |s: &mut steadycut_core::run::scenario::Settings| {
+            s.formula = steadycut_core::models::genetic::FormulaSettings::default();
+        };
+        scenario.with(with).unwrap()
+    };
+    assert_eq!(bare(&preset), bare(&made));
+    assert_eq!(job.partial().measured, 185);
+    let table = job.table().unwrap();
+    let formula = &preset.formula;
+    let models = [
+        &formula.force_of_ra.get(),
+        &formula.feed.get(),
+        &formula.speed.get(),
+        &formula.force.get(),
+        &formula.ra.get(),
+    ];
+    let line: Vec<bool> = {
+        let csv = CsvTable::parse(&table, &[&["run"]]).unwrap();
+        csv.rows.iter().map(|row| csv.number(&row.cells[0]).unwrap() <= 61.0).collect()
+    };
+    for (number, model) in models.into_iter().enumerate() {
+        let model = model.expect("every model is there");
+        let inputs: Vec<[&str; 1]> =
+            model.inputs().iter().map(|input| [input.name.as_str()]).collect();
+        let output = [model.output().name.as_str()];
+        let mut columns: Vec<&[&str]> = inputs.iter().map(<[&str; 1]>::as_slice).collect();
+        columns.push(&output);
+        let csv = CsvTable::parse(&table, &columns).unwrap();
+        let mut squares = Vec::new();
+        for (row, line) in csv.rows.iter().zip(&line) {
+            let cells: Vec<f64> = row.cells.iter().map(|cell| csv.number(cell).unwrap()).collect();
+            if (number == 1 || number == 2) && !line {
+                continue;
+            }
+            let (y, x) = cells.split_last().unwrap();
+            squares.push((model.at(x).value - y) * (model.at(x).value - y));
+        }
+        let rms = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
+        let told = model.source().rsplit("rms ").next().unwrap().parse::<f64>().unwrap();
+        assert!((rms / told - 1.0).abs() < 1e-3, "{}: {rms} {told}", model.source());
     }
 }

@@ -10,6 +10,7 @@ use super::pilot::Pilot;
 use super::report::{WayReport, digest, summary};
 use super::rows::{ModelSource, RowOutcome, RowRuns, WayRow};
 use super::{FEWEST_CUTS, MOST_CUTS, WayPlant, WaySettings};
+use crate::base::units::mm_s_from_mm_min;
 use crate::blocks::control::ControllerKind;
 use crate::identify::gp::job::{GpJob, GpSettings};
 use crate::identify::gp::problem::GpProblem;
@@ -26,8 +27,8 @@ use crate::run::scenario::Scenario;
 const SHARES: [f64; 4] = [2.0, 8.0, 75.0, 15.0];
 /// The row whose scenario is written: 0.81 um, the paper's example.
 const EXAMPLE_SIM: u32 = 5;
-/// Length of its path, mm.
-const EXAMPLE_MM: f64 = 200.0;
+/// Its path is so much longer than the programmed feed goes in its time, and a multiple of so many mm.
+const EXAMPLE_PATH: [f64; 2] = [1.5, 50.0];
 
 /// The cuts, once they are planned.
 #[derive(Clone, Debug)]
@@ -143,7 +144,9 @@ impl WayJob {
                 self.settings.cuts,
                 self.plant.label()
             );
-            s.workpiece.length_mm = EXAMPLE_MM;
+            let [longer, multiple] = EXAMPLE_PATH;
+            let way_mm = mm_s_from_mm_min(s.program.feed_mm_min) * s.run.duration_s;
+            s.workpiece.length_mm = (longer * way_mm / multiple).ceil() * multiple;
         });
         described.map_err(|error| error.to_string())
     }

@@ -22,6 +22,8 @@ pub struct EntrantSummary {
     pub rms_percent: Option<f64>,
     /// Rows without Ra: the force lies below what the plant's model knows, or nothing was cut.
     pub without_ra: usize,
+    /// Rows in which the force still swings at the end.
+    pub swinging: usize,
     /// Rows outside the ranges that the models were found on.
     pub outside: usize,
 }
@@ -91,6 +93,7 @@ pub fn summary(rows: &[WayRow]) -> Vec<EntrantSummary> {
                 .map(|all| all.iter().fold(0.0, |worst: f64, x| worst.max(x.abs()))),
             rms_percent: deviations.as_ref().map(rms),
             without_ra: outcomes().filter(|outcome| outcome.ra_um.is_none()).count(),
+            swinging: outcomes().filter(|outcome| outcome.swings()).count(),
             outside: outcomes().filter(|outcome| outcome.within == Some(false)).count(),
         }
     };

@@ -4,17 +4,23 @@ use serde::Serialize;
 
 use super::WayPlant;
 use super::models::{FoundModel, FoundRole};
+use crate::base::math::extent;
+use crate::base::stats;
 use crate::base::units::percent_from_ratio;
 use crate::blocks::control::ControllerKind;
 use crate::models::genetic::{Calibration, FormulaSettings};
 use crate::published::{PaperId, TableRow};
 use crate::run::one_run::Run;
+use crate::run::recording::Recording;
 use crate::run::scenario::Scenario;
 
 /// Final values are those after so long, as in the paper, s.
 const ROW_S: f64 = 15.0;
 /// No run reaches the end of such a path, mm.
 const PATH_MM: f64 = 20_000.0;
+
+/// Swing of the force from which on a run counts as not at rest; the teeth alone make up to 10 %, percent (chosen).
+const SWINGING_PERCENT: f64 = 25.0;
 
 steadycut_core::choice! {
     /// Whose models a controller has.
@@ -51,6 +57,8 @@ pub struct RowOutcome {
     pub feed_mm_min: f64,
     /// Final speed, 1/min.
     pub speed_rpm: f64,
+    /// How far the force still swings over the last second, largest less least, percent of its mean.
+    pub swing_percent: Option<f64>,
     /// Whether target, force, feed and speed lie within the ranges that the models were found on; none of the
     /// papers' models.
     pub within: Option<bool>,
@@ -69,6 +77,23 @@ pub struct WayRow {
     pub printed_deviation_percent: f64,
     /// What came out, in the order of [`ENTRANTS`].
     pub outcomes: Vec<RowOutcome>,
+}
+
+impl RowOutcome {
+    /// Whether the force has not come to rest: its mean over the last second says little then.
+    #[must_use]
+    pub fn swings(&self) -> bool {
+        self.swing_percent.is_some_and(|percent| percent > SWINGING_PERCENT)
+    }
+}
+
+fn swing_percent(run: &Run) -> Option<f64> {
+    let recording = run.recording();
+    let rows = Recording::last_second(recording.rows(), recording.row_s());
+    let forces = || rows.iter().map(|row| row.force_n);
+    let [least, most] = extent(forces());
+    let mean = stats::mean(forces()).filter(|mean| *mean > 0.0)?;
+    Some(percent_from_ratio((most - least) / mean))
 }
 
 /// What the rows are run with.
@@ -161,6 +186,7 @@ impl RowRuns {
             force_n: force,
             feed_mm_min: feed,
             speed_rpm: speed,
+            swing_percent: swing_percent(run),
             within,
             end: run.end().map_or_else(String::new, ToString::to_string),
         }
