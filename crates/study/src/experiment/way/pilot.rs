@@ -136,14 +136,21 @@ impl Pilot {
         self.cuts += 1;
         self.cut += 1;
         let near = (ratio - 1.0).abs() < NEAR;
-        if near || self.cut == CUTS {
-            if !near {
-                let force = force.round();
-                return Err(format!(
-                    "pilot cuts: {} gives {force} N in place of {} N: give another depth",
-                    self.now[self.stage], FORCES[self.stage]
-                ));
-            }
+        if !near && self.cut == CUTS {
+            let force = force.round();
+            return Err(format!(
+                "pilot cuts: {} gives {force} N in place of {} N: give another depth",
+                self.now[self.stage], FORCES[self.stage]
+            ));
+        }
+        let (exponent, steps) = match SOUGHT[self.stage] {
+            Sought::Depth => (1.0, 100.0),
+            Sought::LowFeed | Sought::HighFeed => (1.0 / EXPONENT, 10.0),
+        };
+        let factor = if near { 1.0 } else { math::power(ratio, exponent) };
+        // In steps that a shop can set.
+        self.now[self.stage] = (self.now[self.stage] * factor * steps).round() / steps;
+        if near {
             let [depth, low, high] = self.now;
             if self.stage > 0 && low >= high {
                 return Err(format!(
@@ -152,18 +159,7 @@ impl Pilot {
             }
             self.stage += 1;
             self.cut = 0;
-            return Ok(());
         }
-        let steps = match SOUGHT[self.stage] {
-            Sought::Depth => 100.0,
-            Sought::LowFeed | Sought::HighFeed => 10.0,
-        };
-        let exponent = match SOUGHT[self.stage] {
-            Sought::Depth => 1.0,
-            Sought::LowFeed | Sought::HighFeed => 1.0 / EXPONENT,
-        };
-        let next = self.now[self.stage] * math::power(ratio, exponent);
-        self.now[self.stage] = (next * steps).round() / steps;
         Ok(())
     }
 }
