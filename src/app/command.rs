@@ -2,6 +2,7 @@
 //! alone carries them out, so buttons, keys, tests and scripts go the same way. Each kind of
 //! command is carried out in one place, by a `match` over all of it.
 
+use super::panels::BroughtFile;
 use super::playback::Speed;
 use crate::base::settings::Value;
 
@@ -107,6 +108,19 @@ pub enum FileCommand {
         /// The table.
         text: String,
     },
+    /// Saves a text under this name.
+    SaveText {
+        /// The file's name.
+        name: String,
+        /// Its text.
+        text: String,
+    },
+    /// Asks for a table, for the screen that searches for formulas.
+    OpenTable,
+    /// Asks for a saved search for a formula, and goes on with it.
+    OpenSearch,
+    /// Hands a file to the screen that it is for, and shows that.
+    Bring(BroughtFile),
     /// Asks for a file of UNKS networks and begins with them.
     OpenNetworks,
     /// Saves the networks as they are at the end of the cut.

@@ -66,6 +66,13 @@ impl Console {
             FileCommand::SaveCsv { what, text } => {
                 self.save(ctx, &format!("{what}.csv"), text.into_bytes());
             }
+            FileCommand::SaveText { name, text } => self.files.save(ctx, &name, text.into_bytes()),
+            FileCommand::OpenTable => self.files.open_table(ctx),
+            FileCommand::OpenSearch => self.files.open_search(ctx),
+            FileCommand::Bring(file) => {
+                self.show_screen(file.screen());
+                self.panels[self.shown].take(&file);
+            }
             FileCommand::OpenNetworks => self.files.open_networks(ctx),
             FileCommand::SaveNetworks => self.save_networks(ctx),
             FileCommand::CopyLink => self.copy_link(ctx),

@@ -4,8 +4,10 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 
 #[cfg(target_arch = "wasm32")]
 use super::command::ShellCommand;
-use super::command::{Command, SessionCommand};
+use super::command::{Command, FileCommand, SessionCommand};
+use super::panels::BroughtFile;
 use crate::base::text::decode;
+use crate::study::identify::gp::state::GpState;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod fallback;
@@ -55,17 +57,28 @@ impl Files {
 
     /// Asks for a scenario file.
     pub fn open(&self, ctx: &egui::Context) {
-        self.ask(ctx, "SteadyCut scenario", "toml");
+        self.ask(ctx, "SteadyCut scenario", &["toml"], loaded);
     }
 
     /// Asks for a file of UNKS networks.
     pub fn open_networks(&self, ctx: &egui::Context) {
-        self.ask(ctx, "UNKS networks", NETWORKS);
+        self.ask(ctx, "UNKS networks", &[JSON], loaded);
     }
 
-    fn ask(&self, ctx: &egui::Context, what: &str, extension: &str) {
+    /// Asks for a table.
+    pub fn open_table(&self, ctx: &egui::Context) {
+        self.ask(ctx, "Table", &["csv", "tsv", "txt"], table);
+    }
+
+    /// Asks for a saved search for a formula.
+    pub fn open_search(&self, ctx: &egui::Context) {
+        self.ask(ctx, "Saved search", &[JSON], search);
+    }
+
+    /// Asks for a file, which becomes a command by `read`.
+    fn ask(&self, ctx: &egui::Context, what: &str, extensions: &[&str], read: Read) {
         let answer = self.answer(ctx);
-        let dialog = rfd::AsyncFileDialog::new().add_filter(what, &[extension]);
+        let dialog = rfd::AsyncFileDialog::new().add_filter(what, extensions);
         #[cfg(not(target_arch = "wasm32"))]
         let opened = fallback::Opened::now();
         let picked = dialog.pick_file();
@@ -74,12 +87,12 @@ impl Files {
                 Some(file) => {
                     let name = file.file_name();
                     #[cfg(target_arch = "wasm32")]
-                    let read = Ok::<_, std::io::Error>(file.read().await);
+                    let bytes = Ok::<_, std::io::Error>(file.read().await);
                     // The dialog's own reader panics where a file cannot be read.
                     #[cfg(not(target_arch = "wasm32"))]
-                    let read = crate::disk::read(file.path());
-                    answer.send(match read {
-                        Ok(bytes) => loaded(name, &bytes),
+                    let bytes = crate::disk::read(file.path());
+                    answer.send(match bytes {
+                        Ok(bytes) => read(name, &bytes),
                         Err(error) => Command::notify(format!("{name} could not be read: {error}")),
                     });
                 }
@@ -177,15 +190,16 @@ impl Files {
     }
 }
 
-/// Extension of files of networks; all others are scenarios.
-const NETWORKS: &str = "json";
+/// Extension of files of networks and of saved searches; all others are scenarios or tables.
+const JSON: &str = "json";
 
-fn is_networks(name: &str) -> bool {
-    ends_with_one_of(name, &[NETWORKS])
-}
+/// What makes a command of a file: of its name and its bytes.
+type Read = fn(String, &[u8]) -> Command;
 
-/// Endings of files that hold tables.
-const TABLES: [&str; 5] = ["csv", "tsv", "xlsx", "xls", "ods"];
+/// Endings of files that hold tables as text, and of those that only a spreadsheet reads.
+const TABLES: [&str; 2] = ["csv", "tsv"];
+/// See [`TABLES`].
+const SPREADSHEETS: [&str; 3] = ["xlsx", "xls", "ods"];
 
 fn ends_with_one_of(name: &str, endings: &[&str]) -> bool {
     let ending = name.rsplit_once('.').map(|(_, ending)| ending);
@@ -195,18 +209,40 @@ fn ends_with_one_of(name: &str, endings: &[&str]) -> bool {
 /// The command for a file that was read.
 #[must_use]
 pub fn loaded(name: String, bytes: &[u8]) -> Command {
-    if ends_with_one_of(&name, &TABLES) {
+    if ends_with_one_of(&name, &TABLES) || ends_with_one_of(&name, &SPREADSHEETS) {
+        return table(name, bytes);
+    }
+    text_of(name, bytes, |name, text| {
+        Command::Session(if !ends_with_one_of(&name, &[JSON]) {
+            SessionCommand::LoadText { name, text }
+        } else if GpState::is_meant_by(&text) {
+            return Command::File(FileCommand::Bring(BroughtFile::Search { name, text }));
+        } else {
+            SessionCommand::LoadNetworks { name, text }
+        })
+    })
+}
+
+/// The command for a table that was read.
+fn table(name: String, bytes: &[u8]) -> Command {
+    if ends_with_one_of(&name, &SPREADSHEETS) {
         return Command::notify(format!(
-            "{name} is a table: the console opens scenarios (.toml) and networks of UNKS (.json). Tables are read on \
-             the command line: `steadycut identify` fits models to one, `steadycut recommend --table` takes \
-             cutting conditions from one."
+            "{name} is a file of a spreadsheet: save it there as CSV, which can be opened and dropped here."
         ));
     }
+    let bring = |name, text| Command::File(FileCommand::Bring(BroughtFile::Table { name, text }));
+    text_of(name, bytes, bring)
+}
+
+/// The command for a saved search that was read.
+fn search(name: String, bytes: &[u8]) -> Command {
+    let bring = |name, text| Command::File(FileCommand::Bring(BroughtFile::Search { name, text }));
+    text_of(name, bytes, bring)
+}
+
+fn text_of(name: String, bytes: &[u8], of: impl FnOnce(String, String) -> Command) -> Command {
     match decode(bytes) {
-        Ok(text) if is_networks(&name) => {
-            Command::Session(SessionCommand::LoadNetworks { name, text })
-        }
-        Ok(text) => Command::Session(SessionCommand::LoadText { name, text }),
+        Ok(text) => of(name, text),
         Err(error) => Command::notify(format!("{name}: {error}")),
     }
 }
@@ -272,5 +308,19 @@ mod tests {
             loaded("x.JSON".to_owned(), b"x"),
             Command::Session(SessionCommand::LoadNetworks { .. })
         ));
+    }
+
+    #[test]
+    fn tables_and_searches_go_to_their_screen() {
+        let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+        let bytes = b"a,b\n1,2\n";
+        let brought = BroughtFile::Table { name: "x.CSV".to_owned(), text: text(bytes) };
+        assert_eq!(loaded("x.CSV".to_owned(), bytes), Command::File(FileCommand::Bring(brought)));
+        let said = loaded("x.xlsx".to_owned(), b"PK");
+        let Command::Session(SessionCommand::Notify(said)) = said else { panic!("{said:?}") };
+        assert!(said.starts_with("x.xlsx is a file of a spreadsheet"), "{said}");
+        let bytes = br#"{"version":1,"problem":"00","islands":[]}"#;
+        let brought = BroughtFile::Search { name: "x.json".to_owned(), text: text(bytes) };
+        assert_eq!(loaded("x.json".to_owned(), bytes), Command::File(FileCommand::Bring(brought)));
     }
 }

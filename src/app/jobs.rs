@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::clock::now_s;
 use crate::run::job::{Budget, Job, OneThread, Progress, Threads};
-pub use list::show;
+pub use list::{show, time as time_left};
 
 /// Time of a slice in a frame, for all jobs together, s.
 const FRAME_SLICE_S: f64 = 0.008;
@@ -60,6 +60,13 @@ struct Shared<J: Job> {
 impl<J: Job> Shared<J> {
     fn slot(&self) -> MutexGuard<'_, Slot<J>> {
         self.slot.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Time that is left at most, s.
+    fn left_s(&self) -> Option<f64> {
+        let slot = self.slot();
+        let (worked_s, from) = slot.worked;
+        slot.progress.left_s(worked_s, from)
     }
 
     /// Works at it for a slice that is to take `slice_s` seconds; `true` while there is more to do.
@@ -143,9 +150,8 @@ where
     }
 
     fn progress(&self) -> (Progress, Option<f64>) {
-        let slot = self.slot();
-        let (worked_s, from) = slot.worked;
-        (slot.progress, slot.progress.left_s(worked_s, from))
+        let left_s = self.left_s();
+        (self.slot().progress, left_s)
     }
 
     fn frame(&self, slice_s: f64) {
@@ -184,6 +190,12 @@ impl<J: Job> Work<J> {
     #[must_use]
     pub fn progress(&self) -> Progress {
         self.shared.slot().progress
+    }
+
+    /// Time that is left at most, s; none before it has come anywhere.
+    #[must_use]
+    pub fn left_s(&self) -> Option<f64> {
+        self.shared.left_s()
     }
 
     /// Whether it goes on.

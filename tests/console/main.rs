@@ -6,6 +6,7 @@ mod contrast;
 mod drawn;
 mod finding;
 mod fingers;
+mod identify;
 mod jobs;
 mod judged;
 mod learning;

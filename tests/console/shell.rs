@@ -127,9 +127,9 @@ fn the_sheet_of_keys_fits_and_lists_what_is_true_here() {
             let whole = Rect::from_min_size(Pos2::ZERO, size);
             assert!(whole.contains_rect(window), "{window:?} in {size:?}");
             for (text, in_page) in [
-                ("Ctrl+1 … Ctrl+7", false),
+                ("Ctrl+1 … Ctrl+8", false),
                 ("Ctrl+L", false),
-                ("1 … 7", true),
+                ("1 … 8", true),
                 ("Esc, then Tab", true),
             ] {
                 assert_eq!(shown.lines().any(|line| line == text), page == in_page, "{text}");
@@ -254,6 +254,7 @@ fn screens_without_the_run_have_no_transport_of_it_and_it_rests() {
             ("Machine", true),
             ("Compare", false),
             ("Papers", false),
+            ("Identify", false),
         ] {
             show(&mut screen, title);
             let has = screen.query_by_role_and_label(Role::Slider, "Playhead").is_some();

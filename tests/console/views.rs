@@ -5,8 +5,8 @@ use egui::{Event, Key, Modifiers, Rect, Shape, Theme, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use steadycut::app::Console;
-use steadycut::app::command::{Command, ShellCommand};
-use steadycut::app::panels::panels;
+use steadycut::app::command::{Command, FileCommand, ShellCommand};
+use steadycut::app::panels::{BroughtFile, panels};
 use steadycut::run::edits::Edits;
 use steadycut::run::{Start, presets};
 
@@ -148,6 +148,18 @@ fn screens(size: Vec2, pixels: Option<f32>, look: Look<'_>) {
     screen.run_steps(40);
     click(&mut screen, "Pause the comparison");
     whole(&mut screen, "Compare, some runs", look);
+
+    screen::show(&mut screen, "Identify");
+    screen.get_by_role_and_label(Role::SpinButton, "Most batches").set_value_accesskit(6.0);
+    screen.run_steps(2);
+    click(&mut screen, "Search");
+    whole(&mut screen, "Identify, a front", look);
+    screen.get_by_role_and_label(Role::SpinButton, "Seed").set_value_accesskit(3.0);
+    screen.run_steps(2);
+    let bad = ("bad.csv".to_owned(), "a,b\n1,x\n".to_owned());
+    let bad = FileCommand::Bring(BroughtFile::Table { name: bad.0, text: bad.1 });
+    screen.state().as_ref().unwrap().push(Command::File(bad));
+    whole(&mut screen, "Identify, changed, a bad table", look);
 
     let mut screen = window("experiment-2", size, pixels);
     whole(&mut screen, "Console, several cuts", look);

@@ -16,6 +16,7 @@
 //! | Which command and screen uses which setting? | [`uses`] |
 //! | How does a run get into a spreadsheet, and a table out of one? | [`export`], [`csv_table`] |
 //! | What does a formula make of a table? | [`formula_table`] |
+//! | Where in a run can a formula stand? | [`formula_place`] |
 //!
 //! One run is `steadycut_core`: dead time, controllers and plant are there, in `blocks`.
 
@@ -34,6 +35,7 @@ pub mod errata;
 pub mod errata_2019;
 pub mod experiment;
 pub mod export;
+pub mod formula_place;
 pub mod formula_table;
 pub mod golden;
 pub mod identify;

@@ -56,7 +56,8 @@ fn line(ui: &mut Ui, job: &dyn Listed, palette: &Palette) {
 }
 
 /// A time in seconds for people; no more digits than an estimate has.
-fn time(s: f64) -> String {
+#[must_use]
+pub fn time(s: f64) -> String {
     let s = s.ceil();
     match s {
         _ if s < 60.0 => format!("{s:.0} s"),

@@ -21,6 +21,35 @@ pub struct View<'a> {
     pub narrow: bool,
 }
 
+/// A file that was opened or dropped for one of the screens.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BroughtFile {
+    /// A table that formulas are searched for in.
+    Table {
+        /// Where it came from, for messages.
+        name: String,
+        /// Its text.
+        text: String,
+    },
+    /// A saved search for a formula.
+    Search {
+        /// Where it came from, for messages.
+        name: String,
+        /// Its text.
+        text: String,
+    },
+}
+
+impl BroughtFile {
+    /// Id of the screen that it is for.
+    #[must_use]
+    pub fn screen(&self) -> &'static str {
+        match self {
+            Self::Table { .. } | Self::Search { .. } => "identify",
+        }
+    }
+}
+
 /// One screen.
 pub trait Panel {
     /// Its name in state, commands and snapshot files.
@@ -35,6 +64,8 @@ pub trait Panel {
     }
     /// Shows the part of it with this name; a screen without parts is shown as it is.
     fn show_part(&mut self, _part: &str) {}
+    /// Takes a file that was opened or dropped for it.
+    fn take(&mut self, _file: &BroughtFile) {}
     /// Another screen is shown from now on.
     fn left(&mut self) {}
 }
@@ -60,4 +91,5 @@ screens! {
     machine::MachinePanel,
     compare::ComparePanel,
     papers::PapersPanel,
+    identify::IdentifyPanel,
 }

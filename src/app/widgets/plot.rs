@@ -5,6 +5,7 @@ use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Plot, PlotPoint};
 
 use super::super::format::{log10, round_step};
 use super::super::theme::Palette;
+use crate::base::math::{extent, pow};
 
 /// A plot as all of them look, which by itself is only looked at: nothing in it is dragged, scrolled or
 /// zoomed.
@@ -59,6 +60,42 @@ pub fn tick(mark: GridMark) -> String {
     format!("{:.decimals$}", mark.value + 0.0)
 }
 
+/// Grid lines of a logarithmic axis: powers of ten, and twice and five times them where there is
+/// room.
+#[must_use]
+pub fn decades(input: GridInput, height: f32) -> Vec<GridMark> {
+    let (low, high) = input.bounds;
+    let room = f64::from(height) / (high - low).max(1e-9);
+    let fine: &[f64] = if room > 90.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+    let (first, last) = ((low - 1.0).floor() as i64, high.ceil() as i64);
+    // An axis of any length has few lines.
+    let step = ((last - first) / 12).max(1) as usize;
+    let places = (first..=last)
+        .step_by(step)
+        .flat_map(|decade| fine.iter().map(move |factor| decade as f64 + log10(*factor)));
+    let inside = places.filter(|place| (low..=high).contains(place));
+    inside.map(|value| GridMark { value, step_size: 1.0 }).collect()
+}
+
+/// The label of a line of a logarithmic axis.
+#[must_use]
+pub fn decade(mark: GridMark) -> String {
+    let value = pow(10.0, mark.value);
+    let decimals = (-(mark.value + 1e-9).floor()).clamp(0.0, 9.0) as usize;
+    format!("{value:.decimals$}")
+}
+
+/// A logarithmic range that holds all positive `values`, at most `decades` long.
+#[must_use]
+pub fn decades_of(values: impl Iterator<Item = f64>, decades: f64) -> [f64; 2] {
+    let [low, high] = extent(values.filter(|x| x.is_finite() && *x > 0.0));
+    if low > high {
+        return [0.1, 1.0];
+    }
+    let high = 1.6 * high;
+    [(0.7 * low).max(high * pow(10.0, -decades)), high]
+}
+
 /// The pieces of a curve between the gaps in it, where its values are NaN.
 #[must_use]
 pub fn pieces(points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
@@ -74,5 +111,30 @@ pub fn near<'a>(hover: &HoverPosition<'a>) -> Option<(&'a str, PlotPoint)> {
             (!plot_name.is_empty()).then_some((*plot_name, *position))
         }
         HoverPosition::Elsewhere { .. } => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn logarithmic_axes_have_round_lines() {
+        let input = GridInput { bounds: (-1.2, 3.1), base_step_size: 0.1 };
+        let marks = |height| {
+            let input = GridInput { bounds: input.bounds, base_step_size: 0.1 };
+            decades(input, height).into_iter().map(decade).collect::<Vec<String>>()
+        };
+        assert_eq!(marks(200.0), ["0.1", "1", "10", "100", "1000"]);
+        assert_eq!(marks(500.0)[..4], ["0.1", "0.2", "0.5", "1"]);
+        let wide = GridInput { bounds: (-300.0, 300.0), base_step_size: 0.1 };
+        assert!(decades(wide, 300.0).len() < 20);
+    }
+
+    #[test]
+    fn a_logarithmic_range_has_so_many_decades_at_most() {
+        let [low, high] = decades_of([1e-9, 1.0, 100.0, 0.0].into_iter(), 4.0);
+        assert!(high > 100.0 && low > 1e-2 && low < 1.0);
+        assert_eq!(decades_of(std::iter::empty(), 3.0), [0.1, 1.0]);
     }
 }

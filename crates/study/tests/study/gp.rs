@@ -5,10 +5,12 @@ use steadycut_core::base::formula::Formula;
 use steadycut_core::base::math;
 use steadycut_core::run::job::{Budget, Job};
 use steadycut_study::identify::gp::declared::declared_report;
+use steadycut_study::identify::gp::inspect::FormulaInspection;
 use steadycut_study::identify::gp::job::{GpJob, GpSettings};
 use steadycut_study::identify::gp::problem::GpProblem;
-use steadycut_study::identify::gp::report::{FrontFormula, GpReport};
+use steadycut_study::identify::gp::report::{FrontFormula, GpReport, OutlyingRow};
 use steadycut_study::identify::gp::standing::{GpStage, GpStanding};
+use steadycut_study::identify::gp::watched::WatchedSearch;
 use steadycut_study::published::PaperId;
 
 const CLEAN: &str = include_str!("../data/gp/k4_clean.csv");
@@ -356,4 +358,80 @@ fn what_is_asked_wrongly_is_refused_with_its_name() {
     ] {
         assert!(parts.iter().all(|part| error.contains(part)), "{error}");
     }
+}
+
+/// What a screen shows of the chosen formula is what the report says of it; of the others it is told by the same
+/// rules.
+#[test]
+fn a_formula_looked_at_closely_is_the_one_of_the_report() {
+    let problem = problem(PaperId::Sdnrp2007.text(), "feed_final_mm_min", &["force_final_n"]);
+    let report = report(problem.clone(), 1, 20);
+    for found in &report.front {
+        let seen = FormulaInspection::of(&problem, found, &[], "a test".to_owned()).unwrap();
+        assert_eq!(seen.formula.to_string(), found.formula);
+        let squares: f64 = seen.residuals.iter().map(|residual| residual * residual).sum();
+        let rms = (squares / problem.rows.len() as f64).sqrt();
+        assert!((rms / found.error - 1.0).abs() < 1e-12, "{rms} {}", found.error);
+        for (row, value) in seen.predicted.iter().enumerate() {
+            assert_eq!(problem.rows.target[row] - value, seen.residuals[row]);
+        }
+        assert_eq!(seen.constants, found.constants);
+        let units = seen.units.unwrap();
+        assert_eq!(units.len(), found.constants.len());
+        assert_eq!(seen.model.is_ok(), found.certified);
+        if found.chosen {
+            assert_eq!(Some(&seen.ranges), report.ranges.as_ref());
+            assert_eq!(seen.residuals, report.residuals);
+            let rows = |rows: &[OutlyingRow]| rows.iter().map(|row| row.row).collect::<Vec<_>>();
+            assert_eq!(rows(&seen.outliers), rows(&report.outliers));
+            for (seen, told) in seen.outliers.iter().zip(&report.outliers) {
+                assert!((seen.studentised - told.studentised).abs() < 1e-4);
+            }
+            // a - b / F: feed, and feed times force.
+            assert_eq!(units[0].as_deref(), Some("mm/min"));
+            assert_eq!(units[1].as_deref(), Some("N mm/min"));
+        }
+    }
+    assert!(report.chosen().is_some());
+}
+
+/// Before the end too: constants fitted to all rows, with their intervals.
+#[test]
+fn a_formula_of_a_search_under_way_is_looked_at_with_fitted_constants() {
+    let problem = problem(PaperId::Sdnrp2007.text(), "feed_final_mm_min", &["force_final_n"]);
+    let mut job = WatchedSearch::new(job(problem.clone(), 1, 20));
+    assert!(!job.advance(&Budget::steps(300)));
+    let so_far = job.partial();
+    assert!(so_far.report.is_none() && so_far.standing.front.len() >= 3);
+    for found in &so_far.standing.front {
+        let seen = FormulaInspection::on_the_way(&problem, found, &[], String::new()).unwrap();
+        let squares: f64 = seen.residuals.iter().map(|residual| residual * residual).sum();
+        let rms = (squares / problem.rows.len() as f64).sqrt();
+        assert!(rms <= found.error * (1.0 + 1e-9), "{rms} {}", found.error);
+        assert!(seen.constants.iter().any(|constant| constant.interval.is_some()));
+    }
+    job.to_end();
+    assert_eq!(job.partial().report.as_deref(), Some(&job.job().report()));
+}
+
+#[test]
+fn a_search_that_is_ended_early_is_one_of_so_many_batches() {
+    let problem = problem(PaperId::Sdnrp2007.text(), "feed_final_mm_min", &["force_final_n"]);
+    let mut ended = job(problem.clone(), 3, 400);
+    while ended.search().batches() < 3 {
+        assert!(!ended.advance(&Budget::steps(50)));
+    }
+    ended.end_here();
+    ended.to_end();
+    assert_eq!(ended.progress().share(), 1.0);
+    let short = report(problem.clone(), 3, 3);
+    assert_eq!(ended.report(), short);
+    // What is over stays as it is.
+    ended.end_here();
+    assert_eq!(ended.report(), short);
+    // Ended before it began, it has its first batch.
+    let mut none = job(problem.clone(), 3, 400);
+    none.end_here();
+    none.to_end();
+    assert_eq!(none.report(), report(problem, 3, 1));
 }

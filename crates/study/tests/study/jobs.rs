@@ -34,6 +34,7 @@ use steadycut_study::experiment::way::{WayPlant, WaySettings};
 use steadycut_study::identify::gp::job::{GpJob, GpSettings};
 use steadycut_study::identify::gp::paper::PaperSearch;
 use steadycut_study::identify::gp::problem::GpProblem;
+use steadycut_study::identify::gp::watched::WatchedSearch;
 use steadycut_study::machine_life::adaptive::AdaptiveLife;
 use steadycut_study::machine_life::monte_carlo::{LifeMonteCarlo, Tools};
 use steadycut_study::machine_life::{LifeJob, model};
@@ -223,6 +224,7 @@ fn searches_for_formulas() {
     check("PaperSearch", &paper, 137);
     check("GpSearch", job.search(), 37);
     check("GpJob", &job, 7);
+    check("WatchedSearch", &WatchedSearch::new(job.clone()), 7);
 }
 
 #[test]

@@ -3,14 +3,14 @@
 
 use egui::{RichText, Role, Ui, WidgetInfo};
 use egui_plot::{
-    FilledArea, GridInput, GridMark, HLine, HoverPosition, Line, MarkerShape, PlotPoint,
-    PlotPoints, PlotResponse, PlotUi, Points, Text, VLine,
+    FilledArea, HLine, HoverPosition, Line, MarkerShape, PlotPoint, PlotPoints, PlotResponse,
+    PlotUi, Points, Text, VLine,
 };
 
 use crate::app::format::{self, log10};
 use crate::app::theme::{Look, Palette};
 use crate::app::widgets::legend;
-use crate::app::widgets::plot::{grid, near, still, tick};
+use crate::app::widgets::plot::{decade, decades, grid, near, still, tick};
 use crate::base::math::{extent, pow};
 
 /// A line of a plot.
@@ -216,28 +216,6 @@ fn long(unit: &str) -> bool {
 /// Opacity of a band.
 const BAND: f32 = 0.22;
 
-/// Grid lines of a logarithmic axis: powers of ten, and twice and five times them where there is
-/// room.
-fn decades(input: GridInput, height: f32) -> Vec<GridMark> {
-    let (low, high) = input.bounds;
-    let room = f64::from(height) / (high - low).max(1e-9);
-    let fine: &[f64] = if room > 90.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
-    let (first, last) = ((low - 1.0).floor() as i64, high.ceil() as i64);
-    // An axis of any length has few lines.
-    let step = ((last - first) / 12).max(1) as usize;
-    let places = (first..=last)
-        .step_by(step)
-        .flat_map(|decade| fine.iter().map(move |factor| decade as f64 + log10(*factor)));
-    let inside = places.filter(|place| (low..=high).contains(place));
-    inside.map(|value| GridMark { value, step_size: 1.0 }).collect()
-}
-
-fn decade(mark: GridMark) -> String {
-    let value = pow(10.0, mark.value);
-    let decimals = (-(mark.value + 1e-9).floor()).clamp(0.0, 9.0) as usize;
-    format!("{value:.decimals$}")
-}
-
 /// A range that holds all finite `values` with a margin at both ends.
 pub fn range_of(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let [low, high] = extent(values.filter(|x| x.is_finite()));
@@ -248,40 +226,14 @@ pub fn range_of(values: impl Iterator<Item = f64>) -> [f64; 2] {
     [low - margin, high + margin]
 }
 
-/// A logarithmic range that holds all positive `values`, at most `decades` long.
-pub fn decades_of(values: impl Iterator<Item = f64>, decades: f64) -> [f64; 2] {
-    let [low, high] = extent(values.filter(|x| x.is_finite() && *x > 0.0));
-    if low > high {
-        return [0.1, 1.0];
-    }
-    let high = 1.6 * high;
-    [(0.7 * low).max(high * pow(10.0, -decades)), high]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn logarithmic_axes_have_round_lines() {
-        let input = GridInput { bounds: (-1.2, 3.1), base_step_size: 0.1 };
-        let marks = |height| {
-            let input = GridInput { bounds: input.bounds, base_step_size: 0.1 };
-            decades(input, height).into_iter().map(decade).collect::<Vec<String>>()
-        };
-        assert_eq!(marks(200.0), ["0.1", "1", "10", "100", "1000"]);
-        assert_eq!(marks(500.0)[..4], ["0.1", "0.2", "0.5", "1"]);
-        let wide = GridInput { bounds: (-300.0, 300.0), base_step_size: 0.1 };
-        assert!(decades(wide, 300.0).len() < 20);
-    }
 
     #[test]
     fn ranges_hold_their_values_and_survive_none() {
         let [low, high] = range_of([2.0, 5.0, f64::NAN].into_iter());
         assert!(low < 2.0 && high > 5.0 && high < 6.0);
         assert_eq!(range_of(std::iter::empty()), [0.0, 1.0]);
-        let [low, high] = decades_of([1e-9, 1.0, 100.0, 0.0].into_iter(), 4.0);
-        assert!(high > 100.0 && low > 1e-2 && low < 1.0);
-        assert_eq!(decades_of(std::iter::empty(), 3.0), [0.1, 1.0]);
     }
 }

@@ -5,12 +5,13 @@ use egui::{RichText, Role, Sense, Slider, Ui, WidgetInfo};
 use egui_plot::MarkerShape;
 
 use super::motion::amplitude;
-use super::plot::{Figure, Marks, PlotCurve, decades_of};
+use super::plot::{Figure, Marks, PlotCurve};
 use super::state::MachineState;
 use crate::app::format;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::focus::pointer_only;
 use crate::app::widgets::legend;
+use crate::app::widgets::plot::decades_of;
 use crate::app::widgets::touch;
 use crate::app::widgets::zoom::by_touch;
 use crate::base::math::{TAU, acos};

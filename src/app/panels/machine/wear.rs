@@ -5,10 +5,11 @@ use egui::{ProgressBar, RichText, Role, Sense, Slider, Ui, WidgetInfo};
 use egui_plot::MarkerShape;
 
 use super::life::{Life, LifeInCut};
-use super::plot::{Figure, Marks, PlotCurve, decades_of, range_of};
+use super::plot::{Figure, Marks, PlotCurve, range_of};
 use crate::app::format;
 use crate::app::session::Session;
 use crate::app::theme::{self, Look, Palette};
+use crate::app::widgets::plot::decades_of;
 use crate::app::widgets::touch;
 use crate::base::math::extent;
 use crate::models::machine_trend::{TrendLine, TrendPoint};

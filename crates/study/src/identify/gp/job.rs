@@ -94,6 +94,14 @@ impl GpJob {
         &self.settings
     }
 
+    /// Ends the search with its last whole batch; what was found is judged on rows left out all the same. The result
+    /// is that of a search of so many batches. What has come to that already stays as it is.
+    pub fn end_here(&mut self) {
+        if self.folds.is_none() {
+            self.settings.batches = self.search.end_here();
+        }
+    }
+
     pub(super) fn search_mut(&mut self) -> &mut GpSearch {
         &mut self.search
     }

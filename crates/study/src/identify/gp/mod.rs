@@ -12,15 +12,17 @@
 //! | Formulas as people write them, constants with intervals | [`written`], [`constants`] |
 //! | The papers' own search, beside | [`paper`] |
 //! | A formula of the front as a model file | [`model`] |
+//! | What a screen shows of a table and of a formula | [`columns`], [`inspect`] |
 //! | Formulas of which a part is known | [`template`] |
 //! | What is told: front, choice, range, outliers | [`report`], [`range`], [`outliers`] |
-//! | What is told on the way | [`standing`] |
+//! | What is told on the way | [`standing`], [`watched`] |
 //!
 //! A search is a job ([`job`]): offspring are pure functions of (seed, batch, number) and the survivors before
 //! the batch, so that threads, slices and pauses do not show in the bits.
 
 pub mod archive;
 pub mod breed;
+pub mod columns;
 pub mod constants;
 pub mod declared;
 pub mod draw;
@@ -28,6 +30,7 @@ pub mod evaluate;
 pub mod families;
 pub mod fit;
 pub mod folds;
+pub mod inspect;
 pub mod job;
 pub mod lanes;
 pub mod model;
@@ -45,4 +48,5 @@ pub mod template;
 pub mod tidy;
 pub mod units;
 pub mod vary;
+pub mod watched;
 pub mod written;

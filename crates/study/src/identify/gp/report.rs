@@ -386,7 +386,11 @@ fn told(
         ranges: chosen.map(|entry| RangeReport::of(problem, &entry.fit.formula)),
         residual_deviation: chosen.map(|entry| entry.fit.deviation()),
         residuals: chosen.map(|entry| entry.fit.residuals.clone()).unwrap_or_default(),
-        outliers: chosen.map(|chosen| outliers(problem, chosen)).unwrap_or_default(),
+        // Where nothing is left over, no row stands out.
+        outliers: chosen
+            .filter(|chosen| !chosen.exact)
+            .map(|chosen| outliers(problem, &chosen.fit))
+            .unwrap_or_default(),
         paper: None,
         found_by: "default",
         batches: searched.batches,
@@ -403,13 +407,11 @@ fn worst(problem: &GpProblem, left_out: &LeftOut) -> f64 {
         .fold(0.0, |a: f64, b| if b.is_finite() { a.max(b) } else { f64::INFINITY })
 }
 
-fn outliers(problem: &GpProblem, entry: &Entry) -> Vec<OutlyingRow> {
-    if entry.exact {
-        return Vec::new();
-    }
+/// Rows that do not fit a formula, the farthest first.
+#[must_use]
+pub fn outliers(problem: &GpProblem, fit: &FittedFormula) -> Vec<OutlyingRow> {
     let few = problem.rows.len() <= SMALL && problem.template.is_none();
-    let mut found: Vec<OutlyingRow> = entry
-        .fit
+    let mut found: Vec<OutlyingRow> = fit
         .studentised()
         .into_iter()
         .enumerate()
@@ -419,7 +421,7 @@ fn outliers(problem: &GpProblem, entry: &Entry) -> Vec<OutlyingRow> {
             (most.abs() > OUTLIER).then(|| OutlyingRow {
                 row: row + 1,
                 target: problem.rows.target[row],
-                residual: entry.fit.residuals[row],
+                residual: fit.residuals[row],
                 studentised: most,
             })
         })

@@ -68,6 +68,12 @@ impl GpSearch {
         }
     }
 
+    /// Ends it with the last whole batch; the first one is made in any case.
+    pub(super) fn end_here(&mut self) -> u64 {
+        self.stop.batches = self.stop.batches.min(self.batch.max(1));
+        self.stop.batches
+    }
+
     /// Goes on from a state that was saved.
     ///
     /// # Errors

@@ -45,6 +45,15 @@ fn digest(problem: &GpProblem, seed: u64) -> String {
     digest.hex()
 }
 
+impl GpState {
+    /// Whether a text looks like a file of a search, sound or not.
+    #[must_use]
+    pub fn is_meant_by(text: &str) -> bool {
+        let read = serde_json::from_str::<serde_json::Value>(text);
+        read.is_ok_and(|file| file.get("islands").is_some() && file.get("problem").is_some())
+    }
+}
+
 impl GpJob {
     /// The search at the end of its last batch; a batch under way is begun anew when it goes on.
     #[must_use]

@@ -36,6 +36,17 @@ pub fn by_name(column: &str) -> Option<Unit> {
     ending.and_then(|(_, unit)| Unit::parse(unit).ok())
 }
 
+/// A column's name without the ending that tells its unit.
+#[must_use]
+pub fn without_unit(column: &str) -> &str {
+    let lower = column.to_lowercase();
+    let ending = ENDINGS.iter().find(|(ending, _)| lower.ends_with(ending));
+    // Where small letters are as long as large ones.
+    let length = ending.map_or(0, |(ending, _)| ending.len());
+    let bare = column.len().checked_sub(length).and_then(|end| column.get(..end));
+    bare.filter(|bare| !bare.is_empty()).unwrap_or(column)
+}
+
 /// The rule that formulas are right in their units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnitRule {
@@ -80,5 +91,7 @@ mod tests {
             assert!(told.is_same(&Unit::parse(unit).unwrap()), "{name}");
         }
         assert!(by_name("force").is_none());
+        let bare = ["force_final_n", "Feed_MM_min", "force", "_n"].map(without_unit);
+        assert_eq!(bare, ["force_final", "Feed", "force", "_n"]);
     }
 }

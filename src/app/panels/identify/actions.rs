@@ -1,0 +1,118 @@
+//! What can be done with the formula: saved, copied, put into the running cut.
+
+use egui::{Button, Ui};
+
+use super::places::Places;
+use super::search::FormulaSearch;
+use crate::app::command::{Command, FileCommand, SessionCommand, ShellCommand};
+use crate::app::files::file_name;
+use crate::app::panels::View;
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
+use crate::base::formula::FormulaLanguage;
+use crate::models::formula_model::FormulaModel;
+use crate::study::identify::gp::inspect::FormulaInspection;
+
+/// The buttons, and what stands against them.
+pub fn show(
+    ui: &mut Ui,
+    search: &FormulaSearch,
+    seen: &FormulaInspection,
+    places: &mut Places,
+    view: &View<'_>,
+    commands: &mut Vec<Command>,
+) {
+    let button = |ui: &mut Ui, name: &str, help: &str| {
+        let button = Button::new(name).min_size(touch::least(ui));
+        ui.add(button).on_hover_text(help).clicked()
+    };
+    ui.horizontal_wrapped(|ui| {
+        if let Ok(model) = &seen.model {
+            let help = "With units and ranges, as `steadycut identify gp --out` writes it";
+            if button(ui, "Save as a model", help) {
+                let name = file_name(&search.problem().target, "model.toml");
+                commands.push(Command::File(FileCommand::SaveText { name, text: model.write() }));
+            }
+        }
+        for (language, name) in
+            [(FormulaLanguage::Text, "Copy as text"), (FormulaLanguage::Latex, "Copy as LaTeX")]
+        {
+            if button(ui, name, "Puts the formula into the clipboard") {
+                ui.ctx().copy_text(seen.formula.export(language, ""));
+                let said = format!("The formula is in the clipboard ({}).", language.label());
+                commands.push(Command::notify(said));
+            }
+        }
+    });
+    match &seen.model {
+        Ok(model) => in_the_cut(ui, model, places, view, commands),
+        Err(because) => {
+            let because = because.lines().next().unwrap_or_default();
+            let text = format!("Neither a model nor for the cut: {because}.");
+            Standing::Bad.label(ui, &text, |text| text);
+        }
+    }
+}
+
+/// The buttons that put it into the running cut, or why none does.
+fn in_the_cut(
+    ui: &mut Ui,
+    model: &FormulaModel,
+    places: &mut Places,
+    view: &View<'_>,
+    commands: &mut Vec<Command>,
+) {
+    let scenario = view.session.scenario();
+    // What is meant is told by its units: of the places that do not fit, none has to say so but where all do not.
+    let all = places.of(model, view.session);
+    let by_units = |fit: &&super::places::Fit| fit.0.value(model).is_ok();
+    if !all.iter().any(|fit| by_units(&fit)) {
+        let made = model.inputs().iter().map(|input| format!("`{}` in {}", input.name, input.unit));
+        let made: Vec<String> = made.collect();
+        let text = format!(
+            "The cut has no place for it by its units: it makes {} of {}.",
+            match model.output().unit.to_string() {
+                unit if unit.is_empty() => "a number without a unit".to_owned(),
+                unit => unit,
+            },
+            if made.is_empty() { "nothing".to_owned() } else { made.join(" and ") }
+        );
+        Standing::Watch.label(ui, &text, |text| text);
+        return;
+    }
+    for (place, settings) in all.iter().filter(by_units) {
+        let name = format!("Use in the cut: {}", place.label());
+        match settings {
+            Err(because) => {
+                let text = format!("{name}: {because}.");
+                Standing::Watch.label(ui, &text, |text| text);
+            }
+            Ok(settings) => {
+                let is = |(path, value): &(String, _)| scenario.get(path).as_ref() == Ok(value);
+                if settings.iter().all(is) {
+                    ui.horizontal_wrapped(|ui| {
+                        let text = format!("In the running cut: {}.", place.label());
+                        Standing::Good.label(ui, &text, |text| text);
+                        let show = Button::new("Show the cut").min_size(touch::least(ui));
+                        if ui.add(show).clicked() {
+                            commands.push(Command::Shell(ShellCommand::ShowScreen("console")));
+                        }
+                    });
+                    continue;
+                }
+                let button = Button::new(&name).min_size(touch::least(ui));
+                let help = "Plant and controller compute with it from now on (calibration: own formulas); Undo takes it \
+                            back";
+                if ui.add(button).on_hover_text(help).clicked() {
+                    commands.push(Command::Session(SessionCommand::SetUp(settings.clone())));
+                    let said = format!(
+                        "{}: the formula stands in the running cut, with the calibration own formulas. Undo takes it \
+                         back.",
+                        place.label()
+                    );
+                    commands.push(Command::notify(said));
+                }
+            }
+        }
+    }
+}

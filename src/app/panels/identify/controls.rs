@@ -1,0 +1,102 @@
+//! What is searched, and how.
+
+use egui::{Button, Label, RichText, Role, Ui, WidgetInfo};
+
+use super::columns;
+use super::form::IdentifyForm;
+use super::symbols::short;
+use crate::app::command::{Command, FileCommand};
+use crate::app::theme::Palette;
+use crate::app::widgets::number::NumberField;
+use crate::app::widgets::standing::Standing;
+use crate::app::widgets::touch;
+use crate::study::published::PaperId;
+
+/// Least and largest seed, and number of batches: those of the command line as far as a field shows them whole.
+const SEEDS: [f64; 2] = [0.0, 4_294_967_295.0];
+/// See [`SEEDS`].
+const BATCHES: [f64; 2] = [1.0, 1_000_000.0];
+/// Longest name of a table on a button, characters.
+const NAME: usize = 30;
+
+/// The settings.
+pub fn show(ui: &mut Ui, form: &mut IdentifyForm, commands: &mut Vec<Command>) {
+    tables(ui, form, commands);
+    ui.add_space(6.0);
+    if let Some(table) = form.asked.table.clone() {
+        columns::show(ui, &mut form.asked, &table);
+    }
+    ui.add_space(6.0);
+    search(ui, form);
+}
+
+fn tables(ui: &mut Ui, form: &mut IdentifyForm, commands: &mut Vec<Command>) {
+    let palette = Palette::at(ui);
+    ui.label(RichText::new("Table").strong());
+    let mut chosen = None;
+    ui.horizontal_wrapped(|ui| {
+        for table in &form.tables {
+            let is = form.asked.table.as_ref() == Some(table);
+            let response = touch::choice(ui, is, short(&table.name, NAME));
+            let label = format!("Table: {}", table.name);
+            response.widget_info(|| WidgetInfo::selected(Role::Button, true, is, label.clone()));
+            if response.on_hover_text(&table.name).clicked() {
+                chosen = Some(table.clone());
+            }
+        }
+        let open = ui.add(Button::new("Open a CSV\u{2026}").min_size(touch::least(ui)));
+        if open.on_hover_text("A table with a line of names; it can also be dropped here").clicked()
+        {
+            commands.push(Command::File(FileCommand::OpenTable));
+        }
+    });
+    if let Some(table) = chosen {
+        form.choose(&table);
+    }
+    if let Some(because) = &form.refused {
+        Standing::Bad.label(ui, because, |text| text);
+    }
+    if let Some(table) = &form.asked.table {
+        let (rows, columns) = (table.offered.rows, table.offered.columns.len());
+        let text = format!("{}: {rows} rows, {columns} columns.", short(&table.name, 2 * NAME));
+        ui.add(Label::new(RichText::new(text).small().color(palette.weak)).wrap());
+    }
+}
+
+fn search(ui: &mut Ui, form: &mut IdentifyForm) {
+    let palette = Palette::at(ui);
+    ui.label(RichText::new("Search").strong());
+    let IdentifyForm { asked, said, .. } = form;
+    let number = |ui: &mut Ui, name, range, speed, value: &mut u64, said: &mut Option<String>| {
+        ui.horizontal(|ui| {
+            let label = ui.label(name).id;
+            let field = NumberField { name, unit: "", range, speed, decimals: 0, suffix: "" };
+            let mut shown = *value as f64;
+            field.show(ui, &mut shown, said).labelled_by(label);
+            *value = shown.round() as u64;
+        });
+    };
+    number(ui, "Seed", SEEDS, 0.2, &mut asked.seed, said);
+    number(ui, "Most batches", BATCHES, 2.0, &mut asked.batches, said);
+    let stop = "It ends earlier where nothing is gained for 120 batches, or a formula is exact.";
+    ui.label(RichText::new(stop).small().color(palette.weak));
+    ui.checkbox(&mut asked.strict, "Only formulas that are right in their units");
+    ui.label("Beside it, as searched in a paper:");
+    ui.horizontal_wrapped(|ui| {
+        let options = [(None, "none"), (Some(PaperId::Sdnrp2007), "2007"), (Some(PaperId::Strategy2013), "2013")];
+        for (paper, name) in options {
+            let is = asked.paper == paper;
+            let response = touch::choice(ui, is, name);
+            let label = format!("Paper's search beside: {name}");
+            response.widget_info(|| WidgetInfo::selected(Role::Button, true, is, label.clone()));
+            let help = "Its functions, constants, population and probabilities; the report says which search found \
+                        the formula of the smaller error";
+            if response.on_hover_text(help).clicked() {
+                asked.paper = paper;
+            }
+        }
+    });
+    if let Some(said) = &form.said {
+        Standing::Bad.label(ui, said, |text| text);
+    }
+}

@@ -1,0 +1,137 @@
+//! Formulas found in a table by genetic programming: what `steadycut identify gp` does, to be watched. The front grows
+//! while the search works; a formula of it is looked at closely, saved, or put into the running cut.
+
+mod actions;
+mod columns;
+mod controls;
+mod facts;
+mod fit_plots;
+mod form;
+mod formula;
+mod front;
+mod front_plot;
+mod places;
+mod search;
+mod symbols;
+mod transport;
+mod tree;
+
+use egui::{Panel as SidePanel, RichText, ScrollArea, Ui};
+
+use super::{BroughtFile, Panel, View};
+use crate::app::command::Command;
+use crate::app::theme::{self, Palette};
+use crate::app::widgets::scaffold;
+use crate::app::widgets::standing::Standing;
+use form::IdentifyForm;
+use places::Places;
+use search::FormulaSearch;
+
+/// Width of the settings beside the rest, points: the names of columns are long.
+const CONTROLS_WIDTH: f32 = theme::CONTROLS_WIDTH + 64.0;
+
+/// The screen.
+#[derive(Default)]
+pub struct IdentifyPanel {
+    form: IdentifyForm,
+    search: Option<FormulaSearch>,
+    places: Places,
+    /// Why something that was asked for was not done.
+    refused: Option<String>,
+}
+
+impl Panel for IdentifyPanel {
+    fn id(&self) -> &'static str {
+        "identify"
+    }
+
+    fn title(&self) -> &'static str {
+        "Identify"
+    }
+
+    fn has_timeline(&self) -> bool {
+        false
+    }
+
+    fn take(&mut self, file: &BroughtFile) {
+        match file {
+            BroughtFile::Table { name, text } => self.form.bring(name, text),
+            BroughtFile::Search { name, text } => self.form.resume(name, text),
+        }
+    }
+
+    fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        if let Some((name, text)) = self.form.to_resume.take() {
+            self.begin(view, Some((&name, &text)));
+        }
+        if let Some(search) = &mut self.search {
+            search.refresh(commands);
+        }
+        if view.narrow {
+            scaffold::column(ui, "identify").show(ui, |ui| {
+                scaffold::narrow().show(ui, |ui| {
+                    controls::show(ui, &mut self.form, commands);
+                    ui.add_space(6.0);
+                    self.page(ui, view, commands);
+                });
+            });
+            return;
+        }
+        let settings = SidePanel::left("identify controls").exact_size(CONTROLS_WIDTH);
+        settings.resizable(false).frame(scaffold::wide()).show(ui, |ui| {
+            ScrollArea::vertical()
+                .auto_shrink([false, false])
+                .show(ui, |ui| controls::show(ui, &mut self.form, commands));
+        });
+        scaffold::middle(ui, |ui| {
+            scaffold::column(ui, "identified").show(ui, |ui| self.page(ui, view, commands));
+        });
+    }
+}
+
+impl IdentifyPanel {
+    /// Begins what is asked for, or goes on with a search of a file.
+    fn begin(&mut self, view: &View<'_>, resumed: Option<(&str, &str)>) {
+        self.refused = None;
+        let begun = self.form.problem().cloned().and_then(|problem| {
+            FormulaSearch::begin(self.form.asked.clone(), problem, view.jobs, resumed)
+        });
+        match begun {
+            Ok(search) => self.search = Some(search),
+            Err(because) => self.refused = Some(because),
+        }
+    }
+
+    fn page(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        match transport::show(ui, &mut self.form, self.search.as_mut(), commands) {
+            Some(transport::Wish::Begin) => self.begin(view, None),
+            None => {}
+        }
+        if let Some(because) = &self.refused {
+            Standing::Bad.label(ui, because, |text| text);
+        }
+        let Some(search) = &mut self.search else { return empty(ui) };
+        ui.add_space(4.0);
+        front::show(ui, search, view.narrow, commands);
+        ui.add_space(8.0);
+        formula::show(ui, search, &mut self.places, view, commands);
+    }
+}
+
+/// What to do where nothing was searched for yet.
+fn empty(ui: &mut Ui) {
+    let palette = Palette::at(ui);
+    ui.add_space(4.0);
+    theme::card(palette).show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        ui.label(RichText::new("No formula was searched for yet").strong());
+        ui.label(
+            "Choose a table (a CSV can be dropped here), the column that the formula is to give, and the columns \
+             that it may read; then press Search.",
+        );
+        ui.label(
+            "The front grows while the search works: for every size the formula of the least error. Any of them can \
+             be looked at, saved, and put into the running cut.",
+        );
+    });
+}
