@@ -7,7 +7,7 @@ mod list;
 mod pool;
 
 use std::cell::{Cell, RefCell};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::clock::now_s;
@@ -19,6 +19,10 @@ const FRAME_SLICE_S: f64 = 0.008;
 /// Time of a slice on the pool, s: partial results are as old as that at most.
 #[cfg(not(target_arch = "wasm32"))]
 const POOL_SLICE_S: f64 = 0.03;
+/// A slice that takes so many times as long as it is to take is ended; the clock is looked at once in so many steps.
+const LATE: f64 = 1.5;
+/// See [`LATE`].
+const LOOKS: u32 = 16;
 /// Time of work up to which a brief job is not listed, s.
 const BRIEF_S: f64 = 0.4;
 /// Time between two frames while nothing else moves, s.
@@ -80,7 +84,16 @@ impl<J: Job> Shared<J> {
         };
         // No lock is held while it works: a frame never waits for it.
         let begin_s = now_s();
-        let over = job.advance(&Budget::steps(steps).on(threads, &stopped));
+        // Steps may become a thousand times longer from one stage of a job to the next: no frame waits for that.
+        let (looks, late) = (AtomicU32::new(0), AtomicBool::new(false));
+        let ended = || {
+            let look = looks.fetch_add(1, Ordering::Relaxed);
+            if look % LOOKS == LOOKS - 1 && now_s() - begin_s > LATE * slice_s {
+                late.store(true, Ordering::Relaxed);
+            }
+            late.load(Ordering::Relaxed) || stopped()
+        };
+        let over = job.advance(&Budget::steps(steps).on(threads, &ended));
         let took_s = now_s() - begin_s;
         let mut over = over;
         let mut found = (Arc::new(job.partial()), job.progress());
