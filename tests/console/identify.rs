@@ -10,6 +10,8 @@ use steadycut::base::settings::Value;
 use steadycut::models::genetic::Calibration;
 use steadycut::run::job::{Budget, Job};
 use steadycut::run::scenario::Scenario;
+use steadycut::study::experiment::way::job::WayJob;
+use steadycut::study::experiment::way::{CUTS_2007, WaySettings};
 use steadycut::study::identify::gp::job::{GpJob, GpSettings};
 use steadycut::study::identify::gp::problem::GpProblem;
 use steadycut::study::identify::gp::report::GpReport;
@@ -298,6 +300,44 @@ fn a_formula_that_the_open_scenario_has_no_use_for_says_why() {
     push(&mut screen, Command::set(path, Value::Float(0.9)));
     push(&mut screen, Command::Session(SessionCommand::LoadPreset("first-cut".to_owned())));
     assert!(enabled(&screen, "Use in the cut: Feed for a force"));
+}
+
+#[test]
+fn the_whole_way_goes_from_cuts_to_a_controller_that_cuts() {
+    let settings = WaySettings { batches: BATCHES, ..WaySettings::default() };
+    let mut job = WayJob::new(&settings).unwrap();
+    job.to_end();
+    let report = job.partial();
+    for size in SIZES {
+        let mut screen = open(size);
+        set(&mut screen, "Most batches", BATCHES as f64);
+        click(&mut screen, "Go the whole way");
+        screen::rest(&mut screen);
+        let shown = texts(&screen);
+        assert!(shown.contains(&format!("Digest {}", report.digest)), "{shown}");
+        assert!(shown.contains(&format!("{CUTS_2007} of {CUTS_2007} cuts measured")), "{shown}");
+        for found in &report.models {
+            assert!(shown.contains(&found.formula), "{}: {shown}", found.formula);
+        }
+        for one in &report.summary {
+            let worst = one.worst_percent.expect("a Ra in every row");
+            let text = format!(" on {}: off by {worst:.1} %", one.models.label());
+            assert!(shown.contains(&text), "{text}: {shown}");
+        }
+        assert_eq!(screen.unnamed_widgets(), Vec::<String>::new());
+        let picture = if size == SIZES[0] { "way-desktop-dark" } else { "way-phone-dark" };
+        if drawn::in_software() {
+            let options = SnapshotOptions::default();
+            screen.try_snapshot_options(picture, &options).unwrap();
+        }
+        click(&mut screen, "Its cuts as the table");
+        let shown = texts(&screen);
+        assert!(shown.contains(&format!("cuts of the way: {CUTS_2007} rows")), "{shown}");
+        click(&mut screen, "Cut with its models");
+        let with = scenario(&screen);
+        assert_eq!(with.belief.calibration, Calibration::Formula);
+        assert!(with.formula.feed.get().is_some() && with.formula.ra.get().is_some());
+    }
 }
 
 #[test]

@@ -15,6 +15,7 @@ mod search;
 mod symbols;
 mod transport;
 mod tree;
+mod way;
 
 use egui::{Panel as SidePanel, RichText, ScrollArea, Ui};
 
@@ -26,6 +27,7 @@ use crate::app::widgets::standing::Standing;
 use form::IdentifyForm;
 use places::Places;
 use search::FormulaSearch;
+use way::WayView;
 
 /// Width of the settings beside the rest, points: the names of columns are long.
 const CONTROLS_WIDTH: f32 = theme::CONTROLS_WIDTH + 64.0;
@@ -36,6 +38,7 @@ pub struct IdentifyPanel {
     form: IdentifyForm,
     search: Option<FormulaSearch>,
     places: Places,
+    way: WayView,
     /// Why something that was asked for was not done.
     refused: Option<String>,
 }
@@ -70,7 +73,7 @@ impl Panel for IdentifyPanel {
         if view.narrow {
             scaffold::column(ui, "identify").show(ui, |ui| {
                 scaffold::narrow().show(ui, |ui| {
-                    controls::show(ui, &mut self.form, commands);
+                    self.controls(ui, view, commands);
                     ui.add_space(6.0);
                     self.page(ui, view, commands);
                 });
@@ -81,7 +84,7 @@ impl Panel for IdentifyPanel {
         settings.resizable(false).frame(scaffold::wide()).show(ui, |ui| {
             ScrollArea::vertical()
                 .auto_shrink([false, false])
-                .show(ui, |ui| controls::show(ui, &mut self.form, commands));
+                .show(ui, |ui| self.controls(ui, view, commands));
         });
         scaffold::middle(ui, |ui| {
             scaffold::column(ui, "identified").show(ui, |ui| self.page(ui, view, commands));
@@ -102,6 +105,14 @@ impl IdentifyPanel {
         }
     }
 
+    fn controls(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        controls::show(ui, &mut self.form, commands);
+        ui.add_space(8.0);
+        let searched = (self.form.asked.seed, self.form.asked.batches);
+        self.way.controls(ui, view.session.current(), searched, view.jobs);
+    }
+
+    /// What was found: by the way, and by the search for one formula.
     fn page(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         match transport::show(ui, &mut self.form, self.search.as_mut(), commands) {
             Some(transport::Wish::Begin) => self.begin(view, None),
@@ -110,6 +121,7 @@ impl IdentifyPanel {
         if let Some(because) = &self.refused {
             Standing::Bad.label(ui, because, |text| text);
         }
+        self.way.show(ui, commands);
         let Some(search) = &mut self.search else { return empty(ui) };
         ui.add_space(4.0);
         front::show(ui, search, view.narrow, commands);
@@ -132,6 +144,10 @@ fn empty(ui: &mut Ui) {
         ui.label(
             "The front grows while the search works: for every size the formula of the least error. Any of them can \
              be looked at, saved, and put into the running cut.",
+        );
+        ui.label(
+            "Without a table of one's own: Go the whole way plans and measures cuts on the simulator, which can then \
+             be searched as well.",
         );
     });
 }
