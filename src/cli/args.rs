@@ -91,8 +91,8 @@ pub struct RunArgs {
     #[arg(long, value_name = "FILE.json")]
     pub networks: Option<InPath>,
     /// A formula of one's own for a model, as the file that `steadycut formula --save` writes; it sets the
-    /// calibration of plant and controller to own formulas. ROLE: force_of_ra, feed, speed, force or ra, for
-    /// models 1 to 5.
+    /// calibration of the controller to own formulas, and that of the plant for force and ra. ROLE: force_of_ra,
+    /// feed, speed, force or ra, for models 1 to 5.
     #[arg(long, value_name = "ROLE=FILE", value_parser = role_of)]
     pub formula: Vec<(String, InPath)>,
     /// Write all signals as CSV, one column each with its unit in the header.
@@ -168,6 +168,8 @@ pub enum CalibrationArg {
     Restored,
     /// Re-identified from the published table.
     Identified,
+    /// Found in the published table by genetic programming.
+    Genetic,
 }
 
 impl From<CalibrationArg> for Calibration {
@@ -176,6 +178,7 @@ impl From<CalibrationArg> for Calibration {
             CalibrationArg::Printed => Self::Printed,
             CalibrationArg::Restored => Self::Restored,
             CalibrationArg::Identified => Self::Identified,
+            CalibrationArg::Genetic => Self::Genetic,
         }
     }
 }
@@ -230,6 +233,9 @@ pub enum IdentifyTarget {
     Tables,
     /// The models of the 2005 milling simulator from static peaks of its force model.
     Milling,
+    /// Formulas of a paper's models from its published table, by genetic programming (the calibration
+    /// `genetic`).
+    Genetic,
 }
 
 /// What else can be identified.
@@ -309,10 +315,11 @@ pub struct IdentifyArgs {
     /// What to identify.
     #[arg(value_enum, required = true)]
     pub target: Option<IdentifyTarget>,
-    /// The paper whose models are identified; for `tables`.
+    /// The paper whose models are identified; for `tables` and `genetic`.
     #[arg(long, value_enum, default_value = "2007")]
     pub paper: Paper,
-    /// Another table in the same format (CSV) in place of the shipped one; for `tables`.
+    /// Another table in the same format (CSV) in place of the shipped one; for `tables` and
+    /// `genetic`.
     #[arg(long, value_name = "FILE.csv")]
     pub table: Option<InPath>,
     /// The cutter of the simulator; for `milling`. The shipped models are those of the papers' cutter.
@@ -347,8 +354,24 @@ pub struct TrainArgs {
 pub enum TrainWhat {
     /// The neural cutting-force model.
     Force(TrainForceArgs),
+    /// The formula that genetic programming finds on the rows that the neural model is trained on.
+    Genetic(TrainGeneticArgs),
     /// The three networks of the neural control scheme UNKS.
     Unks(TrainUnksArgs),
+}
+
+/// Arguments of `train genetic`.
+#[derive(Debug, Args)]
+pub struct TrainGeneticArgs {
+    /// Where to write the formula's model file; without it, it is compared with the shipped one.
+    #[arg(long, value_name = "FILE.toml")]
+    pub out: Option<OutPath>,
+    /// Exit with 1 unless the shipped file is found again, digit by digit.
+    #[arg(long, conflicts_with = "out")]
+    pub check: bool,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `train unks`.

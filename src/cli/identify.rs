@@ -5,14 +5,30 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::Outcome;
 use super::args::{IdentifyArgs, IdentifyTarget, IdentifyWhat};
 use super::files::report;
-use crate::study::identify::{Identified, identify, identify_milling, model_file};
-use crate::study::published::{PaperId, parse_table};
+use super::{Outcome, progress};
+use crate::run::job::Job;
+use crate::study::identify::genetic::GeneticJob;
+use crate::study::identify::{Fit, Identified, identify, identify_milling, model_file};
+use crate::study::published::{PaperId, TableRow, parse_table};
 
-/// The models of a paper from its table, or another one.
-fn from_table(args: &IdentifyArgs) -> Result<Identified, Box<dyn std::error::Error>> {
+/// What was identified: its fits, its file, and the file that is shipped.
+struct Made {
+    fits: Vec<Fit>,
+    file: String,
+    shipped: &'static str,
+}
+
+impl From<Identified> for Made {
+    fn from(identified: Identified) -> Self {
+        let shipped = identified.models.set.identified_file();
+        Self { file: model_file(&identified), fits: identified.fits, shipped }
+    }
+}
+
+/// The rows of the paper's table, or of another one, and where they come from.
+fn rows(args: &IdentifyArgs) -> Result<(Vec<TableRow>, String), Box<dyn std::error::Error>> {
     let paper = PaperId::from(args.paper);
     let text = match &args.table {
         Some(path) => path.text()?,
@@ -20,7 +36,26 @@ fn from_table(args: &IdentifyArgs) -> Result<Identified, Box<dyn std::error::Err
     };
     let source = args.table.as_ref().map_or(paper.label().to_owned(), ToString::to_string);
     let rows = parse_table(&text).map_err(|error| format!("{source}: {error}"))?;
-    Ok(identify(paper, &rows).map_err(|error| format!("{source}: {error}"))?)
+    Ok((rows, source))
+}
+
+/// The models of a paper from its table, or another one.
+fn from_table(args: &IdentifyArgs) -> Result<Made, Box<dyn std::error::Error>> {
+    let (rows, source) = rows(args)?;
+    let found = identify(args.paper.into(), &rows);
+    Ok(found.map_err(|error| format!("{source}: {error}"))?.into())
+}
+
+/// The same by genetic programming.
+fn by_genetic_programming(args: &IdentifyArgs) -> Result<Made, Box<dyn std::error::Error>> {
+    let (rows, source) = rows(args)?;
+    let paper = PaperId::from(args.paper);
+    let mut job = GeneticJob::new(paper, &rows);
+    progress::work(&mut job, "models", args.json)?;
+    let found = job.partial();
+    let file = found.file().ok_or_else(|| format!("{source}: not all models were found"))?;
+    let shipped = paper.model_set().found_file().unwrap_or_default();
+    Ok(Made { fits: found.models.into_iter().map(|found| found.fit).collect(), file, shipped })
 }
 
 pub fn execute(args: &IdentifyArgs) -> Outcome {
@@ -28,21 +63,22 @@ pub fn execute(args: &IdentifyArgs) -> Outcome {
         return super::identify_gp::execute(args);
     }
     let mut out = report(args.json, args.out.as_ref())?;
-    let identified = match args.target {
+    let Made { fits, file, shipped } = match args.target {
         Some(IdentifyTarget::Milling) => {
             if args.table.is_some() {
-                return Err("`--table` is for `identify tables`: `milling` needs no table".into());
+                let taken =
+                    "`--table` is for `identify tables` and `genetic`: `milling` needs no table";
+                return Err(taken.into());
             }
-            identify_milling(&args.tool.load().tool)?
+            identify_milling(&args.tool.load().tool)?.into()
         }
+        Some(IdentifyTarget::Genetic) => by_genetic_programming(args)?,
         Some(IdentifyTarget::Tables) | None => from_table(args)?,
     };
-    let shipped = identified.models.set.identified_file();
-    let file = model_file(&identified);
     if args.json {
-        writeln!(out, "{}", serde_json::to_string_pretty(&to_json(&identified, &file, shipped))?)?;
+        writeln!(out, "{}", serde_json::to_string_pretty(&to_json(&fits, &file, shipped))?)?;
     } else {
-        print(&mut out, &identified)?;
+        print(&mut out, &fits)?;
         writeln!(out, "{file}")?;
     }
     match &args.out {
@@ -62,9 +98,8 @@ pub fn execute(args: &IdentifyArgs) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
-fn to_json(identified: &Identified, file: &str, shipped: &str) -> serde_json::Value {
-    let fits: Vec<_> = identified
-        .fits
+fn to_json(fits: &[Fit], file: &str, shipped: &str) -> serde_json::Value {
+    let fits: Vec<_> = fits
         .iter()
         .map(|fit| {
             json!({
@@ -77,8 +112,8 @@ fn to_json(identified: &Identified, file: &str, shipped: &str) -> serde_json::Va
     json!({ "fits": fits, "model_file": file, "equals_shipped": file == shipped })
 }
 
-fn print(out: &mut impl Write, identified: &Identified) -> std::io::Result<()> {
-    for fit in &identified.fits {
+fn print(out: &mut impl Write, fits: &[Fit]) -> std::io::Result<()> {
+    for fit in fits {
         writeln!(
             out,
             "{}: {}; rms {:.3} {unit}, worst {:.3} {unit}",

@@ -18,6 +18,7 @@ mod manual;
 mod papers;
 mod papers_2005;
 mod papers_2019;
+mod papers_told;
 mod plan;
 mod profile;
 mod progress;
@@ -28,6 +29,7 @@ mod scenarios;
 mod schedule;
 mod story;
 mod train;
+mod train_genetic;
 mod train_unks;
 mod unks;
 

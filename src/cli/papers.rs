@@ -3,16 +3,30 @@
 use std::io::Write;
 use std::process::ExitCode;
 
+use serde::Serialize;
+
 use super::Outcome;
 use super::args::{ComparedPaper, PapersArgs};
 use super::errata::errata;
 use super::papers_2005;
 use super::papers_2019;
+use super::papers_told;
 use super::progress;
 use crate::run::job::Job;
-use crate::study::papers::{CellVerdict, PaperTable, TableJob};
+use crate::study::papers::{CalibrationMet, CalibrationsJob, CellVerdict, PaperTable, TableJob};
 use crate::study::published::PaperId;
+use crate::study::train::claim::{ForceClaim, ForceClaimJob};
 use crate::study::train::data::NOTE;
+
+/// The JSON object: the table, its rows in every calibration, and of 2013 the claim about forces.
+#[derive(Serialize)]
+struct Told<'a> {
+    #[serde(flatten)]
+    paper: &'a PaperTable,
+    calibrations: Vec<CalibrationMet>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    claim: Option<ForceClaim>,
+}
 
 pub fn execute(args: &PapersArgs) -> Outcome {
     if args.robustness && !matches!(args.paper, ComparedPaper::Combined2005) {
@@ -27,11 +41,22 @@ pub fn execute(args: &PapersArgs) -> Outcome {
     let mut job = TableJob::new(id, args.calibration.into(), args.plant);
     progress::work(&mut job, "simulations", args.json)?;
     let paper = job.partial();
+    let mut all = CalibrationsJob::new(id);
+    progress::work(&mut all, "calibrations", args.json)?;
+    let claim = match id {
+        PaperId::Sdnrp2007 => None,
+        PaperId::Strategy2013 => {
+            let mut claim = ForceClaimJob::default();
+            progress::work(&mut claim, "rows of the claim", args.json)?;
+            Some(claim.partial())
+        }
+    };
+    let told = Told { paper: &paper, calibrations: all.partial(), claim };
     let mut out = std::io::stdout().lock();
     if args.json {
-        writeln!(out, "{}", serde_json::to_string_pretty(&paper)?)?;
+        writeln!(out, "{}", serde_json::to_string_pretty(&told)?)?;
     } else {
-        print(&mut out, id, &paper)?;
+        print(&mut out, id, &told)?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -42,7 +67,8 @@ fn named(state: &str, id: PaperId) -> String {
     state.strip_prefix('k').map_or(state.to_owned(), |rest| format!("{letter}{rest}"))
 }
 
-fn print(out: &mut impl Write, id: PaperId, paper: &PaperTable) -> std::io::Result<()> {
+fn print(out: &mut impl Write, id: PaperId, told: &Told<'_>) -> std::io::Result<()> {
+    let Told { paper, calibrations, claim } = told;
     writeln!(
         out,
         "{}, calibration {}, plant {}: values after 15 s",
@@ -112,6 +138,10 @@ fn print(out: &mut impl Write, id: PaperId, paper: &PaperTable) -> std::io::Resu
     } else {
         writeln!(out, "\nfinal values as they are: the table's forces come from the formula")?;
         writeln!(out, "{NOTE}")?;
+    }
+    papers_told::calibrations(out, calibrations)?;
+    if let Some(claim) = claim {
+        papers_told::claim(out, claim)?;
     }
     errata(out, paper.errata)
 }

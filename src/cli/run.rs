@@ -13,7 +13,7 @@ use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::models::formula_model::FormulaModel;
-use crate::models::genetic::Calibration;
+use crate::models::genetic::{Calibration, FormulaSettings};
 use crate::run::constant_feed_twin;
 use crate::run::edits::Edits;
 use crate::run::job::Job;
@@ -55,7 +55,8 @@ impl<'a> Ended<'a> {
     }
 }
 
-/// Takes the formulas of `--formula`, and the calibration that asks for them.
+/// Takes the formulas of `--formula`, and the calibrations that ask for them: the plant's only where one of
+/// them is a model of its own.
 fn own_formulas(args: &RunArgs, scenario: &mut Scenario) -> Result<(), Box<dyn std::error::Error>> {
     if args.formula.is_empty() {
         return Ok(());
@@ -63,8 +64,11 @@ fn own_formulas(args: &RunArgs, scenario: &mut Scenario) -> Result<(), Box<dyn s
     let calibrations = ["plant.calibration", "belief.calibration"];
     given::once("--formula", &calibrations, &args.set)?;
     let formula = || Value::Text(Calibration::Formula.id().to_owned());
-    let mut changes: Vec<(String, Value)> =
-        calibrations.iter().map(|path| ((*path).to_owned(), formula())).collect();
+    let mut changes = vec![("belief.calibration".to_owned(), formula())];
+    if args.formula.iter().any(|(role, _)| FormulaSettings::OF_PLANT.contains(&role.as_str())) {
+        changes.push(("plant.calibration".to_owned(), formula()));
+    }
+    let calibrations = changes.len();
     for (role, file) in &args.formula {
         let path = format!("formula.{role}");
         if changes.iter().any(|(known, _)| *known == path) {
@@ -77,7 +81,7 @@ fn own_formulas(args: &RunArgs, scenario: &mut Scenario) -> Result<(), Box<dyn s
         changes.push((path, Value::Text(text)));
     }
     scenario.set_all(&changes)?;
-    for (path, _) in &changes[calibrations.len()..] {
+    for (path, _) in &changes[calibrations..] {
         if let Some(because) = scenario.unused(path)? {
             return Err(format!("--formula: a run has no use for `{path}`: {because}").into());
         }

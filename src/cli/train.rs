@@ -22,6 +22,7 @@ pub fn execute(args: &TrainArgs) -> Outcome {
     match &args.what {
         Some(TrainWhat::Force(force)) if force.check => check(force.json),
         Some(TrainWhat::Force(force)) => train_force(force),
+        Some(TrainWhat::Genetic(args)) => super::train_genetic::execute(args),
         Some(TrainWhat::Unks(args)) => super::train_unks::execute(args),
         None if args.study => study(args.json),
         None => Err("what to train? `train force`, or `train --study`".into()),

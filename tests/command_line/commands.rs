@@ -110,7 +110,7 @@ fn papers_prints_rows_named_like_the_table() {
     assert_eq!(rows[0]["force_final_n"]["printed"], 166.5);
     assert!(rows[0]["force_final_n"]["reproduced"].as_f64().unwrap() > 166.0);
     assert!(rows[9]["note"].as_str().unwrap().contains("190.2"));
-    assert_eq!(paper["errata"].as_array().unwrap().len(), 11);
+    assert_eq!(paper["errata"].as_array().unwrap().len(), 12);
     for calibration in ["printed", "restored"] {
         let paper = json(&["papers", "--paper", "2007", "--calibration", calibration, "--json"]);
         assert_eq!(paper["calibration"], calibration);

@@ -4,6 +4,7 @@
 //! Every row is a run in time from the printed start values, not a solved equilibrium; the final
 //! values are means over the last second of 15 s. [`TableJob`] runs a whole table.
 
+mod calibrations;
 mod table_job;
 
 use serde::Serialize;
@@ -21,6 +22,7 @@ use crate::run::presets;
 use crate::run::recording::Recording;
 use crate::run::scenario::{Scenario, Settings};
 use crate::run::signals::FLAGS;
+pub use calibrations::{CalibrationMet, CalibrationsJob, RowMet};
 pub use table_job::TableJob;
 
 steadycut_core::choice! {

@@ -3,6 +3,8 @@
 //! deviations. A click loads a row into the console. Table 1 of 2005 is compared on a screen of its
 //! own; Table 1 of 2019 stands beside its own rules.
 
+mod calibrations;
+mod claim;
 mod deviations;
 mod machine;
 mod sheets;
@@ -22,11 +24,12 @@ use crate::app::widgets::standing::Standing;
 use crate::base::settings::Choice;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::Calibration;
-use crate::study::errata::{COMBINED_2005, Erratum};
+use crate::study::errata::{self, COMBINED_2005, Erratum};
 use crate::study::errata_2019::MACHINE_2019;
-use crate::study::papers::{CellVerdict, PaperTable, TableJob};
+use crate::study::papers::{CalibrationsJob, CellVerdict, PaperTable, TableJob};
 use crate::study::papers_2019;
 use crate::study::published::PaperId;
+use crate::study::train::claim::ForceClaimJob;
 
 /// Steps of the plant in the first slice of a table.
 const FIRST: u64 = 20_000;
@@ -55,6 +58,10 @@ pub struct PapersPanel {
     measured: Option<Vec<String>>,
     /// The tables so far: each is run once, and goes on when another one, or another screen, is shown.
     tables: BTreeMap<Shown, Work<TableJob>>,
+    /// A table in all calibrations, begun when its first one is over.
+    calibrations: BTreeMap<PaperId, Work<CalibrationsJob>>,
+    /// The claim about forces, likewise.
+    claim: Option<Work<ForceClaimJob>>,
 }
 
 impl Default for PapersPanel {
@@ -65,7 +72,8 @@ impl Default for PapersPanel {
             force_model: ForceModel::Formula,
         };
         let paper = Paper::Simulated(shown.paper);
-        Self { paper, shown, measured: None, tables: BTreeMap::new() }
+        let (tables, calibrations) = (BTreeMap::new(), BTreeMap::new());
+        Self { paper, shown, measured: None, tables, calibrations, claim: None }
     }
 }
 
@@ -100,7 +108,7 @@ impl PapersPanel {
             Paper::Machine2019 => {
                 let measured = self.measured.get_or_insert_with(papers_2019::measured);
                 machine::show(ui, measured, commands);
-                return errata(ui, MACHINE_2019);
+                return show_errata(ui, MACHINE_2019);
             }
         }
         let Shown { calibration, force_model, .. } = &mut self.shown;
@@ -130,8 +138,25 @@ impl PapersPanel {
         save_table(ui, &what, || sheets::simulated(shown.paper, table), commands);
         if over {
             deviations::show(ui, shown.paper, table, commands);
+            self.beside(ui, view, commands);
         }
-        errata(ui, table.errata);
+        show_errata(ui, errata::of(shown.paper));
+    }
+
+    /// What stands beside the table: its rows in all calibrations, and of 2013 the claim about forces.
+    fn beside(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let paper = self.shown.paper;
+        let all = self.calibrations.entry(paper).or_insert_with(|| {
+            let name = format!("Calibrations: {}", paper.label());
+            view.jobs.begin(name, CalibrationsJob::new(paper), FIRST)
+        });
+        calibrations::show(ui, paper, all, commands);
+        if paper == PaperId::Strategy2013 {
+            let claim = self.claim.get_or_insert_with(|| {
+                view.jobs.begin("Claim about forces", ForceClaimJob::default(), 1)
+            });
+            claim::show(ui, claim, commands);
+        }
     }
 
     fn choose_paper(&mut self, ui: &mut Ui) {
@@ -176,7 +201,7 @@ fn combined(ui: &mut Ui, commands: &mut Vec<Command>) {
     let text =
         "On the command line: steadycut papers --paper 2005, with --robustness and --beyond.";
     ui.label(RichText::new(text).color(palette.weak));
-    errata(ui, COMBINED_2005);
+    show_errata(ui, COMBINED_2005);
 }
 
 /// A row of choices, one of them taken.
@@ -242,7 +267,7 @@ fn summary(ui: &mut Ui, table: &PaperTable, over: bool) {
     ui.add_space(4.0);
 }
 
-fn errata(ui: &mut Ui, errata: &[Erratum]) {
+fn show_errata(ui: &mut Ui, errata: &[Erratum]) {
     let palette = Palette::at(ui);
     ui.add_space(10.0);
     ui.heading("Errata");

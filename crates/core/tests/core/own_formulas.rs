@@ -1,18 +1,25 @@
 //! Formulas of a user's own in the loop: plant, controller, cards and files have them at once.
 
 use steadycut_core::base::settings::Value;
-use steadycut_core::models::formula_model::FormulaModel;
-use steadycut_core::models::genetic::{Calibration, FormulaSettings};
+use steadycut_core::models::formula_model::{FormulaModel, FormulaRole};
+use steadycut_core::models::genetic::{Calibration, FeedOfForce, FormulaSettings};
 use steadycut_core::run::edits::{Edit, Edits};
 use steadycut_core::run::explanation::explain_force;
 use steadycut_core::run::one_run::Run;
 use steadycut_core::run::presets::load;
-use steadycut_core::run::scenario::Scenario;
+use steadycut_core::run::scenario::{Scenario, Settings};
 use steadycut_core::run::signals::{Row, flag};
 use steadycut_core::run::{scenario_file, scenario_link};
 
 fn quiet() -> Scenario {
     load("own-formula").unwrap().with(|s| s.noise.level = 0.0).unwrap()
+}
+
+/// No formula, and nobody who asks for one.
+fn without(s: &mut Settings) {
+    s.formula = FormulaSettings::default();
+    (s.plant.calibration, s.belief.calibration) =
+        (Calibration::Identified, Calibration::Identified);
 }
 
 fn model(scenario: &Scenario) -> FormulaModel {
@@ -74,11 +81,13 @@ fn file_link_and_edit_carry_the_formula() {
     assert_eq!(read, scenario);
     let link = scenario_link::write(&scenario, &Edits::none());
     assert_eq!(scenario_link::parse(&link).unwrap().0, scenario);
-    // In the running cut, at once and to be taken back.
-    let plain = quiet().with(|s| s.formula = FormulaSettings::default()).unwrap();
-    let text = scenario.get("formula.force").unwrap();
+    // In the running cut, at once: first the formula, then who is to take it.
+    let plain = quiet().with(without).unwrap();
     let mut edits = Edits::none();
-    edits.push(&plain, Edit { at_s: 2.0, path: "formula.force".to_owned(), value: text }).unwrap();
+    for path in ["formula.force", "plant.calibration", "belief.calibration"] {
+        let value = scenario.get(path).unwrap();
+        edits.push(&plain, Edit { at_s: 2.0, path: path.to_owned(), value }).unwrap();
+    }
     let run = Run::complete(&plain, &edits);
     let rows = run.recording().rows();
     let model = model(&scenario);
@@ -102,6 +111,43 @@ fn a_formula_that_may_have_no_value_is_refused_with_the_reason() {
         assert!(refused.contains("formula.force"), "{refused}");
         assert!(refused.contains(part) || refused.contains("not certain"), "{refused}");
     }
-    scenario.set("formula.force", Value::Text(String::new())).unwrap();
+}
+
+#[test]
+fn the_calibration_of_formulas_is_refused_without_one() {
+    let none = || ("formula.force".to_owned(), Value::Text(String::new()));
+    let mut scenario = quiet();
+    let refused = scenario.set_all(&[none()]).unwrap_err().to_string();
+    assert!(refused.contains("plant.calibration") && refused.contains("formula.ra"), "{refused}");
+    let identified = Value::Text("identified".to_owned());
+    let of = |path: &str, value: &Value| (path.to_owned(), value.clone());
+    // The plant's alone: the controller still has nothing to believe in.
+    let refused = scenario.set_all(&[none(), of("plant.calibration", &identified)]).unwrap_err();
+    assert!(refused.to_string().contains("belief.calibration"), "{refused}");
+    scenario
+        .set_all(&[
+            none(),
+            of("plant.calibration", &identified),
+            of("belief.calibration", &identified),
+        ])
+        .unwrap();
     assert!(scenario.formula.force.get().is_none());
+    let formula = Value::Text("formula".to_owned());
+    for path in ["plant.calibration", "belief.calibration"] {
+        let refused = scenario.set(path, formula.clone()).unwrap_err().to_string();
+        for part in [path, "formula.force", "first the formula"] {
+            assert!(refused.contains(part), "{path}: {part}: {refused}");
+        }
+        let edit = Edit { at_s: 1.0, path: path.to_owned(), value: formula.clone() };
+        assert!(Edits::none().push(&scenario, edit).is_err(), "{path}");
+    }
+    // A formula of the controller's alone does nothing to the plant.
+    let feed = Value::Text(FeedOfForce::EXAMPLE.to_owned());
+    let believed = [of("formula.feed", &feed), of("belief.calibration", &formula)];
+    scenario.set_all(&believed).unwrap();
+    assert!(scenario.set("plant.calibration", formula.clone()).is_err());
+    // The milling simulator has one set of models, whatever is asked for.
+    let milling = Value::Text("milling_2005".to_owned());
+    let set = [of("plant.model_set", &milling), of("plant.calibration", &formula)];
+    scenario.set_all(&set).unwrap();
 }

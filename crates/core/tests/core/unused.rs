@@ -13,10 +13,7 @@ const BASES: &[(&str, &[&str])] = &[
     ("first-cut", &[]),
     ("table3-5", &["cnc.force_stop=true", "cnc.force_stop_n=100"]),
     ("table3-5-noise", &["cnc.override_rate_limited=true", "noise.inhomogeneity_percent=0"]),
-    (
-        "first-cut",
-        &["plant.calibration=formula", "belief.calibration=formula", "run.duration_s=2.6"],
-    ),
+    ("own-formula", &["controller.kind=sdnrp", "run.duration_s=2.6"]),
     ("depth-step", &["noise.level=1", "cnc.force_stop=true", "workpiece.depth_steps=[[8.0, 3.0]]"]),
     ("strategy-2013", &["tool.shape=bull_nose", "controller.kind=division"]),
     (

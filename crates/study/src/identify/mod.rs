@@ -1,6 +1,8 @@
-//! Identification of the default models: from the published tables (`steadycut identify tables`)
-//! and from the mechanistic force model (`steadycut identify milling`).
+//! Identification of the shipped models: from the published tables by least squares (`steadycut identify
+//! tables`) and by genetic programming (`steadycut identify genetic`), and from the mechanistic force model
+//! (`steadycut identify milling`).
 
+pub mod genetic;
 pub mod gp;
 mod least_squares;
 mod milling_2005;
@@ -17,7 +19,7 @@ use crate::models::genetic::curve::Curve;
 use crate::models::genetic::{FeedLaw, ForceRoughness, GeneticModels, ModelSet, SpeedLaw};
 
 /// One fitted quantity with its points and residuals.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
     /// Name of the model, K1..K4 or M2..M5.
     pub model: &'static str,

@@ -1,14 +1,16 @@
 //! Training of the neural force model: data, recipes, errors, the best formula on the same data,
-//! and the 2013 paper's comparison of 40 networks.
+//! the formula that genetic programming finds on it, and the 2013 paper's comparison of 40 networks.
 //!
 //! All of it are jobs: [`data::RowsJob`] row by row, [`TrainingSession`] epoch by epoch,
 //! [`comparison::ComparisonJob`] network by network.
 
+pub mod claim;
 pub mod comparison;
 pub mod data;
 pub mod errors;
 pub mod findings;
 pub mod formula;
+pub mod genetic;
 pub mod recipe;
 pub mod report;
 pub mod static_peaks;

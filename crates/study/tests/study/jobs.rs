@@ -31,6 +31,7 @@ use steadycut_study::experiment::way::cuts::plan as planned_cuts;
 use steadycut_study::experiment::way::job::WayJob;
 use steadycut_study::experiment::way::pilot::Pilot;
 use steadycut_study::experiment::way::{WayPlant, WaySettings};
+use steadycut_study::identify::genetic::GeneticJob;
 use steadycut_study::identify::gp::job::{GpJob, GpSettings};
 use steadycut_study::identify::gp::paper::PaperSearch;
 use steadycut_study::identify::gp::problem::GpProblem;
@@ -38,7 +39,7 @@ use steadycut_study::identify::gp::watched::WatchedSearch;
 use steadycut_study::machine_life::adaptive::AdaptiveLife;
 use steadycut_study::machine_life::monte_carlo::{LifeMonteCarlo, Tools};
 use steadycut_study::machine_life::{LifeJob, model};
-use steadycut_study::papers::TableJob;
+use steadycut_study::papers::{CalibrationsJob, TableJob};
 use steadycut_study::plan::PlanJob;
 use steadycut_study::plan::flight::Flight;
 use steadycut_study::plan::machine::MachineLimits;
@@ -49,8 +50,10 @@ use steadycut_study::recommend::table::Table;
 use steadycut_study::robust::Robustness;
 use steadycut_study::stability::chart::{ChartJob, Range};
 use steadycut_study::train::TrainingSession;
+use steadycut_study::train::claim::ForceClaimJob;
 use steadycut_study::train::comparison::ComparisonJob;
 use steadycut_study::train::data::RowsJob;
+use steadycut_study::train::genetic::GeneticForceJob;
 use steadycut_study::train::recipe::{RecipeKind, TrainingRecipe};
 use steadycut_study::train::unks::{NetworksJob, PatternsJob};
 use steadycut_study::unks_passes::Passes;
@@ -175,6 +178,7 @@ fn comparisons_of_runs() {
     }
     let table = TableJob::new(PaperId::Sdnrp2007, Calibration::Identified, ForceModel::Formula);
     check("TableJob", &table, 7_001);
+    check("CalibrationsJob", &CalibrationsJob::new(PaperId::Strategy2013), 20_011);
     check("ContestJob", &ContestJob::new(milling, 2), 5_000);
     check("IterationsJob", &IterationsJob::new(&milled()), 10_007);
     check("Robustness", &Robustness::new(&milled(), ControllerKind::Preview, 3, 7), 10_007);
@@ -225,6 +229,10 @@ fn searches_for_formulas() {
     check("GpSearch", job.search(), 37);
     check("GpJob", &job, 7);
     check("WatchedSearch", &WatchedSearch::new(job.clone()), 7);
+    let rows = PaperId::Strategy2013.rows();
+    let found = GeneticJob::new(PaperId::Strategy2013, &rows).of_batches(1);
+    check("GeneticJob", &found, 11);
+    check("GeneticForceJob", &GeneticForceJob::new(40, 1), 11);
 }
 
 #[test]
@@ -243,6 +251,7 @@ fn experiments() {
 #[test]
 fn training() {
     check("RowsJob", &RowsJob::measured(40, 3), 3);
+    check("ForceClaimJob", &ForceClaimJob::new(40), 3);
     let rows = RowsJob::measured(60, 3).complete();
     check("TrainingSession", &TrainingSession::new(&recipe(5), &rows).unwrap(), 3);
     check("ComparisonJob", &ComparisonJob::new(vec![recipe(3), recipe(4), recipe(5)], &rows), 7);

@@ -3,6 +3,7 @@
 mod closed_loop;
 mod coupled;
 mod experiment;
+mod found;
 mod golden;
 mod gp;
 mod jobs;

@@ -4,9 +4,10 @@ use super::deviations::Columns;
 use super::table::columns;
 use crate::app::format;
 use crate::study::export::sheet::{Entry, Sheet};
-use crate::study::papers::PaperTable;
+use crate::study::papers::{CalibrationMet, PaperTable};
 use crate::study::papers_2019;
 use crate::study::published::PaperId;
+use crate::study::train::claim::ForceClaim;
 
 /// The table of a paper: of each cell what is printed, what it is compared with, what the run gave.
 pub fn simulated(paper: PaperId, table: &PaperTable) -> Sheet {
@@ -39,6 +40,46 @@ pub fn deviations(columns: &Columns, table: &PaperTable) -> Sheet {
     for row in &table.rows {
         let words = columns.iter().map(|(_, text)| Entry::from(text(row).replace('\n', " ")));
         sheet.row(std::iter::once(Entry::from(f64::from(row.sim))).chain(words));
+    }
+    sheet
+}
+
+/// The rows of a table in all calibrations, as the screen has them.
+pub fn calibrations(all: &[CalibrationMet]) -> Sheet {
+    let of = |id: &str| [format!("{id} met"), format!("{id} of"), format!("{id} largest [bands]")];
+    let titles = all.iter().flat_map(|calibration| of(calibration.calibration));
+    let mut sheet = Sheet::new(std::iter::once("Simulation".to_owned()).chain(titles));
+    for row in 0..all.first().map_or(0, |first| first.rows.len()) {
+        let sim = Entry::from(f64::from(all[0].rows[row].sim));
+        let cells = all.iter().flat_map(|calibration| {
+            let row = &calibration.rows[row];
+            [row.met as f64, row.of as f64, row.worst_bands].map(Entry::from)
+        });
+        sheet.row(std::iter::once(sim).chain(cells));
+    }
+    sheet
+}
+
+/// The claim about forces, as the screen has it.
+pub fn claim(claim: &ForceClaim) -> Sheet {
+    let mut sheet = Sheet::new([
+        "Model",
+        "What it is",
+        "claimed [%]",
+        "mean [%]",
+        "median [%]",
+        "95 % of the rows below [%]",
+    ]);
+    for contender in &claim.contenders {
+        let errors = &contender.errors;
+        sheet.row([
+            contender.name.into(),
+            contender.what.into(),
+            contender.claimed_percent.into(),
+            errors.mean_percent.into(),
+            errors.median_percent.into(),
+            errors.p95_percent.into(),
+        ]);
     }
     sheet
 }

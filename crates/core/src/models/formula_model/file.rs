@@ -23,7 +23,7 @@ struct Version {
 /// The fields of the file, in order.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "the model of a formula")]
-pub(super) struct ModelText {
+pub(in crate::models) struct ModelText {
     version: u64,
     formula: String,
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -80,7 +80,7 @@ impl ModelText {
         from_text(text)
     }
 
-    pub(super) fn model(self) -> Result<FormulaModel, String> {
+    pub(in crate::models) fn model(self) -> Result<FormulaModel, String> {
         let names: Vec<&str> = self.inputs.iter().map(|input| input.name.as_str()).collect();
         let constants: Vec<NamedConstant> = (self.constants.iter())
             .map(|ConstantText { name, value }| NamedConstant { name: name.clone(), value: *value })
@@ -104,7 +104,7 @@ impl ModelText {
         FormulaModel::new(formula, inputs, output, self.source)
     }
 
-    pub(super) fn of(model: &FormulaModel) -> Self {
+    pub(in crate::models) fn of(model: &FormulaModel) -> Self {
         let output = model.output();
         let input = |input: &FormulaInput| InputText {
             name: input.name.clone(),

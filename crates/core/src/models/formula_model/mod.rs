@@ -7,7 +7,7 @@
 mod file;
 mod setting;
 
-use self::file::ModelText;
+pub(super) use self::file::ModelText;
 use super::Valued;
 use crate::base::equation::number;
 use crate::base::formula::{

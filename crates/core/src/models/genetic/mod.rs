@@ -1,5 +1,5 @@
 //! The genetic-programming models of both papers behind one interface: a set (2007: K1..K6, 2013:
-//! M1..M6) in one of three calibrations; and a third set in the form of the first, identified on the
+//! M1..M6) in one of four calibrations; and a third set in the form of the first, identified on the
 //! milling simulator of 2005 (`steadycut identify milling`), for the papers' controllers there.
 //!
 //! The roles are the same in all sets: 1 force from target roughness, 2 feed command and 3 speed
@@ -11,6 +11,7 @@
 pub mod curve;
 pub mod exponential;
 pub mod force_formula;
+pub mod found;
 pub mod model_file;
 mod own;
 pub mod quartic;
@@ -53,6 +54,9 @@ crate::choice! {
         /// Re-identified by `steadycut identify` from the paper's own table; for the milling
         /// simulator of 2005, where nothing was printed, the only one.
         Identified = "identified", "identified";
+        /// Formulas that `steadycut identify genetic` finds in the paper's own table by genetic programming; of
+        /// model 4 only the constants, since the table's feeds and speeds lie on one line.
+        Genetic = "genetic", "genetic programming";
         /// Formulas of one's own (the settings under `formula`); a model without one stays the identified one.
         Formula = "formula", "own formulas";
     }
@@ -60,7 +64,8 @@ crate::choice! {
 
 impl Calibration {
     /// Those that a published table can be run in: all but own formulas.
-    pub const PUBLISHED: [Self; 3] = [Self::Printed, Self::Restored, Self::Identified];
+    pub const PUBLISHED: [Self; 4] =
+        [Self::Printed, Self::Restored, Self::Identified, Self::Genetic];
 }
 
 impl ModelSet {
@@ -196,8 +201,10 @@ impl GeneticModels {
             (ModelSet::Strategy2013, Calibration::Identified | Calibration::Formula) => {
                 IDENTIFIED_2013.clone()
             }
+            (ModelSet::Sdnrp2007, Calibration::Genetic) => GENETIC_2007.clone(),
+            (ModelSet::Strategy2013, Calibration::Genetic) => GENETIC_2013.clone(),
             (ModelSet::Milling2005, _) => IDENTIFIED_MILLING_2005.clone(),
-            (ModelSet::Sdnrp2007, _) => Self {
+            (ModelSet::Sdnrp2007, Calibration::Printed | Calibration::Restored) => Self {
                 set,
                 roughness: ForceRoughness::K1K5,
                 feed: FeedLaw::K2,
@@ -320,6 +327,15 @@ static IDENTIFIED_2007: LazyLock<GeneticModels> = LazyLock::new(|| shipped(Model
 static IDENTIFIED_2013: LazyLock<GeneticModels> = LazyLock::new(|| shipped(ModelSet::Strategy2013));
 static IDENTIFIED_MILLING_2005: LazyLock<GeneticModels> =
     LazyLock::new(|| shipped(ModelSet::Milling2005));
+
+fn found(set: ModelSet) -> GeneticModels {
+    let text = set.found_file().expect("only sets with a table are asked for");
+    let own = found::parse(text).expect("the shipped model files are checked by a test");
+    GeneticModels { own, ..shipped(set) }
+}
+
+static GENETIC_2007: LazyLock<GeneticModels> = LazyLock::new(|| found(ModelSet::Sdnrp2007));
+static GENETIC_2013: LazyLock<GeneticModels> = LazyLock::new(|| found(ModelSet::Strategy2013));
 
 #[cfg(test)]
 mod tests {

@@ -71,6 +71,17 @@ crate::settings! {
     }
 }
 
+impl FormulaSettings {
+    /// Roles of the formulas that the plant has, too; the controller has all.
+    pub const OF_PLANT: [&'static str; 2] = ["force", "ra"];
+
+    /// Whether no model 1 to 5 is a formula of one's own.
+    #[must_use]
+    pub fn has_no_model(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
 /// Own formulas in the place of models of a set; none where the set's own model stands.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct OwnModels {

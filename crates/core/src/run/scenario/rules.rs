@@ -3,6 +3,7 @@
 
 use super::groups::Settings;
 use crate::base::settings::SettingError;
+use crate::models::genetic::{Calibration, ModelSet};
 
 /// Most rows that a run may record: a row takes 184 bytes, and 256 more where steps are left out; a console holds up to four recordings,
 /// and a page in the browser has 4 GiB at most.
@@ -29,6 +30,52 @@ pub struct Rule {
 
 /// All rules, in the order in which they are checked.
 pub const RULES: &[Rule] = &[
+    Rule {
+        paths: &["plant.calibration", "plant.model_set", "formula.force", "formula.ra"],
+        words: "own formulas of the plant's models are given where it is to cut by them",
+        keeps: |c| {
+            let Settings { plant, formula, .. } = c.settings;
+            plant.calibration != Calibration::Formula
+                || plant.model_set == ModelSet::Milling2005
+                || formula.force.get().is_some()
+                || formula.ra.get().is_some()
+        },
+        broken: |_| {
+            [
+                "formula without a formula for the plant".to_owned(),
+                "formula together with `formula.force` or `formula.ra`: set both at once, or first \
+                 the formula and last take it away"
+                    .to_owned(),
+            ]
+        },
+    },
+    Rule {
+        paths: &[
+            "belief.calibration",
+            "belief.model_set",
+            "formula.force_of_ra",
+            "formula.feed",
+            "formula.speed",
+            "formula.force",
+            "formula.ra",
+        ],
+        words: "own formulas are given where the controller is to believe in them",
+        keeps: |c| {
+            let Settings { belief, formula, .. } = c.settings;
+            belief.calibration != Calibration::Formula
+                || belief.model_set == ModelSet::Milling2005
+                || !formula.has_no_model()
+        },
+        broken: |_| {
+            [
+                "formula without a formula".to_owned(),
+                "formula together with one of `formula.force_of_ra`, `formula.feed`, \
+                 `formula.speed`, `formula.force`, `formula.ra`: set both at once, or first the \
+                 formula and last take it away"
+                    .to_owned(),
+            ]
+        },
+    },
     Rule {
         paths: &["plant.force_model", "run.control_period_ms", "run.steps_per_control"],
         words: "tooth by tooth the plant step is short enough to meet every tooth",

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::blocks::cutting::force_model::ForceModel;
+use crate::models::genetic::Calibration;
 use crate::models::structure::parameters::Parameters;
 use crate::models::tool::EndShape;
 use crate::models::unks::{Stored, UnksNetworks, UnksStart};
@@ -100,6 +101,8 @@ fn edits_that_do_not_fit_another_base_are_told_and_never_dropped_in_a_run() {
 fn breaking(rule: &Rule) -> Settings {
     let mut s = Settings::default();
     match rule.paths[0] {
+        "plant.calibration" => s.plant.calibration = Calibration::Formula,
+        "belief.calibration" => s.belief.calibration = Calibration::Formula,
         "plant.force_model" => s.plant.force_model = ForceModel::Mechanistic,
         "machine.parameters" => {
             (s.machine.parameters, s.machine.coupled) = (Parameters::Printed, true);

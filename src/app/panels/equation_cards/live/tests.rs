@@ -49,7 +49,9 @@ fn at<'a>(row: &'a Row, scenario: &'a Scenario) -> Moment<'a> {
 
 fn models() -> impl Iterator<Item = (ModelSet, Calibration)> {
     let sets = ModelSet::ALL.iter();
-    sets.flat_map(|set| Calibration::ALL.iter().map(|calibration| (*set, *calibration)))
+    // Own formulas have a test of their own.
+    let of = Calibration::PUBLISHED;
+    sets.flat_map(move |set| of.map(|calibration| (*set, calibration)))
 }
 
 #[test]
