@@ -26,6 +26,12 @@ impl Command {
         Self::Session(SessionCommand::Set { path: path.to_owned(), value })
     }
 
+    /// Sets a formula of one's own, or takes it away.
+    #[must_use]
+    pub fn set_formula(path: &str, value: Value) -> Self {
+        Self::Session(SessionCommand::SetFormula { path: path.to_owned(), value })
+    }
+
     /// Shows a message.
     #[must_use]
     pub fn notify(text: String) -> Self {
@@ -43,6 +49,23 @@ pub enum SessionCommand {
         path: String,
         /// The new value; a refused one becomes a notice.
         value: Value,
+    },
+    /// Sets a formula of one's own, or takes it away, where [`Self::Set`] would; the calibrations that ask for
+    /// formulas of models go with it, in one step of undo.
+    SetFormula {
+        /// Path of the setting.
+        path: String,
+        /// The new value; a refused one becomes a notice.
+        value: Value,
+    },
+    /// The same with the text of a model file.
+    LoadFormula {
+        /// Path of the setting.
+        path: String,
+        /// Where it came from, for messages.
+        name: String,
+        /// The file's text.
+        text: String,
     },
     /// Changes settings of the scenario itself, all or none, in one step of undo, wherever the
     /// playhead stands: paths with their new values. A refused one becomes a notice.
@@ -123,6 +146,8 @@ pub enum FileCommand {
     Bring(BroughtFile),
     /// Asks for a file of UNKS networks and begins with them.
     OpenNetworks,
+    /// Asks for a file of a formula's model and takes it for the setting at this path.
+    OpenFormula(String),
     /// Saves the networks as they are at the end of the cut.
     SaveNetworks,
     /// Copies a link (on the desktop: its part after `#`) that holds scenario and edits.

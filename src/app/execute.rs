@@ -12,7 +12,13 @@ impl Console {
     pub(super) fn execute(&mut self, command: Command, ctx: &egui::Context) {
         match command {
             Command::Session(command) => {
-                if matches!(command, SessionCommand::Set { .. } | SessionCommand::SetUp(_)) {
+                if matches!(
+                    command,
+                    SessionCommand::Set { .. }
+                        | SessionCommand::SetUp(_)
+                        | SessionCommand::SetFormula { .. }
+                        | SessionCommand::LoadFormula { .. }
+                ) {
                     self.since_change_s = 0.0;
                 }
                 self.session.execute(command);
@@ -74,6 +80,7 @@ impl Console {
                 self.panels[self.shown].take(&file);
             }
             FileCommand::OpenNetworks => self.files.open_networks(ctx),
+            FileCommand::OpenFormula(path) => self.files.open_formula(ctx, path),
             FileCommand::SaveNetworks => self.save_networks(ctx),
             FileCommand::CopyLink => self.copy_link(ctx),
         }

@@ -75,8 +75,23 @@ impl Files {
         self.ask(ctx, "Saved search", &[JSON], search);
     }
 
+    /// Asks for a file of a formula's model, for the setting at `path`.
+    pub fn open_formula(&self, ctx: &egui::Context, path: String) {
+        let of_file = move |name: String, bytes: &[u8]| match decode(bytes) {
+            Ok(text) => Command::Session(SessionCommand::LoadFormula { path, name, text }),
+            Err(error) => Command::notify(format!("{name}: {error}")),
+        };
+        self.ask(ctx, "Model of a formula", &["toml"], of_file);
+    }
+
     /// Asks for a file, which becomes a command by `read`.
-    fn ask(&self, ctx: &egui::Context, what: &str, extensions: &[&str], read: Read) {
+    fn ask(
+        &self,
+        ctx: &egui::Context,
+        what: &str,
+        extensions: &[&str],
+        read: impl FnOnce(String, &[u8]) -> Command + Send + 'static,
+    ) {
         let answer = self.answer(ctx);
         let dialog = rfd::AsyncFileDialog::new().add_filter(what, extensions);
         #[cfg(not(target_arch = "wasm32"))]
@@ -192,9 +207,6 @@ impl Files {
 
 /// Extension of files of networks and of saved searches; all others are scenarios or tables.
 const JSON: &str = "json";
-
-/// What makes a command of a file: of its name and its bytes.
-type Read = fn(String, &[u8]) -> Command;
 
 /// Endings of files that hold tables as text, and of those that only a spreadsheet reads.
 const TABLES: [&str; 2] = ["csv", "tsv"];

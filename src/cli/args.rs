@@ -9,12 +9,12 @@ use super::experiment::args::ExperimentArgs;
 use super::files::{FormulaPath, InPath, OutFolder, OutPath, ScenarioPath};
 use super::machine::args::MachineArgs;
 use crate::base::network::Activation;
-use crate::base::settings::Group;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::process::ForceModel;
-use crate::models::genetic::{Calibration, FormulaSettings};
+use crate::models::genetic::Calibration;
 use crate::models::plan::PlannedSection;
 use crate::models::tool::ShippedTool;
+use crate::run::scenario::table;
 use crate::study::identify::gp::job::BATCHES;
 use crate::study::profilometer::ProfileLine;
 use crate::study::published::PaperId;
@@ -92,7 +92,8 @@ pub struct RunArgs {
     pub networks: Option<InPath>,
     /// A formula of one's own for a model, as the file that `steadycut formula --save` writes; it sets the
     /// calibration of the controller to own formulas, and that of the plant for force and ra. ROLE: force_of_ra,
-    /// feed, speed, force or ra, for models 1 to 5.
+    /// feed, speed, force or ra, for models 1 to 5; material; or a curve of the wear, such as wear.curve, which
+    /// asks for no calibration.
     #[arg(long, value_name = "ROLE=FILE", value_parser = role_of)]
     pub formula: Vec<(String, InPath)>,
     /// Write all signals as CSV, one column each with its unit in the header.
@@ -120,8 +121,14 @@ pub struct RunArgs {
     pub cut: Option<usize>,
 }
 
+/// What a formula of one's own may stand for: the settings that take one, without the `formula.` of the models'.
+fn formula_roles() -> impl Iterator<Item = &'static str> {
+    let taking = table().iter().filter(|param| param.spec.allowed.takes_formula());
+    taking.map(|param| param.path.strip_prefix("formula.").unwrap_or(&param.path))
+}
+
 fn role_of(text: &str) -> Result<(String, InPath), String> {
-    let roles: Vec<&str> = FormulaSettings::specs().iter().map(|spec| spec.key).collect();
+    let roles: Vec<&str> = formula_roles().collect();
     match text.split_once('=') {
         Some((role, file)) if roles.contains(&role) && !file.is_empty() => {
             Ok((role.to_owned(), InPath::new(file)))

@@ -55,22 +55,13 @@ impl<'a> Ended<'a> {
     }
 }
 
-/// Takes the formulas of `--formula`, and the calibrations that ask for them: the plant's only where one of
-/// them is a model of its own.
+/// Takes the formulas of `--formula`, and the calibrations that ask for those of models: the controller's, and the
+/// plant's where it is one of the models that the plant has.
 fn own_formulas(args: &RunArgs, scenario: &mut Scenario) -> Result<(), Box<dyn std::error::Error>> {
-    if args.formula.is_empty() {
-        return Ok(());
-    }
-    let calibrations = ["plant.calibration", "belief.calibration"];
-    given::once("--formula", &calibrations, &args.set)?;
-    let formula = || Value::Text(Calibration::Formula.id().to_owned());
-    let mut changes = vec![("belief.calibration".to_owned(), formula())];
-    if args.formula.iter().any(|(role, _)| FormulaSettings::OF_PLANT.contains(&role.as_str())) {
-        changes.push(("plant.calibration".to_owned(), formula()));
-    }
-    let calibrations = changes.len();
+    let mut changes: Vec<(String, Value)> = Vec::new();
+    let mut calibrations: Vec<&str> = Vec::new();
     for (role, file) in &args.formula {
-        let path = format!("formula.{role}");
+        let path = if role.contains('.') { role.clone() } else { format!("formula.{role}") };
         if changes.iter().any(|(known, _)| *known == path) {
             return Err(format!("--formula {role} was given twice").into());
         }
@@ -79,10 +70,23 @@ fn own_formulas(args: &RunArgs, scenario: &mut Scenario) -> Result<(), Box<dyn s
         let text = file.text()?;
         FormulaModel::parse(&text).map_err(|error| format!("{file}: {error}"))?;
         changes.push((path, Value::Text(text)));
+        if FormulaSettings::OF_MODELS.contains(&role.as_str()) {
+            calibrations.push("belief.calibration");
+        }
+        if FormulaSettings::OF_PLANT.contains(&role.as_str()) {
+            calibrations.push("plant.calibration");
+        }
+    }
+    given::once("--formula", &calibrations, &args.set)?;
+    let given: Vec<String> = changes.iter().map(|(path, _)| path.clone()).collect();
+    calibrations.sort_unstable();
+    calibrations.dedup();
+    for path in calibrations {
+        changes.push((path.to_owned(), Value::Text(Calibration::Formula.id().to_owned())));
     }
     scenario.set_all(&changes)?;
-    for (path, _) in &changes[calibrations..] {
-        if let Some(because) = scenario.unused(path)? {
+    for path in given {
+        if let Some(because) = scenario.unused(&path)? {
             return Err(format!("--formula: a run has no use for `{path}`: {because}").into());
         }
     }

@@ -7,6 +7,7 @@ mod drawn;
 mod finding;
 mod fingers;
 mod identify;
+mod formulas;
 mod jobs;
 mod judged;
 mod learning;

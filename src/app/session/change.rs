@@ -6,10 +6,12 @@ use crate::app::cut::{Ghost, first_difference};
 use crate::app::playback::Speed;
 use crate::base::settings::{SettingError, Value};
 use crate::blocks::control::ControllerKind;
+use crate::models::formula_model::FormulaModel;
+use crate::models::genetic::{Calibration, FormulaSettings};
 use crate::models::unks::Stored;
 use crate::run::constant_feed_twin;
 use crate::run::edits::{Edit, Edits, Unfit};
-use crate::run::scenario::param;
+use crate::run::scenario::{Scenario, param};
 use crate::run::{presets, scenario_file};
 use crate::study::unks_passes::beginning_with;
 
@@ -26,6 +28,45 @@ struct Rewritten {
     set_again: usize,
 }
 
+/// A formula for the setting at `path`, or none, with the calibrations of plant and controller that it asks for, in an
+/// order in which each of them keeps the rules: a formula comes before who takes it, and goes after.
+fn with_calibrations(now: &Scenario, path: &str, value: Value) -> Vec<(String, Value)> {
+    let given = value != Value::Text(String::new());
+    let own = (path.to_owned(), value);
+    if !FormulaSettings::is_model(path) {
+        return vec![own];
+    }
+    let set = |whose: &str, calibration: Calibration| {
+        (format!("{whose}.calibration"), Value::Text(calibration.id().to_owned()))
+    };
+    if given {
+        let mut changes = vec![own, set("belief", Calibration::Formula)];
+        if FormulaSettings::OF_PLANT.iter().any(|role| path.ends_with(&format!(".{role}"))) {
+            changes.push(set("plant", Calibration::Formula));
+        }
+        return changes;
+    }
+    // Whoever is left without a formula has the identified models again.
+    let is_left = |roles: &[&str]| {
+        let others =
+            roles.iter().map(|role| format!("formula.{role}")).filter(|other| other != path);
+        others
+            .into_iter()
+            .any(|other| now.get(&other).is_ok_and(|value| value != Value::Text(String::new())))
+    };
+    let mut changes = Vec::new();
+    for (whose, calibration, roles) in [
+        ("plant", now.plant.calibration, &FormulaSettings::OF_PLANT[..]),
+        ("belief", now.belief.calibration, &FormulaSettings::OF_MODELS[..]),
+    ] {
+        if calibration == Calibration::Formula && !is_left(roles) {
+            changes.push(set(whose, Calibration::Identified));
+        }
+    }
+    changes.push(own);
+    changes
+}
+
 impl Session {
     /// Changes scenario and edits, and shows or removes messages.
     pub fn execute(&mut self, command: SessionCommand) {
@@ -33,6 +74,16 @@ impl Session {
             SessionCommand::Set { path, value } => {
                 if let Err(error) = self.set(&path, value) {
                     self.notify(error.to_string());
+                }
+            }
+            SessionCommand::SetFormula { path, value } => {
+                if let Err(error) = self.set_formula(&path, value) {
+                    self.notify(error.to_string());
+                }
+            }
+            SessionCommand::LoadFormula { path, name, text } => {
+                if let Err(error) = self.load_formula(&path, &text) {
+                    self.notify(format!("{name}: {error}"));
                 }
             }
             SessionCommand::SetUp(changes) => {
@@ -169,6 +220,31 @@ impl Session {
         Ok(())
     }
 
+    /// Sets a formula of one's own, or takes it away, with the calibrations that ask for it.
+    fn set_formula(&mut self, path: &str, value: Value) -> Result<(), SettingError> {
+        let gesture = format!("formula {path}");
+        let changes = with_calibrations(&self.current, path, value);
+        if self.playback.playhead_s > 0.0 && !self.playback.at_end {
+            let (plan, later) = self.edited_together(&changes)?;
+            self.take(plan, &gesture);
+            self.report_gone(later, "after the playhead");
+        } else {
+            let Rewritten { plan, unfit, set_again } = self.rewritten(&changes)?;
+            self.take(plan, &gesture);
+            self.report(&unfit);
+            self.report_gone(set_again, "of what is set for the whole cut now");
+        }
+        self.gesture = None;
+        Ok(())
+    }
+
+    /// Takes the formula of a file.
+    fn load_formula(&mut self, path: &str, text: &str) -> Result<(), String> {
+        let model = FormulaModel::parse(text)?;
+        let value = Value::Text(model.write_line());
+        self.set_formula(path, value).map_err(|error| error.to_string())
+    }
+
     /// Begins with the networks of a file, with the controller that has networks.
     fn load_networks(&mut self, text: &str) -> Result<(), String> {
         let mut changes = beginning_with(&Stored::parse(text)?);
@@ -185,6 +261,29 @@ impl Session {
         }
     }
 
+    /// The plan with changes at the playhead, all or none, and how many later edits they end.
+    fn edited_together(&self, changes: &[(String, Value)]) -> Result<(Plan, usize), SettingError> {
+        let (scenario, mut edits) = self.plan.clone();
+        let at_s = self.playhead_tick_s();
+        let before = edits.list().len();
+        edits.truncate(at_s + 0.5 * scenario.dt_s());
+        let later = before - edits.list().len();
+        for (path, value) in changes {
+            if self.current.get(path)? != *value {
+                let edit = Edit { at_s, path: path.clone(), value: value.clone() };
+                edits.push(&scenario, edit)?;
+            }
+        }
+        Ok(((scenario, edits), later))
+    }
+
+    /// The tick at or before the playhead, s, in digits that people can read.
+    fn playhead_tick_s(&self) -> f64 {
+        let dt_s = self.plan.0.dt_s();
+        let tick = ((self.playback.playhead_s + HAIR_S) / dt_s).floor();
+        (tick * dt_s * 1e6).round() / 1e6
+    }
+
     /// The plan with a change at the playhead, and how many later edits it ends.
     fn edited(&self, path: &str, value: Value) -> Result<(Plan, usize), SettingError> {
         let (scenario, mut edits) = self.plan.clone();
@@ -192,9 +291,7 @@ impl Session {
             return Ok(((scenario, edits), 0));
         }
         let dt_s = scenario.dt_s();
-        // The tick at or before the playhead, in digits that people can read.
-        let tick = ((self.playback.playhead_s + HAIR_S) / dt_s).floor();
-        let at_s = (tick * dt_s * 1e6).round() / 1e6;
+        let at_s = self.playhead_tick_s();
         let before = edits.list().len();
         edits.truncate(at_s + 0.5 * dt_s);
         let later = before - edits.list().len();

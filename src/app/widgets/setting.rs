@@ -1,6 +1,7 @@
 //! The editor of one setting, made from its entry in the table of settings: slider, number, choice,
 //! switch, text, or what a structured setting asks for. Right-click (or a long press) offers the default.
 
+mod formula;
 mod structured;
 
 use egui::{ComboBox, Response, Slider, Ui};
@@ -10,6 +11,7 @@ use super::super::format;
 use super::number::NumberField;
 use super::{focus, touch};
 use crate::base::settings::{Kind, Value};
+use crate::models::genetic::FormulaSettings;
 use crate::run::scenario::{Param, Scenario, param};
 use crate::study::uses::Screen;
 
@@ -40,7 +42,8 @@ pub fn setting(
     let mut change = |value: Value| changed = Some(value);
     let said_here = &mut said;
     let spec = &param.spec;
-    let greyed = screen.greyed(scenario, path);
+    // A model's formula is not used before its calibration is chosen, which using it does.
+    let greyed = screen.greyed(scenario, path).filter(|_| !FormulaSettings::is_model(path));
     ui.push_id(path, |ui| {
         if greyed.is_some() {
             ui.disable();
@@ -69,7 +72,8 @@ pub fn setting(
             (Kind::Choice { .. }, Value::Text(now)) => choice(ui, param, now, size, &mut change),
             (Kind::Text { .. }, Value::Text(now)) => text(ui, param, now, &mut change),
             (Kind::Structured(shape), now) => {
-                structured::edit(ui, param, &shape.editor(), now, &mut change, said_here)
+                let editor = shape.editor();
+                structured::edit(ui, param, &editor, now, &mut change, said_here, commands)
             }
             _ => unreachable!("the table pairs kinds with values"),
         };
@@ -92,7 +96,13 @@ pub fn setting(
         }
     });
     commands.extend(said.map(Command::notify));
-    commands.extend(changed.map(|value| Command::set(path, value)));
+    commands.extend(changed.map(|value| {
+        if spec.allowed.takes_formula() {
+            Command::set_formula(path, value)
+        } else {
+            Command::set(path, value)
+        }
+    }));
 }
 
 /// The tooltip: what it is, what is allowed, its name in files.

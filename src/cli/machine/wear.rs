@@ -150,7 +150,7 @@ fn groups(scenario: &Scenario, count: u32, quiet: bool) -> Result<Vec<Group>, pr
             life: model.life.clone(),
             believed: believed.clone(),
             truth: truth.clone(),
-            prior_min: model.wear.taylor_min(&model.cut),
+            prior_min: model.wear.usual_life_min(&model.cut),
             other_shapes,
             seed: u64::from(scenario.run.seed),
         };

@@ -12,6 +12,7 @@
 //! T among them, is what the 2019 paper asks of a predictive model; its own is not printed.
 //! Samples are means of a minute. The posterior is held on a grid in ln T and grows sample by sample.
 
+use super::formula_model::OwnFormula;
 use super::machine_trend::{LifeSettings, MachineTrend};
 use super::wear::WearSettings;
 use crate::base::math;
@@ -44,6 +45,7 @@ impl Growth {
         // Wear itself in place of the fraction of life: w(x) = x.
         by_wear.wear.break_in_share = 0.0;
         by_wear.wear.failure_share = 0.0;
+        by_wear.wear.curve = OwnFormula::default();
         let sharp = by_wear.at(0.0).sound;
         let knots = (0..=KNOTS).map(|i| by_wear.at(i as f64 / KNOTS as f64).sound / sharp);
         Self { knots: knots.collect() }

@@ -12,8 +12,36 @@
 //! The 2019 paper gives no law of wear. The form in three stages follows Zhu and Zhang, MSSP 115
 //! (2019) 147; the 15-minute speed is the middle of a maker's range for milling steel with coated
 //! inserts (130 to 190 m/min), n = 0.25 a usual value for carbide. All other numbers are chosen.
+//!
+//! Each of the four curves, w(x), P/P0 over w, k3/k30 over w, and T, can be a formula of one's own; VB = VB_T w is
+//! a proportion, and process damping follows from it.
 
+use super::Valued;
+use super::formula_model::OwnFormula;
 use crate::base::math;
+use crate::models::formula_model::role;
+
+role!(
+    /// Wear over the fraction of the life that is used.
+    WearOfLife, "formula_wear", &[""], "the fraction of the life used", "",
+    r#"{"version":1,"formula":"0.4*x^0.5 + 0.6*x^4","output":{"name":"w","unit":""},"inputs":[{"name":"x","unit":"","low":0.001,"high":1.1}]}"#
+);
+role!(
+    /// Factor of the wear on the force.
+    ForceOfWear, "formula_wear_force", &[""], "the wear, 0 to 2", "",
+    r#"{"version":1,"formula":"1 + 0.4*w + 0.3*w^2","output":{"name":"k","unit":""},"inputs":[{"name":"w","unit":"","low":0,"high":2}]}"#
+);
+role!(
+    /// Factor of the wear on the stiffness of the tooth.
+    StiffnessOfWear, "formula_wear_stiffness", &[""], "the wear, 0 to 2", "",
+    r#"{"version":1,"formula":"1 - 0.1*w^2","output":{"name":"k","unit":""},"inputs":[{"name":"w","unit":"","low":0,"high":2}]}"#
+);
+role!(
+    /// Life of the tool.
+    LifeOfCut, "formula_tool_life", &["m/min", "mm", "mm"],
+    "the cutting speed in m/min, feed per tooth in mm and axial depth in mm, in this order", "min",
+    r#"{"version":1,"formula":"12*(v/160)^-3*(fz/0.1)^-0.5*(ap/2)^-0.2","output":{"name":"T","unit":"min"},"inputs":[{"name":"v","unit":"m/min","low":20,"high":300},{"name":"fz","unit":"mm","low":0.02,"high":0.4},{"name":"ap","unit":"mm","low":0.1,"high":8}]}"#
+);
 
 crate::choice! {
     /// What wears the tool in a run.
@@ -68,6 +96,16 @@ crate::settings! {
         tooth_softening: f64 = 0.15, [0.0, 0.9], "", live, "Tooth softening";
         /// Indentation force of the wear land per volume, for process damping; 0 switches it off.
         indentation_n_mm3: f64 = 0.0, [0.0, 200_000.0], "N/mm3", live, "Process damping";
+        /// Wear over the life as a formula of one's own, in place of the three stages: w, 0 for a new tool and 1 at
+        /// the end of its life, over the fraction of the life used.
+        curve: OwnFormula<WearOfLife> = OwnFormula::default(), [], "", live, "Wear over the life";
+        /// Factor of the wear on the force as a formula of one's own over w, in place of the growth of the force.
+        force_curve: OwnFormula<ForceOfWear> = OwnFormula::default(), [], "", live, "Force over the wear";
+        /// Factor of the wear on the tooth's stiffness as a formula of one's own over w, in place of its loss.
+        stiffness_curve: OwnFormula<StiffnessOfWear> = OwnFormula::default(), [], "", live, "Stiffness over the wear";
+        /// Life of the tool in min as a formula of one's own of cutting speed, feed per tooth and axial depth, in
+        /// place of Taylor's equation.
+        life_curve: OwnFormula<LifeOfCut> = OwnFormula::default(), [], "", live, "Life over the cut";
         /// Adjusts the programmed speed, feed per tooth held, so that the tool reaches `life.tool_life_min`;
         /// the tool's life is predicted from the sound of the coupled machine.
         adjust_speed: bool = false, [], "", live, "Speed for the tool life";
@@ -76,6 +114,11 @@ crate::settings! {
 
 /// Wear beyond the end of life stops here: the edge is gone (chosen).
 pub const WEAR_MAX: f64 = 2.0;
+
+/// Least factor of the wear on the stiffness of a tooth: softer than that it is none (chosen).
+const STIFFNESS_MIN: f64 = 0.01;
+/// Least life that a formula of one's own is taken for, min (chosen).
+const LIFE_MIN_MIN: f64 = 0.01;
 
 /// Conditions of a cut, as far as they wear the tool.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,7 +143,20 @@ impl WearSettings {
     /// Wear w at the fraction `x` of the life: 0 for a new tool, 1 at its end, at most [`WEAR_MAX`].
     #[must_use]
     pub fn wear(&self, x: f64) -> f64 {
-        math::limit(self.raw(math::positive(x)) / self.raw(1.0), 0.0, WEAR_MAX)
+        self.wear_valued(x).value
+    }
+
+    /// The same, and whether the curve knows it: beyond [`WEAR_MAX`] the edge is gone, and nobody has measured
+    /// what is left.
+    #[must_use]
+    pub fn wear_valued(&self, x: f64) -> Valued {
+        let x = math::positive(x);
+        let found = match self.curve.get() {
+            Some(own) => own.at(&[x]),
+            None => Valued::new(self.raw(x) / self.raw(1.0), true),
+        };
+        let wear = math::limit(found.value, 0.0, WEAR_MAX);
+        Valued::new(wear, found.valid && wear < WEAR_MAX)
     }
 
     /// Width of the flank wear land in mm at wear `w`: VB = VB_T w (chosen).
@@ -112,14 +168,36 @@ impl WearSettings {
     /// Factor of wear `w` on the force: 1 + kappa w (chosen; 2019 gives no law).
     #[must_use]
     pub fn force_factor(&self, w: f64) -> f64 {
-        1.0 + self.force_growth * w
+        self.force_valued(w).value
+    }
+
+    /// The same, and whether the curve knows it; never negative.
+    #[must_use]
+    pub fn force_valued(&self, w: f64) -> Valued {
+        match self.force_curve.get() {
+            Some(own) => {
+                let found = own.at(&[w]);
+                Valued::new(math::positive(found.value), found.valid && found.value >= 0.0)
+            }
+            None => Valued::new(1.0 + self.force_growth * w, true),
+        }
     }
 
     /// Factor of wear `w` on the stiffness of the tooth: 1 - alpha w, at least 0.01 (chosen): a tooth softer than
     /// that is none, and only alpha beyond 0.5 with wear beyond the end of life comes to it.
     #[must_use]
     pub fn stiffness_factor(&self, w: f64) -> f64 {
-        (1.0 - self.tooth_softening * w).max(0.01)
+        self.stiffness_valued(w).value
+    }
+
+    /// The same, and whether the curve knows it.
+    #[must_use]
+    pub fn stiffness_valued(&self, w: f64) -> Valued {
+        let found = match self.stiffness_curve.get() {
+            Some(own) => own.at(&[w]),
+            None => Valued::new(1.0 - self.tooth_softening * w, true),
+        };
+        Valued::new(found.value.max(STIFFNESS_MIN), found.valid)
     }
 
     /// Process damping between tooth and workpiece in N s/m at wear `w`: `engaged` is the mean
@@ -142,10 +220,14 @@ impl WearSettings {
         engaged * self.indentation_n_mm3 * volume_mm2 / (2.0 * speed_m_s)
     }
 
-    /// Life T in min by Taylor's equation, extended by feed and depth, at `cut`; infinite where nothing
-    /// is cut.
+    /// Life T in min that is usual for a tool at `cut`: by Taylor's equation, extended by feed and depth, or by the
+    /// formula in its place; infinite where nothing is cut.
     #[must_use]
-    pub fn taylor_min(&self, cut: &WearCut) -> f64 {
+    pub fn usual_life_min(&self, cut: &WearCut) -> f64 {
+        self.usual_life_valued(cut).value
+    }
+
+    fn taylor_min(&self, cut: &WearCut) -> f64 {
         let speed = math::positive(cut.cutting_speed_m_min) / self.taylor_speed_m_min;
         let feed = math::positive(cut.feed_per_tooth_mm) / self.reference_feed_mm;
         let depth = math::positive(cut.axial_depth_mm) / self.reference_depth_mm;
@@ -175,7 +257,31 @@ impl WearSettings {
     /// Life T in min of this very tool at `cut`.
     #[must_use]
     pub fn life_min(&self, cut: &WearCut) -> f64 {
-        self.tool_life_factor * self.taylor_min(cut)
+        self.life_valued(cut).value
+    }
+
+    /// The same, and whether the curve knows it; infinite where nothing is cut.
+    #[must_use]
+    pub fn life_valued(&self, cut: &WearCut) -> Valued {
+        let usual = self.usual_life_valued(cut);
+        Valued { value: self.tool_life_factor * usual.value, ..usual }
+    }
+
+    /// [`Self::usual_life_min`], and whether the curve knows it.
+    #[must_use]
+    pub fn usual_life_valued(&self, cut: &WearCut) -> Valued {
+        let WearCut { cutting_speed_m_min, feed_per_tooth_mm, axial_depth_mm } = *cut;
+        let inputs = [cutting_speed_m_min, feed_per_tooth_mm, axial_depth_mm].map(math::positive);
+        match self.life_curve.get() {
+            Some(own) if !inputs.contains(&0.0) => {
+                let found = own.at(&inputs);
+                let enough = found.value >= LIFE_MIN_MIN;
+                // Far beyond its range, where a spindle comes to rest, even a straight line has no end.
+                let life_min = if enough { found.value } else { LIFE_MIN_MIN };
+                Valued::new(life_min, found.valid && enough)
+            }
+            Some(_) | None => Valued::new(self.taylor_min(cut), true),
+        }
     }
 }
 

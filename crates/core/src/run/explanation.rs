@@ -1,13 +1,18 @@
 //! The controller's law and the plant's force model with the values of a recorded row.
 
+use std::sync::Arc;
+
 use super::closed_loop::limits;
 use super::scenario::Scenario;
 use super::signals::{Row, flag};
-use crate::base::equation::Live;
+use crate::base::equation::{Live, number};
 use crate::blocks::control::FeedSpeed;
 use crate::blocks::control::law::{ControlMoment, Explained};
 use crate::blocks::cutting::force_model::law::ForceMoment;
 use crate::blocks::cutting::tool_path::{Engagement, ToolPath};
+use crate::models::Valued;
+use crate::models::formula_model::FormulaModel;
+use crate::models::wear::{WearCut, WearModel};
 
 /// The law of the scenario's controller, with the values of `row`.
 #[must_use]
@@ -34,7 +39,7 @@ pub fn explain_controller(scenario: &Scenario, row: &Row) -> Explained {
 /// The force model of the scenario's plant, with the values of `row`.
 #[must_use]
 pub fn explain_force(scenario: &Scenario, row: &Row) -> Vec<Live> {
-    scenario.plant.force_model.explain(&ForceMoment {
+    let mut lines = scenario.plant.force_model.explain(&ForceMoment {
         plant: &scenario.plant,
         formulas: &scenario.formula,
         tool: &scenario.tool,
@@ -46,5 +51,70 @@ pub fn explain_force(scenario: &Scenario, row: &Row) -> Vec<Live> {
         },
         force_n: row.force_n,
         force_dyn_n: row.force_dyn_n,
-    })
+    });
+    lines.extend(curves(scenario, row));
+    lines
+}
+
+/// The formulas of one's own for material and wear that the run computes with.
+fn curves(scenario: &Scenario, row: &Row) -> Vec<Live> {
+    let (wear, tool) = (&scenario.wear, &scenario.tool);
+    let mut lines = Vec::new();
+    let mut line =
+        |model: Option<&Arc<FormulaModel>>, symbol: &str, inputs: &[(&str, f64)], found: Valued| {
+            let Some(model) = model else { return };
+            let names: Vec<&str> = inputs.iter().map(|(name, _)| *name).collect();
+            let values: Vec<f64> = inputs.iter().map(|(_, value)| *value).collect();
+            let [formula, with] = model.shown(&names, &values);
+            let ranges: Vec<String> = names
+                .iter()
+                .zip(model.inputs())
+                .map(|(name, input)| {
+                    let [low, high] = [input.range.low, input.range.high].map(number);
+                    format!("{name} {low} to {high} {}", input.unit).trim_end().to_owned()
+                })
+                .collect();
+            let unit = format!(" {}", model.output().unit);
+            lines.push(Live {
+                formula: format!("{symbol} = {formula}"),
+                values: format!("{symbol} = {with} = {}{}", number(found.value), unit.trim_end()),
+                range: format!("{}; straight on beyond", ranges.join(", ")),
+                valid: found.valid,
+            });
+        };
+    let hardness_hb = scenario.plant.hardness_hb;
+    if let Some(material) = scenario.formula.material_factor(hardness_hb) {
+        line(scenario.formula.material.get(), "material", &[("HB", hardness_hb)], material);
+    }
+    if scenario.plant.force_model.tooth_by_tooth()
+        && let Some(own) = scenario.formula.specific_force.get()
+    {
+        // At the thickest chip.
+        let thickness_mm = tool.feed_per_tooth_mm(row.feed_mm_min, row.spindle_rpm.max(1.0));
+        line(Some(own), "k_c", &[("h", thickness_mm)], own.at(&[thickness_mm]));
+    }
+    if wear.model == WearModel::Life {
+        let worn = wear.wear_valued(row.used_life);
+        line(wear.curve.get(), "w", &[("x", row.used_life)], worn);
+        line(wear.force_curve.get(), "P/P_0", &[("w", worn.value)], wear.force_valued(worn.value));
+        if scenario.machine.coupled {
+            let stiffness = wear.stiffness_valued(worn.value);
+            line(wear.stiffness_curve.get(), "k_3/k_{30}", &[("w", worn.value)], stiffness);
+        }
+        let cut = WearCut {
+            cutting_speed_m_min: tool.cutting_speed_m_min(row.spindle_rpm),
+            feed_per_tooth_mm: tool.feed_per_tooth_mm(row.feed_mm_min, row.spindle_rpm.max(1.0)),
+            axial_depth_mm: row.axial_depth_mm,
+        };
+        let inputs = [
+            ("v_c", cut.cutting_speed_m_min),
+            ("f_z", cut.feed_per_tooth_mm),
+            ("A_D", cut.axial_depth_mm),
+        ];
+        // Nothing wears in the air.
+        if !row.has(flag::AIR) {
+            line(wear.life_curve.get(), "T", &inputs, wear.usual_life_valued(&cut));
+        }
+    }
+    lines
 }

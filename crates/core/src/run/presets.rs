@@ -76,6 +76,7 @@ presets! {
     "material-change", Start, "Another material than the model knows";
     "own-formula", Start, "A formula of one's own for the force";
     "square-12-4-42crmo4", Start, "Models found for another cutter and steel";
+    "own-curves", Start, "Material and wear as formulas";
     "experiment-2-per-cut", Combined2005, "Experiment 2, a planned feed for every cut";
     "combined-2005", Combined2005, "Recommended, planned, controlled";
     "experiment-2-neural", Combined2005, "Experiment 2, force from the neural model";

@@ -8,6 +8,7 @@ mod inputs;
 mod links;
 mod matrix;
 mod metrics;
+mod own_curves;
 mod own_formulas;
 mod revolution;
 mod signals;

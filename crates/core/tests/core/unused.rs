@@ -44,6 +44,16 @@ const BASES: &[(&str, &[&str])] = &[
     (
         "machine-life",
         &[
+            "wear.time_scale=900",
+            r#"wear.curve={"version":1,"formula":"0.4*x^0.5 + 0.6*x^4","output":{"name":"w","unit":""},"inputs":[{"name":"x","unit":"","low":0.001,"high":1.2}]}"#,
+            r#"wear.force_curve={"version":1,"formula":"1 + 0.3*w + 0.3*w^2","output":{"name":"k","unit":""},"inputs":[{"name":"w","unit":"","low":0,"high":2}]}"#,
+            r#"wear.stiffness_curve={"version":1,"formula":"1 - 0.2*w","output":{"name":"k","unit":""},"inputs":[{"name":"w","unit":"","low":0,"high":2}]}"#,
+            r#"wear.life_curve={"version":1,"formula":"15*(v/160)^-3.9*(fz/0.135)^-0.7*(ap/2)^-0.2","output":{"name":"T","unit":"min"},"inputs":[{"name":"v","unit":"m/min","low":20,"high":300},{"name":"fz","unit":"mm","low":0.02,"high":0.4},{"name":"ap","unit":"mm","low":0.1,"high":8}]}"#,
+        ],
+    ),
+    (
+        "machine-life",
+        &[
             "wear.indentation_n_mm3=100000",
             "wear.adjust_speed=true",
             "wear.used_life=0.1",

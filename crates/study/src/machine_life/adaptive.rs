@@ -64,7 +64,7 @@ impl AdaptiveLife {
     pub fn new(scenario: &Scenario, adjusts: bool) -> Self {
         let model = model(scenario);
         let growth = Growth::calibrated(&model);
-        let prior_min = model.wear.taylor_min(&model.cut);
+        let prior_min = model.wear.usual_life_min(&model.cut);
         let stream = Stream::new(u64::from(scenario.run.seed), "life.adaptive");
         Self {
             predictor: Predictor::new(&model.wear, &growth, &model.life, prior_min),
@@ -83,7 +83,7 @@ impl AdaptiveLife {
     /// Life at the present speed over that at the programmed one.
     fn life_ratio(&self) -> f64 {
         let wear = &self.model.wear;
-        wear.taylor_min(&self.cut) / wear.taylor_min(&self.model.cut)
+        wear.usual_life_min(&self.cut) / wear.usual_life_min(&self.model.cut)
     }
 
     /// Whether it is worn out, or has outlived every wish and is given up.
@@ -188,7 +188,7 @@ mod tests {
     fn lived(tool_life_factor: f64, adjusts: bool) -> AdaptiveLife {
         let mut scenario = Scenario::default();
         scenario.change(|s| s.wear.tool_life_factor = tool_life_factor).unwrap();
-        let taylor_min = model(&scenario).wear.taylor_min(&model(&scenario).cut).round();
+        let taylor_min = model(&scenario).wear.usual_life_min(&model(&scenario).cut).round();
         scenario.change(|s| s.life.tool_life_min = taylor_min).unwrap();
         let mut life = AdaptiveLife::new(&scenario, adjusts);
         life.to_end();

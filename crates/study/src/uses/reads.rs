@@ -5,7 +5,7 @@ use crate::blocks::reference::Reference;
 use crate::models::genetic::{Calibration, ModelSet};
 use crate::models::plan::ForceLimit;
 use crate::models::tool::EndShape;
-use crate::run::scenario::Unused;
+use crate::run::scenario::{BY_CURVES, Unused};
 
 /// What a command reads.
 pub(super) struct Reads {
@@ -179,12 +179,20 @@ const CORNER_UNUSED: Unused = Unused {
     when: Some(|s| s.tool.shape != EndShape::BullNose),
     because: "`tool.shape` is no bull_nose",
 };
-const WORN: &[Unused] = &[Unused {
-    paths: &["wear.flank_end_mm"],
-    but: &[],
-    when: Some(|s| s.wear.indentation_n_mm3 == 0.0),
-    because: "`wear.indentation_n_mm3` is 0",
-}];
+const WORN: &[Unused] = &[
+    BY_CURVES[0],
+    BY_CURVES[1],
+    BY_CURVES[2],
+    BY_CURVES[3],
+    Unused {
+        paths: &["wear.flank_end_mm"],
+        but: &[],
+        when: Some(|s| s.wear.indentation_n_mm3 == 0.0),
+        because: "`wear.indentation_n_mm3` is 0",
+    },
+];
+const TRENDS_UNUSED: &[Unused] =
+    &[CORNER_UNUSED, BY_CURVES[0], BY_CURVES[1], BY_CURVES[2], BY_CURVES[3]];
 
 const MODES: &[&str] = &["machine.variant", "machine.parameters", "machine.spindle_quality"];
 
@@ -399,7 +407,7 @@ impl Reader {
                 Reads { as_run: false, also: CHART, but: &[], unused: CHART_UNUSED }
             }
             Self::MachineWear => {
-                Reads { as_run: false, also: TRENDS, but: &[OF_A_RUN], unused: &[CORNER_UNUSED] }
+                Reads { as_run: false, also: TRENDS, but: &[OF_A_RUN], unused: TRENDS_UNUSED }
             }
             Self::MachineLife => {
                 Reads { as_run: false, also: LIFE, but: &[OF_A_RUN], unused: WORN }

@@ -268,7 +268,7 @@ fn prediction(life: &Life) -> Figure {
     });
     let predicted: Vec<_> = predicted.collect();
     let [_, last_min] = extent(minutes.iter().map(|minute| minute.time_min));
-    let promised_min = life.model().wear.taylor_min(&life.model().cut);
+    let promised_min = life.model().wear.usual_life_min(&life.model().cut);
     let length_min = last_min.max(promised_min.min(10.0 * wanted_min)).max(1.0);
     let mut figure = Figure::new("Predicted life", ["min", "min"], [0.0, length_min]);
     let band = predicted.iter().map(|(time, _, [low, high])| [*time, *low, *high]);
@@ -290,7 +290,7 @@ fn prediction(life: &Life) -> Figure {
 /// The life predicted from the sound of the running cut, up to the playhead.
 fn prediction_in_cut(life: &Life, estimates: &[ConditionEstimate]) -> Figure {
     let wanted_min = life.model().life.tool_life_min;
-    let promised_min = life.model().wear.taylor_min(&life.model().cut);
+    let promised_min = life.model().wear.usual_life_min(&life.model().cut);
     let [_, last_min] = extent(estimates.iter().map(|estimate| estimate.prediction.age_min));
     let length_min = last_min.max(promised_min).max(1.0);
     let mut figure = Figure::new("Predicted life", ["min", "min"], [0.0, length_min]);

@@ -5,6 +5,7 @@ use egui::{Response, Ui, WidgetInfo};
 use super::super::icon::{self, Icon};
 use super::super::number::NumberField;
 use super::labelled;
+use crate::app::command::Command;
 use crate::app::format;
 use crate::base::settings::{Editor, Numbers, Rows, Value};
 use crate::run::scenario::Param;
@@ -17,12 +18,14 @@ pub(super) fn edit(
     now: &Value,
     change: &mut dyn FnMut(Value),
     said: &mut Option<String>,
+    commands: &mut Vec<Command>,
 ) -> Response {
     match editor {
         Editor::Rows(shown) => rows(ui, param, shown, now, change, said),
         Editor::Numbers(shown) => numbers(ui, param, shown, now, change, said),
         Editor::Count(what) => count(ui, param, what, now),
         Editor::Presence => presence(ui, param, now, change),
+        Editor::Formula(shape) => super::formula::edit(ui, param, shape, now, change, commands),
     }
 }
 

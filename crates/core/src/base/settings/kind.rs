@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::Structured;
+use super::{Editor, Structured};
 
 /// One option of a closed choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -51,6 +51,12 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// Whether its value is a formula of one's own, or none.
+    #[must_use]
+    pub fn takes_formula(&self) -> bool {
+        matches!(self, Self::Structured(shape) if matches!(shape.editor(), Editor::Formula(_)))
+    }
+
     /// What is allowed, in words, with the unit.
     #[must_use]
     pub fn allowed(&self, unit: &str) -> String {

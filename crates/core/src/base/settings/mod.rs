@@ -18,5 +18,5 @@ mod value;
 pub use error::SettingError;
 pub use field::{Field, Group, Spec};
 pub use kind::{Choice, Kind};
-pub use structure::{Column, Editor, Numbers, Rows, Shape, Structure, Structured};
+pub use structure::{Column, Editor, FormulaShape, Numbers, Rows, Shape, Structure, Structured};
 pub use value::Value;

@@ -52,6 +52,21 @@ pub enum Editor {
     Count(&'static str),
     /// Whether there is something, and a button that removes it; files bring it.
     Presence,
+    /// A formula with units and ranges, or none.
+    Formula(FormulaShape),
+}
+
+/// A formula that a setting takes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FormulaShape {
+    /// Units of its inputs, in this order.
+    pub inputs: &'static [&'static str],
+    /// What the inputs are, in words.
+    pub meaning: &'static str,
+    /// Unit of the result; empty for a number without one.
+    pub output: &'static str,
+    /// One that is allowed, in one line.
+    pub example: &'static str,
 }
 
 /// Rows of numbers, ascending in the first one.

@@ -12,9 +12,12 @@
 //! set-up. A spindle that stands cuts nothing, nor does a tool that is not fed.
 
 use super::surface_left::{Stand, SurfaceLeft};
+use std::sync::Arc;
+
 use crate::base::math;
 use crate::base::units::rev_s_from_rpm;
-use crate::models::mechanistic::{Cutter, Cutting, Kienzle, Sliced, Steel};
+use crate::models::formula_model::FormulaModel;
+use crate::models::mechanistic::{Cutter, Cutting, Kienzle, OwnEdgeLaw, Sliced, Steel};
 use crate::models::part::CutPath;
 
 /// Cutting speed in m/min at which the law's constants are worked out; the force follows
@@ -46,7 +49,7 @@ pub struct MillingSetup {
 pub struct Milling {
     setup: MillingSetup,
     sliced: Sliced,
-    law: Kienzle,
+    law: OwnEdgeLaw,
     /// Speed for which `speed_factor` holds.
     speed_rpm: f64,
     speed_factor: f64,
@@ -71,7 +74,7 @@ impl Milling {
             setup: *setup,
             surface: SurfaceLeft::new(sliced.teeth()),
             sliced,
-            law,
+            law: OwnEdgeLaw { law, specific: None, corrections: 1.0 },
             speed_rpm: 0.0,
             speed_factor: 0.0,
             last_n: [0.0; 2],
@@ -80,6 +83,15 @@ impl Milling {
             sampled_turn: 0.0,
             compliance_mm_n: setup.cutter.compliance_mm_n,
         }
+    }
+
+    /// The same with a specific cutting force of one's own: N/mm^2 of the chip thickness in mm, uncorrected.
+    #[must_use]
+    pub fn with_specific_force(mut self, specific: Option<Arc<FormulaModel>>) -> Self {
+        let MillingSetup { steel, rake_deg, hardness_hb, .. } = self.setup;
+        let corrections = Kienzle::corrections(&steel, LAW_SPEED_M_MIN, rake_deg, hardness_hb);
+        self.law = OwnEdgeLaw { specific, corrections, ..self.law };
+        self
     }
 
     fn set_speed(&mut self, speed_rpm: f64) {

@@ -76,6 +76,14 @@ impl NeuralCut {
 }
 
 impl NeuralCut {
+    /// The same in a material whose force is this times that of Ck45 at its reference hardness.
+    #[must_use]
+    pub fn of_ck45_times(self, factor: Valued) -> Self {
+        let hardness_hb = Material::Ck45.hardness_hb();
+        let point = CutPoint { material_code: 1.0, hardness_hb, ..self.point };
+        Self { point, factor: factor.value, material_known: factor.valid, ..self }
+    }
+
     /// Whether the network knows material and teeth.
     #[must_use]
     #[inline]
@@ -109,6 +117,12 @@ impl NeuralLaw {
         };
         law.set_up([cut.point.axial_depth_mm, cut.point.radial_depth_mm]);
         law
+    }
+
+    /// The cut that it is set up for.
+    #[must_use]
+    pub fn cut(&self) -> NeuralCut {
+        self.cut
     }
 
     fn set_up(&mut self, depths_mm: [f64; 2]) {

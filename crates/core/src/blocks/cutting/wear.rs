@@ -6,7 +6,7 @@
 
 use crate::base::units::s_from_min;
 use crate::models::tool::Tool;
-use crate::models::wear::{WEAR_MAX, WearCut, WearModel, WearSettings};
+use crate::models::wear::{WearCut, WearModel, WearSettings};
 
 /// The tool with the fraction of its life that is used.
 #[derive(Clone, Debug)]
@@ -14,13 +14,16 @@ pub struct ToolWear {
     settings: WearSettings,
     tool: Tool,
     used_life: f64,
+    /// Whether the life at the present cut is one that its curve knows.
+    life_is_known: bool,
 }
 
 impl ToolWear {
     /// The tool as it is at the start of the run.
     #[must_use]
     pub fn new(settings: &WearSettings, tool: &Tool) -> Self {
-        Self { settings: settings.clone(), tool: tool.clone(), used_life: settings.used_life }
+        let used_life = settings.used_life;
+        Self { settings: settings.clone(), tool: tool.clone(), used_life, life_is_known: true }
     }
 
     /// Takes over changed settings; the tool stays as worn as it is.
@@ -34,31 +37,35 @@ impl ToolWear {
         self.used_life
     }
 
-    /// Wear w; 0 where the tool does not wear in the run.
-    fn wear(&self) -> f64 {
-        match self.settings.model {
-            WearModel::Fixed => 0.0,
-            WearModel::Life => self.settings.wear(self.used_life),
-        }
+    /// Whether the tool wears in the run.
+    fn wears(&self) -> bool {
+        self.settings.model == WearModel::Life
     }
 
-    /// Whether the wear is one that the curve knows: beyond [`WEAR_MAX`] the edge is gone, and nobody has
-    /// measured what is left.
+    /// Wear w; 0 where the tool does not wear in the run.
+    fn wear(&self) -> f64 {
+        if self.wears() { self.settings.wear(self.used_life) } else { 0.0 }
+    }
+
+    /// Whether wear, force and life are such as their curves know: beyond
+    /// [`WEAR_MAX`](crate::models::wear::WEAR_MAX) the edge is gone, and nobody has measured what is left.
     #[must_use]
     pub fn is_known(&self) -> bool {
-        self.wear() < WEAR_MAX
+        let wear = || self.settings.wear_valued(self.used_life);
+        let force = || self.settings.force_valued(self.wear());
+        !self.wears() || (self.life_is_known && wear().valid && force().valid)
     }
 
     /// Factor on the force; 1 where the tool does not wear in the run.
     #[must_use]
     pub fn force_factor(&self) -> f64 {
-        self.settings.force_factor(self.wear())
+        if self.wears() { self.settings.force_factor(self.wear()) } else { 1.0 }
     }
 
     /// Factor on the stiffness of the tooth; 1 where the tool does not wear in the run.
     #[must_use]
     pub fn stiffness_factor(&self) -> f64 {
-        self.settings.stiffness_factor(self.wear())
+        if self.wears() { self.settings.stiffness_factor(self.wear()) } else { 1.0 }
     }
 
     /// Process damping in N s/m of a tooth in the cut at an axial depth in mm and a speed in 1/min.
@@ -79,7 +86,9 @@ impl ToolWear {
             feed_per_tooth_mm: self.tool.feed_per_tooth_mm(feed_mm_min, speed_rpm),
             axial_depth_mm,
         };
-        let life_s = s_from_min(self.settings.life_min(&cut));
+        let life = self.settings.life_valued(&cut);
+        self.life_is_known = life.valid;
+        let life_s = s_from_min(life.value);
         let used = self.used_life + self.settings.time_scale * dt_s / life_s;
         // What is worn stays worn, whatever is asked of the law.
         if used > self.used_life {

@@ -86,7 +86,7 @@ impl ToolConditionEstimator {
     #[must_use]
     pub fn new(setup: EstimatorSetup) -> Self {
         let EstimatorSetup { wear, life, programmed, .. } = &setup;
-        let prior_min = wear.taylor_min(programmed);
+        let prior_min = wear.usual_life_min(programmed);
         let growth = Growth::linear(wear.force_factor(1.0));
         let age_min =
             if wear.used_life > 0.0 { wear.used_life * wear.life_min(programmed) } else { 0.0 };
@@ -105,13 +105,13 @@ impl ToolConditionEstimator {
     /// Takes over the time scale and the exponents of Taylor's equation; the belief stays.
     pub fn reconfigure(&mut self, wear: &WearSettings) {
         self.setup.wear = wear.clone();
-        self.prior_min = wear.taylor_min(&self.setup.programmed);
+        self.prior_min = wear.usual_life_min(&self.setup.programmed);
     }
 
     /// Life at `cut` over that at the programmed one.
     #[must_use]
     pub fn life_ratio(&self, cut: &WearCut) -> f64 {
-        self.setup.wear.taylor_min(cut) / self.prior_min
+        self.setup.wear.usual_life_min(cut) / self.prior_min
     }
 
     /// Age of the tool in minutes at the programmed cut.

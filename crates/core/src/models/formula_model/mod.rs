@@ -15,6 +15,7 @@ use crate::base::formula::{
 };
 
 pub use file::{FORMULA_MODEL_VERSION, MAX_MODEL_INPUTS};
+pub(crate) use setting::role;
 pub use setting::{FormulaRole, OwnFormula};
 
 /// An input of a formula's model.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::FormulaModel;
 use crate::base::formula::Unit;
-use crate::base::settings::{Editor, Structure, Value};
+use crate::base::settings::{Editor, FormulaShape, Structure, Value};
 
 /// What a model stands for: the units of its inputs, in their order, and of its result.
 pub trait FormulaRole: Clone + std::fmt::Debug + PartialEq + 'static {
@@ -22,11 +22,34 @@ pub trait FormulaRole: Clone + std::fmt::Debug + PartialEq + 'static {
     const EXAMPLE: &'static str;
 }
 
+/// Declares what a model stands for.
+macro_rules! role {
+    ($(#[doc = $doc:literal])+ $name:ident, $id:literal, $inputs:expr, $meaning:literal, $output:literal, $example:expr) => {
+        $(#[doc = $doc])+
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct $name;
+
+        impl $crate::models::formula_model::FormulaRole for $name {
+            const ID: &'static str = $id;
+            const INPUTS: &'static [&'static str] = $inputs;
+            const MEANING: &'static str = $meaning;
+            const OUTPUT: &'static str = $output;
+            const EXAMPLE: &'static str = $example;
+        }
+    };
+}
+pub(crate) use role;
+
 /// A formula of a user's own in a role, or none. Shared, so that a scenario is copied quickly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OwnFormula<R: FormulaRole> {
     model: Option<Arc<FormulaModel>>,
     role: PhantomData<R>,
+}
+
+/// A unit as people read it.
+fn told(unit: &str) -> &str {
+    if unit.is_empty() { "a number without a unit" } else { unit }
 }
 
 impl<R: FormulaRole> Default for OwnFormula<R> {
@@ -49,12 +72,18 @@ impl<R: FormulaRole> OwnFormula<R> {
     pub fn of(model: FormulaModel) -> Result<Self, String> {
         let known = |text: &str| Unit::parse(text).unwrap_or_else(|_| Unit::none());
         let output = &model.output().unit;
-        // The units tell the inputs apart, whatever their order is.
-        let place = |text: &&str| {
+        // The units tell the inputs apart, whatever their order is; of those of one unit the order counts.
+        let mut order: Option<Vec<usize>> = Some(Vec::new());
+        for text in R::INPUTS {
             let unit = known(text);
-            model.inputs().iter().position(|input| input.unit.is_same(&unit))
-        };
-        let order: Option<Vec<usize>> = R::INPUTS.iter().map(place).collect();
+            order = order.and_then(|mut taken| {
+                let place = (0..model.inputs().len()).find(|place| {
+                    !taken.contains(place) && model.inputs()[*place].unit.is_same(&unit)
+                })?;
+                taken.push(place);
+                Some(taken)
+            });
+        }
         let order = order.filter(|_| {
             model.inputs().len() == R::INPUTS.len() && output.is_same(&known(R::OUTPUT))
         });
@@ -62,13 +91,13 @@ impl<R: FormulaRole> OwnFormula<R> {
             let given: Vec<String> = model
                 .inputs()
                 .iter()
-                .map(|input| format!("`{}` in {}", input.name, input.unit))
+                .map(|input| format!("`{}` in {}", input.name, told(&input.unit.to_string())))
                 .collect();
             return Err(format!(
                 "it makes {} of {}: allowed is {} of {}",
-                output,
+                told(&output.to_string()),
                 given.join(" and "),
-                R::OUTPUT,
+                told(R::OUTPUT),
                 R::MEANING
             ));
         };
@@ -95,7 +124,7 @@ impl<R: FormulaRole> Structure for OwnFormula<R> {
     fn allowed(_: [f64; 2], _: &str) -> String {
         format!(
             "nothing, or the text of a formula's model file: {} of {}, finite on its ranges",
-            R::OUTPUT,
+            told(R::OUTPUT),
             R::MEANING
         )
     }
@@ -116,7 +145,12 @@ impl<R: FormulaRole> Structure for OwnFormula<R> {
         Some(format!("this text ({})", fault.lines().next().unwrap_or_default()))
     }
     fn editor(_: [f64; 2]) -> Editor {
-        Editor::Presence
+        Editor::Formula(FormulaShape {
+            inputs: R::INPUTS,
+            meaning: R::MEANING,
+            output: R::OUTPUT,
+            example: R::EXAMPLE,
+        })
     }
     fn example(_: [f64; 2], _: f64, _: u32) -> Value {
         Value::Text(R::EXAMPLE.to_owned())

@@ -25,7 +25,8 @@ use self::curve::Curve;
 use self::exponential::Exponential;
 use self::force_formula::ForceFormula;
 pub use self::own::{
-    FeedOfForce, ForceOfCut, ForceOfRa, FormulaSettings, OwnModels, RaOfForce, SpeedOfForce,
+    FeedOfForce, ForceOfCut, ForceOfRa, FormulaSettings, MaterialOfHardness, OwnModels, RaOfForce,
+    SpecificForce, SpeedOfForce,
 };
 use self::quartic::Quartic;
 use super::Valued;
@@ -57,7 +58,8 @@ crate::choice! {
         /// Formulas that `steadycut identify genetic` finds in the paper's own table by genetic programming; of
         /// model 4 only the constants, since the table's feeds and speeds lie on one line.
         Genetic = "genetic", "genetic programming";
-        /// Formulas of one's own (the settings under `formula`); a model without one stays the identified one.
+        /// Formulas of one's own: give one under `formula` first (typed or opened in the console, there under Own
+        /// formulas); a model without one stays the identified one.
         Formula = "formula", "own formulas";
     }
 }

@@ -7,24 +7,7 @@ use super::force_formula::FEED_MIN_MM_MIN;
 use super::{Calibration, GeneticModels, ModelSet};
 use crate::base::math;
 use crate::models::Valued;
-use crate::models::formula_model::{FormulaModel, FormulaRole, OwnFormula};
-
-/// Declares what a model stands for.
-macro_rules! role {
-    ($(#[doc = $doc:literal])+ $name:ident, $id:literal, $inputs:expr, $meaning:literal, $output:literal, $example:expr) => {
-        $(#[doc = $doc])+
-        #[derive(Clone, Debug, PartialEq)]
-        pub struct $name;
-
-        impl FormulaRole for $name {
-            const ID: &'static str = $id;
-            const INPUTS: &'static [&'static str] = $inputs;
-            const MEANING: &'static str = $meaning;
-            const OUTPUT: &'static str = $output;
-            const EXAMPLE: &'static str = $example;
-        }
-    };
-}
+use crate::models::formula_model::{FormulaModel, OwnFormula, role};
 
 role!(
     /// Model 1: force from target roughness.
@@ -52,10 +35,22 @@ role!(
     r#"{"version":1,"formula":"0.0254*(593/(300 - F))^2","output":{"name":"Ra","unit":"um"},"inputs":[{"name":"F","unit":"N","low":100,"high":250}]}"#
 );
 
+role!(
+    /// Force of a material over that of Ck45 at 200 HB.
+    MaterialOfHardness, "formula_material", &["HB"], "the hardness in HB", "",
+    r#"{"version":1,"formula":"1.2*(HB/200)^0.6","output":{"name":"k","unit":""},"inputs":[{"name":"HB","unit":"HB","low":100,"high":400}]}"#
+);
+
+role!(
+    /// Specific cutting force of a chip thickness.
+    SpecificForce, "formula_specific_force", &["mm"], "the chip thickness in mm", "N/mm^2",
+    r#"{"version":1,"formula":"1700*(h + 0.01)^-0.22","output":{"name":"kc","unit":"N/mm^2"},"inputs":[{"name":"h","unit":"mm","low":0,"high":0.4}]}"#
+);
+
 crate::settings! {
     /// Formulas of one's own, which the calibration `formula` puts in the place of identified models, of plant
     /// and controller alike; each is the text of a model file (`steadycut formula --save`). Beyond its ranges
-    /// a formula goes straight on, and is marked.
+    /// a formula goes straight on, and is marked. Those of material and specific cutting force need no calibration.
     pub struct FormulaSettings {
         /// Model 1, K1 or M1: the force in N for a target Ra in um.
         force_of_ra: OwnFormula<ForceOfRa> = OwnFormula::default(), [], "", live, "Force for a target Ra";
@@ -68,17 +63,39 @@ crate::settings! {
         force: OwnFormula<ForceOfCut> = OwnFormula::default(), [], "", live, "Force of the cut";
         /// Models 5 and 6, K5 or M5: the Ra in um that a force in N leaves.
         ra: OwnFormula<RaOfForce> = OwnFormula::default(), [], "", live, "Ra of a force";
+        /// The material that is cut, in place of `plant.material`: its force over that of Ck45 at 200 HB, of the
+        /// hardness in HB.
+        material: OwnFormula<MaterialOfHardness> = OwnFormula::default(), [], "", live, "Material over hardness";
+        /// Specific cutting force k_c in N/mm^2 of the chip thickness in mm, tooth by tooth, in place of Kienzle's
+        /// k_c1.1 h^-m_c: of the steel, before the corrections for rake, speed and hardness.
+        specific_force: OwnFormula<SpecificForce> = OwnFormula::default(), [], "", live, "Specific cutting force";
     }
 }
 
 impl FormulaSettings {
-    /// Roles of the formulas that the plant has, too; the controller has all.
+    /// Roles of the formulas of models 1 to 5: what the calibration `formula` takes.
+    pub const OF_MODELS: [&'static str; 5] = ["force_of_ra", "feed", "speed", "force", "ra"];
+    /// Those of them that the plant has, too; the controller has all.
     pub const OF_PLANT: [&'static str; 2] = ["force", "ra"];
+
+    /// Whether the setting at a path is the formula of one of models 1 to 5.
+    #[must_use]
+    pub fn is_model(path: &str) -> bool {
+        path.strip_prefix("formula.").is_some_and(|role| Self::OF_MODELS.contains(&role))
+    }
 
     /// Whether no model 1 to 5 is a formula of one's own.
     #[must_use]
     pub fn has_no_model(&self) -> bool {
-        *self == Self::default()
+        let (material, specific_force) = (self.material.clone(), self.specific_force.clone());
+        *self == Self { material, specific_force, ..Self::default() }
+    }
+
+    /// The force of the material over that of Ck45 at 200 HB by its formula, where there is one; never negative.
+    #[must_use]
+    pub fn material_factor(&self, hardness_hb: f64) -> Option<Valued> {
+        let found = self.material.get()?.at(&[hardness_hb]);
+        Some(Valued::new(math::positive(found.value), found.valid && found.value >= 0.0))
     }
 }
 
@@ -175,6 +192,7 @@ fn inverse(own: &FormulaModel, force_n: f64, speed_rpm: f64, feed_max: f64, near
 mod tests {
     use super::*;
     use crate::base::settings::{Structure, Value};
+    use crate::models::formula_model::FormulaRole;
 
     fn example<R: FormulaRole>() -> OwnFormula<R> {
         OwnFormula::read(&Value::Text(R::EXAMPLE.to_owned()), [0.0; 2]).expect("the example")
@@ -187,6 +205,7 @@ mod tests {
             speed: example(),
             force: example(),
             ra: example(),
+            ..FormulaSettings::default()
         }
     }
 

@@ -1,6 +1,9 @@
 //! Kienzle's law of cutting forces for the papers' two steels.
 
+use std::sync::Arc;
+
 use crate::base::math;
+use crate::models::formula_model::FormulaModel;
 
 /// Uncorrected Kienzle constants k_i1.1 in N/mm^2 with exponents m_i, at 1 mm chip thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,19 +47,59 @@ impl Kienzle {
     /// (both Tschätsch/Dietrich; carbide), and for hardness, x (HB/HB_ref)^0.4 (chosen).
     #[must_use]
     pub fn new(steel: &Steel, speed_m_min: f64, rake_deg: f64, hardness_hb: f64) -> Self {
-        let factor = (1.0 - 0.015 * (rake_deg - 6.0)) * 2.023 / math::pow(speed_m_min, 0.153)
-            * math::pow(hardness_hb / steel.hardness_hb, 0.4);
+        let factor = Self::corrections(steel, speed_m_min, rake_deg, hardness_hb);
         let laws = [steel.tangential, steel.radial, steel.axial];
         Self { k_n_mm2: laws.map(|[k, _]| k * factor), exponents: laws.map(|[_, m]| 1.0 - m) }
     }
 
-    /// Forces per mm of edge width, N/mm: tangential, radial, axial; Kienzle, F/b = k_1.1 h^(1 - m).
+    /// The factor of all three corrections on the uncorrected constants.
+    #[must_use]
+    pub fn corrections(steel: &Steel, speed_m_min: f64, rake_deg: f64, hardness_hb: f64) -> f64 {
+        (1.0 - 0.015 * (rake_deg - 6.0)) * 2.023 / math::pow(speed_m_min, 0.153)
+            * math::pow(hardness_hb / steel.hardness_hb, 0.4)
+    }
+}
+
+/// What gives the forces on an edge.
+pub trait EdgeLaw {
+    /// Forces per mm of edge width in N/mm at a chip thickness in mm: tangential, radial, axial.
+    fn per_width(&self, thickness_mm: f64) -> [f64; 3];
+}
+
+/// Kienzle, F/b = k_1.1 h^(1 - m).
+impl EdgeLaw for Kienzle {
     #[inline]
-    pub(super) fn per_width(&self, thickness_mm: f64) -> [f64; 3] {
+    fn per_width(&self, thickness_mm: f64) -> [f64; 3] {
         let log = math::ln(thickness_mm);
         let [c, r, a] = self.exponents;
         let [kc, kr, ka] = self.k_n_mm2;
         [kc * math::exp(c * log), kr * math::exp(r * log), ka * math::exp(a * log)]
+    }
+}
+
+/// Kienzle's laws, the tangential one by a formula of one's own where there is one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OwnEdgeLaw {
+    /// Kienzle's laws.
+    pub law: Kienzle,
+    /// Specific cutting force k_c in N/mm^2 of the chip thickness in mm, uncorrected.
+    pub specific: Option<Arc<FormulaModel>>,
+    /// The factor of the corrections on it.
+    pub corrections: f64,
+}
+
+/// F/b = k_c(h) h; never negative.
+impl EdgeLaw for OwnEdgeLaw {
+    #[inline]
+    fn per_width(&self, thickness_mm: f64) -> [f64; 3] {
+        let [c, r, a] = self.law.per_width(thickness_mm);
+        match &self.specific {
+            None => [c, r, a],
+            Some(own) => {
+                let specific_n_mm2 = math::positive(own.at(&[thickness_mm]).value);
+                [self.corrections * specific_n_mm2 * thickness_mm, r, a]
+            }
+        }
     }
 }
 

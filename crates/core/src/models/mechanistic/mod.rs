@@ -43,7 +43,7 @@ mod kienzle;
 mod peak_table;
 mod static_cut;
 
-pub use kienzle::{CK45, Kienzle, MNCRSI5, Steel};
+pub use kienzle::{CK45, EdgeLaw, Kienzle, MNCRSI5, OwnEdgeLaw, Steel};
 pub use peak_table::PeakTable;
 pub use static_cut::{StaticCut, StaticPeak, static_peak};
 
@@ -211,7 +211,7 @@ impl Sliced {
     #[inline]
     pub fn forces(
         &self,
-        law: &Kienzle,
+        law: &impl EdgeLaw,
         spindle_rad: f64,
         advances: &Advances,
         depth_at: impl Fn(f64, f64) -> f64,

@@ -4,7 +4,7 @@
 //! Where a slice leaves the cut at a wall the peak has a narrow tip: angles 5 degrees apart miss up to
 //! 6 % of it, half a degree apart nothing. No run-out and no deflection: the steady cut of a rigid tool, whose teeth all cut alike.
 
-use super::{Kienzle, Sliced, Tooth};
+use super::{EdgeLaw, Kienzle, Sliced, Tooth};
 use crate::base::math;
 
 /// A slice of a tooth at an angle.

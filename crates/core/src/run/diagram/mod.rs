@@ -13,6 +13,7 @@ pub use wires::{WIRES, Wire};
 
 use super::scenario::{Scenario, table};
 use super::signals::flag;
+use crate::blocks::control::law::Held;
 
 /// A box of the block diagram, in signal order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -92,7 +93,7 @@ pub const BLOCKS: &[BlockInfo] = &[
                   then holds this force: a constant force keeps the finish constant.",
         own: &[],
         of_machine: &[],
-        settings: &["belief.model_set", "belief.calibration"],
+        settings: &["belief.model_set", "belief.calibration", "formula.force_of_ra"],
         lamps: &[lamp(flag::K1_OUTSIDE, "K1")],
     },
     BlockInfo {
@@ -105,7 +106,7 @@ pub const BLOCKS: &[BlockInfo] = &[
                   they need not be those of the cut.",
         own: &["force_setpoint_n", "gain_estimate"],
         of_machine: &[],
-        settings: &["controller.kind"],
+        settings: &["controller.kind", "formula.feed", "formula.speed"],
         lamps: &[lamp(flag::K2_OUTSIDE, "K2"), lamp(flag::K3_OUTSIDE, "K3")],
     },
     BlockInfo {
@@ -177,7 +178,15 @@ pub const BLOCKS: &[BlockInfo] = &[
                   does not know: material and hardness, cross-section of the cut, tool wear.",
         own: &["radial_depth_mm", "used_life"],
         of_machine: &[],
-        settings: &["plant.material", "plant.hardness_hb", "plant.wear_factor"],
+        settings: &[
+            "plant.material",
+            "plant.hardness_hb",
+            "plant.wear_factor",
+            "plant.calibration",
+            "formula.force",
+            "formula.material",
+            "formula.specific_force",
+        ],
         lamps: &[lamp(flag::K4_OUTSIDE, "K4"), lamp(flag::AIR, "air")],
     },
     BlockInfo {
@@ -215,7 +224,7 @@ pub const BLOCKS: &[BlockInfo] = &[
                   at its desired value leaves the desired roughness.",
         own: &["ra_target_um"],
         of_machine: &[],
-        settings: &["plant.model_set", "plant.calibration"],
+        settings: &["plant.model_set", "plant.calibration", "formula.ra"],
         lamps: &[lamp(flag::K5_OUTSIDE, "K5")],
     },
     BlockInfo {
@@ -227,7 +236,7 @@ pub const BLOCKS: &[BlockInfo] = &[
                   its dynamic component.",
         own: &["ra_target_um"],
         of_machine: &[],
-        settings: &["plant.model_set", "plant.calibration"],
+        settings: &["plant.model_set", "plant.calibration", "formula.ra"],
         lamps: &[lamp(flag::K6_OUTSIDE, "K6")],
     },
 ];
@@ -249,11 +258,16 @@ impl Block {
         WIRES.into_iter().filter(move |wire| wire.from == Some(self))
     }
 
-    /// Paths of the settings to look at: those of its box; of the controller also those of the kind in charge.
+    /// Paths of the settings to look at: those of its box; of the controller also those of the kind in charge, and
+    /// formulas of the models only where its law ends in them.
     pub fn settings(self, scenario: &Scenario) -> impl Iterator<Item = &'static str> {
-        let group = (self == Self::Controller).then(|| scenario.controller.kind.group());
+        let kind = scenario.controller.kind;
+        let group = (self == Self::Controller).then(|| kind.group());
         let of_kind = table().iter().filter(move |param| group == Some(param.group));
-        self.info().settings.iter().copied().chain(of_kind.map(|param| param.path.as_str()))
+        let by_models = self != Self::Controller || kind.held() == Held::Roughness;
+        let own = self.info().settings.iter().copied();
+        let own = own.filter(move |path| by_models || !path.starts_with("formula."));
+        own.chain(of_kind.map(|param| param.path.as_str()))
     }
 
     /// Ids of the signals to look at: those that enter it, its own, and those that leave it, each once.
@@ -297,7 +311,11 @@ mod tests {
     fn the_controllers_box_shows_what_the_kind_in_charge_is_tuned_with() {
         let scenario = crate::run::presets::load("table3-5").unwrap();
         let found: Vec<&str> = Block::Controller.settings(&scenario).collect();
-        assert_eq!(found, ["controller.kind", "controller.sdnrp.kp"]);
+        let formulas = ["formula.feed", "formula.speed"];
+        assert_eq!(found, [&["controller.kind"], &formulas[..], &["controller.sdnrp.kp"]].concat());
+        let kind = crate::blocks::control::ControllerKind::ConstantFeed;
+        let constant = scenario.with(|s| s.controller.kind = kind).unwrap();
+        assert!(Block::Controller.settings(&constant).all(|path| !formulas.contains(&path)));
         let found: Vec<&str> = Block::DeadTime.settings(&scenario).collect();
         assert_eq!(found, ["cnc.dead_time_s", "belief.dead_time_s"]);
     }

@@ -25,7 +25,7 @@ pub(super) use rules::joins;
 pub use rules::{MAX_ROWS, RULES, Rule};
 pub(super) use table::is_group;
 pub use table::{Param, param, parse_value, table};
-pub use unused::{ANOTHER_CONTROLLER, LEFT_OUT, NOT_BELIEVED, UNUSED, Unused};
+pub use unused::{ANOTHER_CONTROLLER, BY_CURVES, LEFT_OUT, NOT_BELIEVED, UNUSED, Unused};
 
 use crate::base::settings::{SettingError, Value};
 use crate::models::structure::FiveMass;

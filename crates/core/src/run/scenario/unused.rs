@@ -17,6 +17,7 @@ use crate::models::tool::EndShape;
 use crate::models::wear::WearModel;
 
 /// Settings that a run leaves out while another one stands as it does.
+#[derive(Clone, Copy)]
 pub struct Unused {
     /// Their paths; a group ends in a full stop.
     pub paths: &'static [&'static str],
@@ -83,6 +84,43 @@ pub const LEFT_OUT: &str = "the controller does not ask for it as its other sett
 /// Why it leaves out a belief.
 pub const NOT_BELIEVED: &str = "the controller, as it is set, does not ask for it";
 
+/// Why settings of the wear's curves are left out where a formula stands in their place.
+pub const BY_CURVES: [Unused; 4] = [
+    unused(
+        &[
+            "wear.break_in_share",
+            "wear.break_in_span",
+            "wear.steady_share",
+            "wear.failure_share",
+            "wear.failure_span",
+        ],
+        |s| s.wear.curve.get().is_some(),
+        "`wear.curve` gives the wear over the life",
+    ),
+    unused(
+        &["wear.force_growth"],
+        |s| s.wear.force_curve.get().is_some(),
+        "`wear.force_curve` gives the force over the wear",
+    ),
+    unused(
+        &["wear.tooth_softening"],
+        |s| s.wear.stiffness_curve.get().is_some(),
+        "`wear.stiffness_curve` gives the stiffness over the wear",
+    ),
+    unused(
+        &[
+            "wear.taylor_life_min",
+            "wear.taylor_speed_m_min",
+            "wear.reference_feed_mm",
+            "wear.feed_exponent",
+            "wear.reference_depth_mm",
+            "wear.depth_exponent",
+        ],
+        |s| s.wear.life_curve.get().is_some(),
+        "`wear.life_curve` gives the life over the cut",
+    ),
+];
+
 /// All other reasons.
 pub const UNUSED: &[Unused] = &[
     unused(
@@ -138,7 +176,7 @@ pub const UNUSED: &[Unused] = &[
         "only the off-line plan bends the cutter",
     ),
     unused(
-        &["tool.compliance_um_n", "tool.runout_um", "plant.slice_mm"],
+        &["tool.compliance_um_n", "tool.runout_um", "plant.slice_mm", "formula.specific_force"],
         |s| !by_teeth(s),
         "`plant.force_model` is a map, not mechanistic",
     ),
@@ -208,9 +246,23 @@ pub const UNUSED: &[Unused] = &[
         because: "`wear.model` is fixed",
     },
     unused(
-        &["wear.tooth_softening", "wear.indentation_n_mm3", "wear.flank_end_mm"],
+        &[
+            "wear.tooth_softening",
+            "wear.stiffness_curve",
+            "wear.indentation_n_mm3",
+            "wear.flank_end_mm",
+        ],
         |s| !s.machine.coupled,
         "`machine.coupled` is false: nothing vibrates",
+    ),
+    BY_CURVES[0],
+    BY_CURVES[1],
+    BY_CURVES[2],
+    BY_CURVES[3],
+    unused(
+        &["wear.taylor_exponent"],
+        |s| s.wear.life_curve.get().is_some() && !adjusts_speed(s),
+        "`wear.life_curve` gives the life over the cut, and nothing adjusts the speed",
     ),
     unused(
         &["wear.flank_end_mm"],

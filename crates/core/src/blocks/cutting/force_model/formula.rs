@@ -47,6 +47,8 @@ pub struct FormulaMap {
     radial_depth_mm: f64,
     /// Material times wear.
     share: f64,
+    /// Whether the hardness lies where the material's factor is known.
+    material_known: bool,
 }
 
 impl MapLaw for FormulaMap {
@@ -64,6 +66,7 @@ impl MapLaw for FormulaMap {
             factor_per_mm: material * plant.wear_factor * engagement,
             radial_depth_mm,
             share: material * plant.wear_factor,
+            material_known: true,
         }
     }
 
@@ -71,6 +74,11 @@ impl MapLaw for FormulaMap {
         let PlantSettings { model_set, calibration, force_offset_n, .. } = *plant;
         let models = GeneticModels::with_formulas(model_set, calibration, formulas);
         self.models.own = OwnModels { force_offset_n, ..models.own };
+        if let Some(material) = formulas.material_factor(plant.hardness_hb) {
+            self.share = material.value * plant.wear_factor;
+            self.factor_per_mm = self.share * engagement_per_mm(&self.models, self.radial_depth_mm);
+            self.material_known = material.valid;
+        }
         self
     }
 
@@ -90,7 +98,7 @@ impl MapLaw for FormulaMap {
         let base = self.models.force(feed_mm_min, speed_rpm);
         Valued::new(
             base.value * self.factor_per_mm * place.axial_depth_mm * life_factor,
-            base.valid,
+            base.valid && self.material_known,
         )
     }
 
@@ -121,17 +129,21 @@ impl MapLaw for FormulaMap {
         };
         let [axial_mm, radial_mm] = models.set.engagement_mm();
         let reference = axial_mm * radial_mm;
+        let own = formulas.material_factor(plant.hardness_hb);
+        let name_of = if own.is_some() { "a formula" } else { plant.material.label() };
+        let factor =
+            own.map_or_else(|| plant.material.force_factor(plant.hardness_hb), |own| own.value);
         let product = Live::everywhere(
             format!("F = {name} · material · (A_D R_D / {} mm^2) · wear", number(reference)),
             format!(
                 "F = {} · {} · {} / {} · {} = {} N  ({}, {} HB)",
                 number(k4.value),
-                number(plant.material.force_factor(plant.hardness_hb)),
+                number(factor),
                 number(place.axial_depth_mm * place.radial_depth_mm),
                 number(reference),
                 number(plant.wear_factor),
                 number(force.value),
-                plant.material.label(),
+                name_of,
                 number(plant.hardness_hb),
             ),
         );

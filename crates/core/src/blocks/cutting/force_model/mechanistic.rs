@@ -10,7 +10,7 @@ use crate::blocks::cutting::material::Material;
 use crate::blocks::cutting::milling::{Milling, MillingSetup};
 use crate::blocks::cutting::process::{CutStep, Force, PlantSettings};
 use crate::models::Valued;
-use crate::models::genetic::ModelSet;
+use crate::models::genetic::{FormulaSettings, ModelSet};
 use crate::models::mechanistic::{CK45, Cutter, Cutting, MNCRSI5};
 use crate::models::printed::Printed;
 use crate::models::spindle::SLOWEST_RPM;
@@ -37,12 +37,22 @@ pub struct Mechanistic {
     milling: Milling,
     largest: WindowMax<1>,
     wear_factor: f64,
+    /// Whether the hardness lies where the material's factor is known.
+    material_known: bool,
+    /// Feed per turn up to which the chips are no thicker than the specific cutting force is known for, mm.
+    known_per_turn_mm: f64,
 }
 
 /// The tool in the plant's material. Materials but the two of the 2005 paper are Ck45
-/// times the ratio of their forces, hardness included.
-fn milling_setup(plant: &PlantSettings, tool: &Tool, dt_s: f64) -> MillingSetup {
-    let (steel, base) = match plant.material {
+/// times the ratio of their forces, hardness included; by a formula it is Ck45 times that.
+fn milling_setup(
+    plant: &PlantSettings,
+    own: Option<Valued>,
+    tool: &Tool,
+    dt_s: f64,
+) -> MillingSetup {
+    let material = if own.is_some() { Material::Ck45 } else { plant.material };
+    let (steel, base) = match material {
         Material::MnCrSi5 => (MNCRSI5, Material::MnCrSi5),
         Material::Ck45
         | Material::S235
@@ -55,8 +65,8 @@ fn milling_setup(plant: &PlantSettings, tool: &Tool, dt_s: f64) -> MillingSetup 
         | Material::Brass
         | Material::Ti64 => (CK45, Material::Ck45),
     };
-    let factor =
-        plant.material.force_factor(plant.hardness_hb) / base.force_factor(base.hardness_hb());
+    let usual = || material.force_factor(plant.hardness_hb) / base.force_factor(base.hardness_hb());
+    let factor = own.map_or_else(usual, |own| own.value);
     MillingSetup {
         cutter: Cutter::new(tool, mm_from_um(tool.runout_um), plant.slice_mm),
         steel,
@@ -65,6 +75,13 @@ fn milling_setup(plant: &PlantSettings, tool: &Tool, dt_s: f64) -> MillingSetup 
         factor,
         dt_s,
     }
+}
+
+/// Feed per turn up to which a formula of the specific cutting force holds: no chip is thicker than the feed per
+/// tooth, run-out aside. Below its range, where every chip runs out, it goes on without being marked.
+fn known_per_turn_mm(formulas: &FormulaSettings, tool: &Tool) -> f64 {
+    let input = formulas.specific_force.get().and_then(|own| own.inputs().first());
+    input.map_or(f64::INFINITY, |input| input.range.high * f64::from(tool.teeth))
 }
 
 impl ForceModelLaw for Mechanistic {
@@ -76,11 +93,15 @@ impl ForceModelLaw for Mechanistic {
     const IDENTIFIED_SET: Option<ModelSet> = Some(ModelSet::Milling2005);
 
     fn new(setup: &ForceSetup) -> Self {
-        let milling = milling_setup(setup.plant, setup.tool, setup.dt_s);
+        let own = setup.formulas.material_factor(setup.plant.hardness_hb);
+        let milling = milling_setup(setup.plant, own, setup.tool, setup.dt_s);
         Self {
-            milling: Milling::new(&milling, setup.depth_max_mm),
+            milling: Milling::new(&milling, setup.depth_max_mm)
+                .with_specific_force(setup.formulas.specific_force.get().cloned()),
             largest: WindowMax::new(setup.window),
             wear_factor: setup.plant.wear_factor,
+            material_known: own.is_none_or(|own| own.valid),
+            known_per_turn_mm: known_per_turn_mm(setup.formulas, setup.tool),
         }
     }
 
@@ -111,9 +132,12 @@ impl ForceModelLaw for Mechanistic {
         let Cutting { forces_n, height_mm } =
             self.milling.update(feed_mm_min, speed_rpm, x_mm, cut, factor);
         let [x, y, _] = forces_n;
+        let known = speed_rpm >= SLOWEST_RPM
+            && self.material_known
+            && feed_mm_min <= self.known_per_turn_mm * speed_rpm;
         let [largest_n] = self.largest.push(step.tick, [(x * x + y * y).sqrt()]);
         Force {
-            model: Valued::new(largest_n, speed_rpm >= SLOWEST_RPM),
+            model: Valued::new(largest_n, known),
             dynamic_n: largest_n,
             teeth_n: Some(forces_n),
             height_mm,

@@ -17,6 +17,8 @@ pub(super) fn lines(kind: NeuralKind, moment: &ForceMoment, force: Valued) -> Ve
     let ForceMoment { plant, tool, place, .. } = *moment;
     let depths_mm = [place.axial_depth_mm, place.radial_depth_mm];
     let cut = NeuralCut::new(tool, plant.material, plant.hardness_hb, depths_mm);
+    let own = moment.formulas.material_factor(plant.hardness_hb);
+    let cut = own.map_or(cut, |material| cut.of_ck45_times(material));
     let feed_mm_min = cut.feed_factor * moment.feed_mm_min;
     let point = CutPoint { feed_mm_min, speed_rpm: moment.speed_rpm, ..cut.point };
     let network = NeuralForce::shipped(kind);

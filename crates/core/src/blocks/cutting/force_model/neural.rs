@@ -17,7 +17,7 @@ use crate::blocks::cutting::process::PlantSettings;
 use crate::blocks::cutting::tool_path::Engagement;
 use crate::blocks::cutting::workpiece::AXIAL_DEPTH_2007_MM;
 use crate::models::Valued;
-use crate::models::genetic::ModelSet;
+use crate::models::genetic::{FormulaSettings, ModelSet};
 use crate::models::neural_force::NeuralKind;
 use crate::models::printed::Printed;
 use crate::models::tool::Tool;
@@ -72,6 +72,13 @@ impl<N: MappedNetwork> MapLaw for NetworkMap<N> {
         }
     }
 
+    fn with_formulas(mut self, plant: &PlantSettings, formulas: &FormulaSettings) -> Self {
+        if let Some(material) = formulas.material_factor(plant.hardness_hb) {
+            self.law = NeuralLaw::new(N::KIND, self.law.cut().of_ck45_times(material));
+        }
+        self
+    }
+
     #[inline]
     fn force(
         &mut self,
@@ -104,7 +111,8 @@ impl<N: MappedNetwork> MapLaw for NetworkMap<N> {
     }
 
     fn explain(moment: &ForceMoment) -> Vec<Live> {
-        let mut map = Self::new(moment.plant, moment.tool, moment.place.radial_depth_mm);
+        let mut map = Self::new(moment.plant, moment.tool, moment.place.radial_depth_mm)
+            .with_formulas(moment.plant, moment.formulas);
         let force = map.force(moment.feed_mm_min, moment.speed_rpm, &moment.place, 1.0);
         network_card::lines(N::KIND, moment, force)
     }
