@@ -48,8 +48,16 @@ impl FormulaPlace {
         }
     }
 
+    /// Whether the plant cuts by it: feed and speed for a force, and the force for a target Ra, are the controller's.
+    fn is_of_the_plant(self) -> bool {
+        match self {
+            Self::Force | Self::Ra => true,
+            Self::ForceOfRa | Self::Feed | Self::Speed => false,
+        }
+    }
+
     /// The settings with which a run computes with a model in this place: its own, and the calibration `formula` of
-    /// plant and controller.
+    /// the controller and, where the plant cuts by it, of the plant.
     ///
     /// # Errors
     /// As [`Self::value`]; or the run would have no use for it in this scenario, and why.
@@ -59,7 +67,8 @@ impl FormulaPlace {
         scenario: &Scenario,
     ) -> Result<Vec<(String, Value)>, String> {
         let mut changes = vec![(self.path(), self.value(model)?)];
-        for of in ["plant.calibration", "belief.calibration"] {
+        let plant = self.is_of_the_plant().then_some("plant.calibration");
+        for of in plant.into_iter().chain(["belief.calibration"]) {
             changes.push((of.to_owned(), Value::Text(Calibration::Formula.id().to_owned())));
         }
         let mut with = scenario.clone();
@@ -97,7 +106,8 @@ mod tests {
                     let mut with = scenario.clone();
                     with.set_all(&set.unwrap()).unwrap();
                     assert_eq!(with.get(&place.path()).unwrap(), place.value(&model).unwrap());
-                    assert_eq!(with.plant.calibration, Calibration::Formula);
+                    let by_plant = with.plant.calibration == Calibration::Formula;
+                    assert_eq!(by_plant, place.is_of_the_plant());
                     assert_eq!(with.belief.calibration, Calibration::Formula);
                 } else {
                     assert!(set.unwrap_err().contains("allowed is"));

@@ -98,7 +98,7 @@ impl Role {
 
 /// A model that was found.
 #[derive(Clone, Debug, PartialEq)]
-pub struct FoundModel {
+pub struct FoundFormula {
     role: Role,
     /// The model.
     pub model: FormulaModel,
@@ -110,14 +110,14 @@ pub struct FoundModel {
 
 /// Models 1 to 5 of a paper.
 #[derive(Clone, Debug, PartialEq)]
-pub struct FoundModels {
+pub struct FoundFormulas {
     /// The paper.
     pub paper: PaperId,
     /// Those found so far, in the order of the search.
-    pub models: Vec<FoundModel>,
+    pub models: Vec<FoundFormula>,
 }
 
-impl FoundModels {
+impl FoundFormulas {
     /// The file that is shipped as `assets/models/genetic_<year>.toml`; none before all are found.
     #[must_use]
     pub fn file(&self) -> Option<String> {
@@ -142,7 +142,7 @@ impl FoundModels {
 #[derive(Clone)]
 pub struct GeneticJob {
     rows: Vec<TableRow>,
-    found: FoundModels,
+    found: FoundFormulas,
     search: Option<GpJob>,
     batches: u64,
     refusal: Option<String>,
@@ -152,7 +152,7 @@ impl GeneticJob {
     /// Begins it over rows of a paper's table.
     #[must_use]
     pub fn new(paper: PaperId, rows: &[TableRow]) -> Self {
-        let found = FoundModels { paper, models: Vec::new() };
+        let found = FoundFormulas { paper, models: Vec::new() };
         let batches = SEARCH_BATCHES;
         Self { rows: rows.to_vec(), found, search: None, batches, refusal: None }
     }
@@ -218,7 +218,11 @@ impl GeneticJob {
     }
 
     /// One look at a search; the model once it is over.
-    fn searched(&mut self, role: Role, budget: &Budget<'_>) -> Result<Option<FoundModel>, String> {
+    fn searched(
+        &mut self,
+        role: Role,
+        budget: &Budget<'_>,
+    ) -> Result<Option<FoundFormula>, String> {
         let mut search = match self.search.take() {
             Some(search) => search,
             None => {
@@ -237,7 +241,7 @@ impl GeneticJob {
         self.found_model(role, problem, formula, &how).map(Some)
     }
 
-    fn declared(&self) -> Result<FoundModel, String> {
+    fn declared(&self) -> Result<FoundFormula, String> {
         let role = Role::Force;
         let text = match self.found.paper {
             PaperId::Sdnrp2007 => FORCE_2007,
@@ -260,7 +264,7 @@ impl GeneticJob {
         problem: &GpProblem,
         formula: &FrontFormula,
         how: &str,
-    ) -> Result<FoundModel, String> {
+    ) -> Result<FoundFormula, String> {
         let unit = |(name, unit): &(&str, &str)| Ok(((*name).to_owned(), Unit::parse(unit)?));
         let units = role.columns().iter().map(unit).collect::<Result<Vec<_>, String>>()?;
         let left_out = formula.loo_error.unwrap_or(f64::INFINITY);
@@ -284,7 +288,7 @@ impl GeneticJob {
             points: points.iter().map(|point| [point[0], point[point.len() - 1]]).collect(),
             unit: role.columns()[role.columns().len() - 1].1,
         };
-        Ok(FoundModel { role, model, left_out, fit })
+        Ok(FoundFormula { role, model, left_out, fit })
     }
 }
 
@@ -310,7 +314,7 @@ fn monotone<'a>(
 
 /// A step is one of the searches'.
 impl Job for GeneticJob {
-    type Partial = FoundModels;
+    type Partial = FoundFormulas;
 
     fn advance(&mut self, budget: &Budget<'_>) -> bool {
         while let Some(role) = ROLES.get(self.found.models.len()).copied() {
@@ -339,7 +343,7 @@ impl Job for GeneticJob {
         Progress { done: whole + under_way, total: ROLES.len() as f64, unit: "models" }
     }
 
-    fn partial(&self) -> FoundModels {
+    fn partial(&self) -> FoundFormulas {
         self.found.clone()
     }
 

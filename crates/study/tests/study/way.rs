@@ -5,7 +5,6 @@ use steadycut_core::blocks::cutting::material::Material;
 use steadycut_core::models::tool::ShippedTool;
 use steadycut_core::run::job::{Budget, Job};
 use steadycut_core::run::presets::load;
-use steadycut_core::run::scenario::Scenario;
 use steadycut_study::csv_table::CsvTable;
 use steadycut_study::experiment::way::job::WayJob;
 use steadycut_study::experiment::way::report::WayReport;
@@ -132,13 +131,10 @@ fn the_shipped_scenario_is_made_by_the_command() {
     let mut job = WayJob::new(&unseen(3)).unwrap().with_rows(0);
     job.to_end();
     let made = job.example().unwrap();
-    let bare = |scenario: &Scenario| {
-        let with = |s: &mut steadycut_core::run::scenario::Settings| {
-            s.formula = steadycut_core::models::genetic::FormulaSettings::default();
-        };
-        scenario.with(with).unwrap()
+    let with = |s: &mut steadycut_core::run::scenario::Settings| {
+        s.formula = preset.formula.clone();
     };
-    assert_eq!(bare(&preset), bare(&made));
+    assert_eq!(made.with(with).unwrap(), preset);
     assert_eq!(job.partial().measured, 185);
     let table = job.table().unwrap();
     let formula = &preset.formula;

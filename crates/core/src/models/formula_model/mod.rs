@@ -194,7 +194,11 @@ impl FormulaModel {
         for (index, (input, x)) in self.inputs.iter().zip(inputs).enumerate() {
             let place = x.max(input.range.low).min(input.range.high);
             if place != *x {
-                let slope = value(self.slope(index, inputs));
+                // A long way beyond, each digit of a small slope counts.
+                let slope = self.slope(index, inputs);
+                let digits = (1e-5..1.0).contains(&slope.abs());
+                let text = if digits { format!("{slope:.6}") } else { number(slope) };
+                let slope = if slope < 0.0 { format!("({text})") } else { text };
                 beyond += &format!(" + {slope} · ({} - {})", number(*x), value(place));
             }
             nearest.push(value(place));
