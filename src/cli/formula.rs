@@ -14,6 +14,10 @@ use crate::models::Valued;
 use crate::models::formula_model::{FormulaInput, FormulaModel, FormulaOutput};
 use crate::study::formula_table::PredictedTable;
 
+/// Why a row has no value.
+const NO_VALUE: &str = "the formula has no finite value there (a division by zero, a logarithm or power of a negative \
+                        number, or an overflow)";
+
 /// A formula as it was given.
 pub enum Given {
     /// With units and ranges.
@@ -159,7 +163,8 @@ fn on_table(args: &FormulaArgs, given: &Given, out: &mut dyn Write) -> Outcome {
         let errors = errors.map(|e| json!({ "rows": e.rows, "rms": e.rms, "worst": e.worst }));
         let told = json!({
             "formula": given.formula().to_string(), "rows": values.len(), "predicted": values,
-            "extrapolated": extrapolated, "errors": errors,
+            "extrapolated": extrapolated, "errors": errors, "without_value": made.without_value(),
+            "without_value_because": (made.without_value() > 0).then_some(NO_VALUE),
         });
         writeln!(out, "{}", serde_json::to_string_pretty(&told)?)?;
         return Ok(ExitCode::SUCCESS);
@@ -169,8 +174,7 @@ fn on_table(args: &FormulaArgs, given: &Given, out: &mut dyn Write) -> Outcome {
         notes.push(format!("{} outside the formula's ranges, marked", made.outside()));
     }
     if made.without_value() > 0 {
-        notes
-            .push(format!("{} for which it has no finite value, left empty", made.without_value()));
+        notes.push(format!("{} left empty: {NO_VALUE}", made.without_value()));
     }
     if let Some(errors) = errors {
         let (name, rms, worst) = (&given.output().name, errors.rms, errors.worst);

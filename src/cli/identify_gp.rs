@@ -13,6 +13,7 @@ use crate::study::identify::gp::job::{GpJob, GpSettings};
 use crate::study::identify::gp::model::model;
 use crate::study::identify::gp::problem::GpProblem;
 use crate::study::identify::gp::report::{FrontFormula, GpReport};
+use crate::study::identify::gp::standing::{GpStage, GpStanding};
 use crate::study::published::PaperId;
 
 /// Most rows that do not fit which are printed.
@@ -99,9 +100,33 @@ pub fn execute(args: &IdentifyGpArgs) -> Outcome {
     Ok(if report.chosen().is_some() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
+/// Most sizes of the front told on the way.
+const MOST_SIZES: usize = 5;
+
+/// Where a search stands: batches, formulas made, the least error against size.
+fn on_the_way(standing: &GpStanding) -> String {
+    let GpStanding { batches, most_batches, evaluations, front, .. } = standing;
+    let stage = match standing.stage {
+        GpStage::Search => "",
+        GpStage::Paper => ", the paper's search",
+        GpStage::LeftOut => ", rows left out",
+        GpStage::Over => ", over",
+    };
+    // The best, and evenly down to the smallest.
+    let skip = front.len().div_ceil(MOST_SIZES).max(1);
+    let told: Vec<String> = (front.iter().rev().step_by(skip))
+        .map(|formula| format!("{:.2e} with {}", formula.error, formula.size))
+        .collect();
+    let told = if told.is_empty() { "none yet".to_owned() } else { told.join(", ") };
+    format!(
+        "{batches} of {most_batches} batches{stage}, {evaluations} formulas, error {told} nodes"
+    )
+}
+
 /// Searches to the end, and keeps the search where that is wished.
 fn searched(args: &IdentifyGpArgs, mut job: GpJob) -> Result<GpReport, Box<dyn std::error::Error>> {
-    let worked = progress::work(&mut job, "search", args.json);
+    let worked =
+        progress::work_telling(&mut job, "search", args.json, |job| on_the_way(&job.standing()));
     if let Some(path) = &args.state {
         path.write(&job.state_text())?;
     }
@@ -167,8 +192,14 @@ fn print(out: &mut impl Write, report: &GpReport) -> std::io::Result<()> {
     if let Some(paper) = &report.paper {
         writeln!(
             out,
-            "\nas the paper of {} searched: {} of size {}, R2 {:.5} after {} generations, stop at {}{}",
+            "\nas the paper of {} searched (population {}, at most {} generations, shares {:?}, {}, constants within \
+             {}): {} of size {}, R2 {:.5} after {} generations, stop at {}{}",
             paper.paper,
+            paper.population,
+            paper.most_generations,
+            paper.shares,
+            paper.functions,
+            paper.constants,
             paper.formula.as_deref().unwrap_or("no formula"),
             paper.size,
             paper.fitness,
@@ -214,6 +245,13 @@ fn print_chosen(
             )?,
             None => writeln!(out, "  {value:<24} not determined by these rows")?,
         }
+    }
+    match report.band() {
+        Some([least, most]) => writeln!(
+            out,
+            "  95 % band of the formula on the rows: within {least:.3e} to {most:.3e} on either side"
+        )?,
+        None => writeln!(out, "  95 % band of the formula: not determined by these rows")?,
     }
     for unit in chosen.units.iter().flatten() {
         writeln!(out, "  {unit}")?;

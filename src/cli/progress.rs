@@ -104,8 +104,21 @@ pub fn notice_interrupts() {
 ///
 /// # Errors
 /// The job cannot be done, or Ctrl+C came.
-#[expect(clippy::disallowed_methods, reason = "how long is left needs a clock")]
 pub fn work<J: Job>(job: &mut J, what: &str, quiet: bool) -> Result<(), NotDone> {
+    work_telling(job, what, quiet, |job| job.progress().to_string())
+}
+
+/// The same, where the bar says what `tells` says of the job.
+///
+/// # Errors
+/// As [`work`].
+#[expect(clippy::disallowed_methods, reason = "how long is left needs a clock")]
+pub fn work_telling<J: Job>(
+    job: &mut J,
+    what: &str,
+    quiet: bool,
+    tells: impl Fn(&J) -> String,
+) -> Result<(), NotDone> {
     AT_WORK.store(true, Ordering::Relaxed);
     let bar = bar(what, quiet);
     let (start, from) = (Instant::now(), job.progress().share());
@@ -121,7 +134,9 @@ pub fn work<J: Job>(job: &mut J, what: &str, quiet: bool) -> Result<(), NotDone>
         let progress = job.progress();
         bar.set_position((BAR * progress.share()) as u64);
         let left_s = progress.left_s(start.elapsed().as_secs_f64(), from);
-        bar.set_message(told(&progress, left_s));
+        if !bar.is_hidden() {
+            bar.set_message(told(&tells(job), left_s));
+        }
     }
     bar.finish_and_clear();
     AT_WORK.store(false, Ordering::Relaxed);
@@ -146,7 +161,7 @@ fn next_steps(steps: u64, took_s: f64) -> u64 {
     }
 }
 
-fn told(progress: &Progress, left_s: Option<f64>) -> String {
+fn told(progress: &str, left_s: Option<f64>) -> String {
     let left = left_s.map(|left_s| {
         let left = Duration::try_from_secs_f64(left_s.round()).unwrap_or(Duration::MAX);
         format!(", {} left", HumanDuration(left))
@@ -180,8 +195,11 @@ mod tests {
     #[test]
     fn the_bar_says_how_far_and_how_long() {
         let progress = Progress { done: 37.4, total: 180.0, unit: "runs" };
-        assert_eq!(told(&progress, None), "37 of 180 runs");
-        assert_eq!(told(&progress, Some(12.3)), "37 of 180 runs, 12 seconds left");
-        assert_eq!(told(&progress, Some(f64::INFINITY)).split(',').next(), Some("37 of 180 runs"));
+        assert_eq!(told(&progress.to_string(), None), "37 of 180 runs");
+        assert_eq!(told(&progress.to_string(), Some(12.3)), "37 of 180 runs, 12 seconds left");
+        assert_eq!(
+            told(&progress.to_string(), Some(f64::INFINITY)).split(',').next(),
+            Some("37 of 180 runs")
+        );
     }
 }

@@ -258,6 +258,24 @@ fn the_search_of_a_paper_runs_beside_and_is_told_apart() {
     let paper = report.paper.unwrap();
     assert!(paper.reached && paper.fitness > 0.98 && paper.formula.is_some(), "{paper:?}");
     assert_eq!((paper.paper, report.found_by), ("2013", "default"));
+    assert_eq!((paper.population, paper.most_generations), (850, 100));
+    assert_eq!((paper.shares, paper.stop, paper.constants), ([0.17, 0.7, 0.2], 0.98, 1000.0));
+    assert_eq!(paper.functions, "+ - * ^ ln exp");
+}
+
+/// 2007, with two inputs: the larger population, no exp.
+#[test]
+fn the_report_gives_the_setting_of_the_paper_that_was_set() {
+    let settings = GpSettings { seed: 1, batches: 1, paper: Some(PaperId::Sdnrp2007) };
+    let mut job = GpJob::new(problem(NOISE, "force_n", &FORCE), &settings).unwrap();
+    for _ in 0..60 {
+        job.advance(&Budget::steps(50));
+    }
+    let paper = job.report().paper.unwrap();
+    assert_eq!((paper.paper, paper.population, paper.most_generations), ("2007", 1500, 100));
+    assert_eq!((paper.shares, paper.stop, paper.constants), ([0.15, 0.5, 0.1], 0.97, 10.0));
+    assert_eq!(paper.functions, "+ - * ^ ln");
+    assert!(paper.generations < 100);
 }
 
 /// Targets of the papers' tables: name, rows, and the least error at rows left out of the simple families

@@ -117,6 +117,16 @@ pub struct PaperResult {
     pub error: f64,
     /// Generations bred.
     pub generations: u64,
+    /// Most generations.
+    pub most_generations: u64,
+    /// Trees of a generation.
+    pub population: usize,
+    /// Shares of reproduction, crossover and mutation, as printed.
+    pub shares: [f64; 3],
+    /// Constants lie between minus this and this.
+    pub constants: f64,
+    /// The functions.
+    pub functions: &'static str,
     /// Fitness at which it stops.
     pub stop: f64,
     /// Whether that was reached.
@@ -169,6 +179,11 @@ impl PaperSearch {
             fitness,
             error: ((1.0 - fitness) * spread).max(0.0).sqrt(),
             generations: self.generation.saturating_sub(1),
+            most_generations: GENERATIONS,
+            population: self.setting.population,
+            shares: self.setting.shares,
+            constants: self.setting.constants,
+            functions: if self.setting.exp { "+ - * ^ ln exp" } else { "+ - * ^ ln" },
             stop: self.setting.stop,
             reached: fitness > self.setting.stop,
             evaluations: self.generation * self.setting.population as u64,

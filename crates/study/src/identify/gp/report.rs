@@ -114,6 +114,9 @@ pub struct GpReport {
     pub residual_deviation: Option<f64>,
     /// Target minus formula, row by row.
     pub residuals: Vec<f64>,
+    /// Half the width of its 95 % band at each row, in which its true values lie where its form is the true
+    /// one; none where the rows do not determine all of its constants.
+    pub bands: Vec<Option<f64>>,
     /// Rows that do not fit.
     pub outliers: Vec<OutlyingRow>,
     /// What the paper's own search has found.
@@ -141,6 +144,13 @@ impl GpReport {
         }
         self.paper = paper;
         self
+    }
+
+    /// Least and largest half width of the 95 % band over the rows; none where it is not determined.
+    #[must_use]
+    pub fn band(&self) -> Option<[f64; 2]> {
+        let widths = self.bands.iter().copied().collect::<Option<Vec<f64>>>()?;
+        (!widths.is_empty()).then(|| math::extent(widths.into_iter()))
     }
 
     /// The formula chosen.
@@ -386,6 +396,7 @@ fn told(
         ranges: chosen.map(|entry| RangeReport::of(problem, &entry.fit.formula)),
         residual_deviation: chosen.map(|entry| entry.fit.deviation()),
         residuals: chosen.map(|entry| entry.fit.residuals.clone()).unwrap_or_default(),
+        bands: chosen.map(|entry| bands(problem, &entry.fit)).unwrap_or_default(),
         // Where nothing is left over, no row stands out.
         outliers: chosen
             .filter(|chosen| !chosen.exact)
@@ -405,6 +416,12 @@ fn worst(problem: &GpProblem, left_out: &LeftOut) -> f64 {
     shares
         .map(|(error, y)| (error / y).abs())
         .fold(0.0, |a: f64, b| if b.is_finite() { a.max(b) } else { f64::INFINITY })
+}
+
+fn bands(problem: &GpProblem, fit: &FittedFormula) -> Vec<Option<f64>> {
+    let at =
+        |row: usize| -> Vec<f64> { problem.rows.inputs.iter().map(|column| column[row]).collect() };
+    (0..problem.rows.len()).map(|row| fit.band(&at(row))).collect()
 }
 
 /// Rows that do not fit a formula, the farthest first.
