@@ -7,21 +7,8 @@ use crate::study::experiment::assess::{ExperimentAssessment, TermAssessment, Ter
 use crate::study::experiment::fraction::{LETTERS, roman};
 use crate::study::experiment::measure::MeasuredCut;
 use crate::study::experiment::plan::ExperimentPlan;
+use crate::study::experiment::sheet::TOLD_SETTINGS;
 
-/// Settings that a shop has to know where they are no factors.
-const FIXED: [&str; 11] = [
-    "name",
-    "tool.name",
-    "tool.diameter_mm",
-    "tool.teeth",
-    "plant.material",
-    "plant.hardness_hb",
-    "plant.wear_factor",
-    "workpiece.axial_depth_mm",
-    "workpiece.radial_depth_mm",
-    "program.feed_mm_min",
-    "program.spindle_rpm",
-];
 /// Most runs and most pairs that are printed.
 const MOST_RUNS: usize = 40;
 const MOST_PAIRS: usize = 6;
@@ -41,7 +28,7 @@ pub fn fixed(scenario: &Scenario, plan: &ExperimentPlan) -> Vec<(&'static str, S
         let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
         Some((path, param.spec.label.to_owned(), format!("{value}{unit}")))
     };
-    FIXED.into_iter().filter(|path| !varied(path)).filter_map(told).collect()
+    TOLD_SETTINGS.iter().copied().filter(|path| !varied(path)).filter_map(told).collect()
 }
 
 /// The factors, the design and its runs.

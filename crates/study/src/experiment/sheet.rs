@@ -16,6 +16,20 @@ pub const ORDER: &str = "order";
 pub const FORCE: &str = "force_n";
 /// Name of the column for the measured roughness.
 pub const ROUGHNESS: &str = "ra_um";
+/// Settings that a shop has to know where they are no factors: what is told of a plan, and so all that planning reads.
+pub const TOLD_SETTINGS: &[&str] = &[
+    "name",
+    "tool.name",
+    "tool.diameter_mm",
+    "tool.teeth",
+    "plant.material",
+    "plant.hardness_hb",
+    "plant.wear_factor",
+    "workpiece.axial_depth_mm",
+    "workpiece.radial_depth_mm",
+    "program.feed_mm_min",
+    "program.spindle_rpm",
+];
 
 fn number(value: Option<f64>) -> Entry {
     value.map_or(Entry::Empty, Entry::Number)

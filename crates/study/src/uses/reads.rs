@@ -2,6 +2,7 @@
 
 use super::Reader;
 use crate::blocks::reference::Reference;
+use crate::experiment::sheet::TOLD_SETTINGS;
 use crate::models::genetic::{Calibration, ModelSet};
 use crate::models::plan::ForceLimit;
 use crate::models::tool::EndShape;
@@ -268,20 +269,6 @@ const OF_A_RUN: (&[&str], &str) = (
     "it tells how a run goes, and this is no run",
 );
 
-/// What a sheet for a shop tells of the cuts.
-const PLANNED_CUTS: &[&str] = &[
-    "name",
-    "tool.name",
-    "tool.diameter_mm",
-    "tool.teeth",
-    "plant.material",
-    "plant.hardness_hb",
-    "plant.wear_factor",
-    "workpiece.axial_depth_mm",
-    "workpiece.radial_depth_mm",
-    "program.feed_mm_min",
-    "program.spindle_rpm",
-];
 /// What short steady cuts at constant feed leave out.
 const STEADY_CUTS: &[(&[&str], &str)] = &[
     (
@@ -369,7 +356,7 @@ impl Reader {
                 unused: &[MODELS_OF_RA],
                 ..AS_RUN
             },
-            Self::Experiment => Reads { as_run: false, also: PLANNED_CUTS, but: &[], unused: &[] },
+            Self::Experiment => Reads { as_run: false, also: TOLD_SETTINGS, but: &[], unused: &[] },
             Self::ExperimentRun => Reads { but: EXPERIMENT_RUN, ..AS_RUN },
             Self::Unks => Reads {
                 but: &[ALWAYS_UNKS, DESCRIPTION, TOLERANCE, ROUGHNESS, ROWS],
