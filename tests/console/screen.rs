@@ -50,12 +50,19 @@ pub fn show(screen: &mut Screen<'_>, title: &str) {
     screen.run_steps(2);
 }
 
-/// Frames until no long work goes on, and two more.
+/// Frames until no long work goes on, nor is begun in the two frames after: what has been found may be
+/// what the next work needs.
 pub fn rest(screen: &mut Screen<'_>) {
+    let at_rest = |screen: &Screen<'_>| {
+        screen.state().as_ref().expect("made in the first frame").jobs().is_at_rest()
+    };
     for _ in 0..5000 {
         screen.run_steps(2);
-        if screen.state().as_ref().expect("made in the first frame").jobs().is_at_rest() {
-            return screen.run_steps(2);
+        if at_rest(screen) {
+            screen.run_steps(2);
+            if at_rest(screen) {
+                return;
+            }
         }
         std::thread::sleep(std::time::Duration::from_millis(1));
     }
