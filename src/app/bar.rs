@@ -18,6 +18,8 @@ pub struct Tab {
     pub id: &'static str,
     /// Its title.
     pub title: &'static str,
+    /// What else it is looked for by.
+    pub words: &'static str,
 }
 
 /// Name of the program, tabs, and the other commands (in a menu where it is narrow).
@@ -108,7 +110,7 @@ fn choice(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &mu
 }
 
 fn menu(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-    let response = icon::button(ui, Icon::Menu, "Menu", "Files, undo, colours, keys", true);
+    let response = icon::button(ui, Icon::Menu, "Menu", "Files, undo, colours, keys, search", true);
     egui::Popup::menu(&response).show(|ui| {
         ui.horizontal(|ui| {
             undo_buttons(ui, view, commands);
@@ -132,8 +134,8 @@ fn find(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
 
 fn help(ui: &mut Ui, commands: &mut Vec<Command>) {
     let response =
-        ui.add(Button::new("?").min_size(touch::least(ui))).on_hover_text("Keyboard (?)");
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Keyboard"));
+        ui.add(Button::new("?").min_size(touch::least(ui))).on_hover_text("Keys and gestures (?)");
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Keys and gestures"));
     if response.clicked() {
         commands.push(Command::Shell(ShellCommand::ShowShortcuts(true)));
     }
@@ -160,7 +162,11 @@ fn file_buttons(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         ("Open", "Open a scenario file; one can also be dropped here", FileCommand::Open),
         ("Save", "Save the scenario with its edits", FileCommand::Save),
         ("CSV", "Export all signals of the run as CSV", FileCommand::ExportCsv),
-        ("Link", "Copy a link that holds scenario and edits", FileCommand::CopyLink),
+        (
+            "Link",
+            "Copy a link that holds scenario and edits; its message tells the command line that repeats the run, and the digest",
+            FileCommand::CopyLink,
+        ),
     ];
     if ui.layout().prefer_right_to_left() {
         buttons.reverse();

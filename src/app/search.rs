@@ -1,10 +1,13 @@
 //! Finds settings, scenarios, screens, commands and words from any screen: a setting found is set there and
 //! then.
 
-use egui::{Align2, Context, Key, RichText, Role, ScrollArea, TextEdit, Ui, Vec2, WidgetInfo};
+use egui::{
+    Align2, Context, Key, RichText, Role, ScrollArea, TextEdit, ThemePreference, Ui, Vec2,
+    WidgetInfo,
+};
 
 use super::bar::Tab;
-use super::command::{Command, SessionCommand, ShellCommand};
+use super::command::{Command, FileCommand, SessionCommand, ShellCommand};
 use super::panels::View;
 use super::shortcuts;
 use super::theme::Palette;
@@ -25,8 +28,8 @@ const WIDTH: f32 = 520.0;
 enum Entry {
     Setting(&'static Param),
     Scenario(&'static Preset),
-    Screen { id: &'static str, title: &'static str },
-    Command { doing: &'static str, command: Command },
+    Screen { id: &'static str, title: &'static str, words: &'static str },
+    Command { doing: &'static str, words: &'static str, command: Command },
     Word(&'static Term),
 }
 
@@ -40,8 +43,10 @@ impl Entry {
             Self::Scenario(preset) => {
                 (preset.title.to_owned(), format!("{} {}", preset.name, preset.group.label()))
             }
-            Self::Screen { id, title } => ((*title).to_owned(), format!("screen {id}")),
-            Self::Command { doing, .. } => ((*doing).to_owned(), String::new()),
+            Self::Screen { id, title, words } => {
+                ((*title).to_owned(), format!("screen {id} {words}"))
+            }
+            Self::Command { doing, words, .. } => ((*doing).to_owned(), (*words).to_owned()),
             Self::Word(term) => (term.spellings.join(", "), term.meaning.to_owned()),
         }
     }
@@ -63,14 +68,60 @@ impl Entry {
     }
 }
 
+/// Commands that have no key.
+fn without_key() -> Vec<(&'static str, Command)> {
+    let file = Command::File;
+    let theme = |preference| Command::Shell(ShellCommand::Theme(preference));
+    vec![
+        ("Search formulas in a table of one's own", file(FileCommand::OpenTable)),
+        ("Go on with a saved search for a formula", file(FileCommand::OpenSearch)),
+        ("Open networks of UNKS", file(FileCommand::OpenNetworks)),
+        ("Save the networks of UNKS", file(FileCommand::SaveNetworks)),
+        ("Keys and gestures", Command::Shell(ShellCommand::ShowShortcuts(true))),
+        ("Light colours", theme(ThemePreference::Light)),
+        ("Dark colours", theme(ThemePreference::Dark)),
+        ("Colours as the system has them", theme(ThemePreference::System)),
+    ]
+}
+
+/// What else a command is looked for by: words of those who do not know its name yet.
+fn words(command: &Command) -> &'static str {
+    match command {
+        Command::File(command) => match command {
+            FileCommand::Open => "load toml data own",
+            FileCommand::Save => "download keep toml",
+            FileCommand::ExportCsv => "save table data results measurements download spreadsheet",
+            FileCommand::CopyLink => {
+                "digest share address url command line terminal headless repeat reproduce send"
+            }
+            FileCommand::OpenTable => "identify own data measured measurements csv upload import",
+            FileCommand::OpenSearch => "identify resume json",
+            FileCommand::OpenNetworks | FileCommand::SaveNetworks => "neural learning weights json",
+            FileCommand::SaveCsv { .. }
+            | FileCommand::SaveText { .. }
+            | FileCommand::Bring(_)
+            | FileCommand::OpenFormula(_) => "",
+        },
+        Command::Shell(ShellCommand::ShowShortcuts(_)) => {
+            "help keyboard shortcuts hotkeys touch swipe pinch finger"
+        }
+        Command::Shell(ShellCommand::Theme(_)) => "theme contrast mode",
+        Command::Playback(_) => "playback transport",
+        Command::Session(_) | Command::Shell(_) => "",
+    }
+}
+
 /// All entries, those that are asked for most first.
 fn entries(view: &View<'_>, screens: &[Tab]) -> Vec<Entry> {
     let settings = table().iter().map(Entry::Setting);
     let scenarios = PRESETS.iter().map(Entry::Scenario);
-    let screens = screens.iter().map(|tab| Entry::Screen { id: tab.id, title: tab.title });
-    let commands = shortcuts::commands(view.place)
-        .into_iter()
-        .map(|(doing, command)| Entry::Command { doing, command });
+    let screens =
+        screens.iter().map(|tab| Entry::Screen { id: tab.id, title: tab.title, words: tab.words });
+    let commands =
+        shortcuts::commands(view.place).into_iter().chain(without_key()).map(|(doing, command)| {
+            let words = words(&command);
+            Entry::Command { doing, words, command }
+        });
     let words = GLOSSARY.iter().map(Entry::Word);
     settings.chain(scenarios).chain(screens).chain(commands).chain(words).collect()
 }

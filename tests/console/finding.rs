@@ -92,6 +92,73 @@ fn scenarios_screens_and_words_are_found_too() {
     );
 }
 
+/// What people looked for without knowing what it is called here.
+#[test]
+fn what_has_another_name_here_is_found_by_the_words_that_people_type() {
+    let mut screen = open("first-cut", PHONE, "Console", &[]);
+    for (words, found) in [
+        ("digest", "command: Copy a link to this state"),
+        ("command line", "command: Copy a link to this state"),
+        ("own data", "screen: Identify"),
+        ("measurements", "command: Search formulas in a table of one's own"),
+        ("data", "command: Export all signals as CSV"),
+        ("help", "command: Keys and gestures"),
+        ("dark", "command: Dark colours"),
+        ("lobes", "screen: Machine"),
+    ] {
+        find(&mut screen, words);
+        let shown = screen.query_by_role_and_label(Role::Button, found);
+        assert!(shown.is_some(), "{words}: {}", texts(&screen));
+        screen.key_press(Key::Escape);
+        screen.run_steps(3);
+    }
+    find(&mut screen, "own data");
+    screen.get_by_role_and_label(Role::Button, "screen: Identify").click();
+    screen.run_steps(3);
+    assert_eq!(shown(&screen), "identify");
+}
+
+#[test]
+fn a_word_is_explained_beside_the_tooltip_of_what_it_stands_in() {
+    let mut screen = open("first-cut", DESKTOP, "Console", &[]);
+    let place = screen.get_by_label("Remaining error").rect().center();
+    screen.event(Event::PointerMoved(place));
+    screen.run_steps(40);
+    assert!(explained(&screen, "remaining error"), "{}", texts(&screen));
+    let meaning = terms_in("remaining error").next().unwrap().meaning;
+    let word = screen.get_by_label(meaning).rect();
+    let help = screen.get_by_label_contains("The steady-state error: how far").rect();
+    assert!(!word.intersects(help), "{word:?} and {help:?}");
+    let window = screen.ctx.content_rect();
+    assert!(window.contains_rect(word) && window.contains_rect(help), "{word:?} and {help:?}");
+}
+
+#[test]
+fn another_card_begins_at_its_head() {
+    for size in [DESKTOP, PHONE] {
+        let mut screen = open("table3-5", size, "Block diagram", &[]);
+        let block = |screen: &mut Screen<'_>, name: &str| {
+            screen.get_by_role_and_label(Role::Button, name).click_accesskit();
+            screen.run_steps(3);
+        };
+        block(&mut screen, "Controller K2, K3");
+        let heading = |screen: &Screen<'_>, name: &str| {
+            screen.get_all_by_role_and_label(Role::Label, name).next().unwrap().rect()
+        };
+        let top = heading(&screen, "Controller K2, K3").top();
+        let inside = heading(&screen, "Controller K2, K3").center() + vec2(0.0, 60.0);
+        screen.event(Event::PointerMoved(inside));
+        let (unit, phase) = (egui::MouseWheelUnit::Point, egui::TouchPhase::Move);
+        let (delta, modifiers) = (vec2(0.0, -120.0), Modifiers::NONE);
+        let source = egui::MouseWheelSource::Unknown;
+        screen.event(Event::MouseWheel { unit, delta, phase, modifiers, source });
+        screen.run_steps(20);
+        assert!(heading(&screen, "Controller K2, K3").top() < top - 60.0, "it is scrolled");
+        block(&mut screen, "Reference K1");
+        assert!((heading(&screen, "Reference K1").top() - top).abs() < 1.0);
+    }
+}
+
 #[test]
 fn the_card_of_a_box_sets_what_it_shows() {
     for size in [DESKTOP, PHONE] {

@@ -42,6 +42,10 @@ impl Panel for ComparePanel {
         "Compare"
     }
 
+    fn words(&self) -> &'static str {
+        "controllers ranking best seeds statistics tournament"
+    }
+
     fn has_timeline(&self) -> bool {
         false
     }

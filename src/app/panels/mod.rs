@@ -56,6 +56,8 @@ pub trait Panel {
     fn id(&self) -> &'static str;
     /// Its name for people.
     fn title(&self) -> &'static str;
+    /// What else it is looked for by, in the search: words of those who do not know its title yet.
+    fn words(&self) -> &'static str;
     /// Draws it into the whole of `ui`.
     fn ui(&mut self, ui: &mut egui::Ui, view: &View<'_>, commands: &mut Vec<Command>);
     /// Whether the run's timeline belongs below it. Where not, the playhead rests.

@@ -86,6 +86,10 @@ impl Panel for PapersPanel {
         "Papers"
     }
 
+    fn words(&self) -> &'static str {
+        "tables errata reproduction published calibrations"
+    }
+
     fn has_timeline(&self) -> bool {
         false
     }

@@ -73,6 +73,10 @@ impl Panel for PlanPanel {
         "Plan"
     }
 
+    fn words(&self) -> &'static str {
+        "optimise optimum cutting conditions swarm constraints feed speed particle"
+    }
+
     fn has_timeline(&self) -> bool {
         false
     }

@@ -76,6 +76,10 @@ impl Panel for WorkpiecePanel {
         "Workpiece"
     }
 
+    fn words(&self) -> &'static str {
+        "part surface 3d profile roughness profilometer picture"
+    }
+
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         self.follow(view.session);
         if view.narrow {

@@ -52,6 +52,10 @@ impl Panel for IdentifyPanel {
         "Identify"
     }
 
+    fn words(&self) -> &'static str {
+        "own data measured measurements csv table model fit genetic programming symbolic regression formula gp experiment"
+    }
+
     fn has_timeline(&self) -> bool {
         false
     }
