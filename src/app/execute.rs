@@ -123,7 +123,7 @@ impl Console {
     }
 
     /// How the run is repeated elsewhere, and how to see that it is the same.
-    fn repeated(&self) -> String {
+    pub(super) fn repeated(&self) -> String {
         let run = self.session.chosen().run();
         let digest = match run.end() {
             Some(_) => format!("its digest is {}.", run.recording().digest()),

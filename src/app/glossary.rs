@@ -4,7 +4,9 @@
 //! Texts are found among what is drawn, so that plots, cards and tables need do nothing for it.
 
 use egui::epaint::{ClippedShape, TextShape};
-use egui::{Area, Context, Frame, Id, LayerId, Order, Pos2, Rect, RichText, Shape, Vec2};
+use egui::{
+    Align2, Area, Context, Frame, Id, LayerId, Order, Pos2, Rect, RichText, Shape, Vec2, vec2,
+};
 
 use crate::run::glossary::{Term, terms_in};
 
@@ -155,16 +157,41 @@ pub fn explain(ctx: &Context) {
     show(ctx, rect.intersect(place.expand(40.0)), &terms);
 }
 
+/// Where an explanation of what stands in `rect` goes: above it, since a finger covers what is below; where a
+/// tooltip or the edge of the screen is there, below it or beside the tooltip.
+fn place(ctx: &Context, id: Id, rect: Rect, screen: Rect) -> (Align2, Pos2) {
+    const GAP: f32 = 6.0;
+    let (size, tooltips) = ctx.memory(|memory| {
+        let size = memory.area_rect(id).map_or(vec2(WIDTH, 80.0), |before| before.size());
+        let others = memory.areas().visible_layer_ids().into_iter();
+        let others = others.filter(|layer| layer.order == Order::Tooltip && layer.id != id);
+        let rects: Vec<Rect> = others.filter_map(|layer| memory.area_rect(layer.id)).collect();
+        (size, rects)
+    });
+    let above = |rect: Rect| (Align2::LEFT_BOTTOM, rect.left_top() - vec2(0.0, GAP));
+    let below = |rect: Rect| (Align2::LEFT_TOP, rect.left_bottom() + vec2(0.0, GAP));
+    let beside = tooltips.iter().flat_map(|tooltip| {
+        let right = (Align2::LEFT_TOP, tooltip.right_top() + vec2(GAP, 0.0));
+        let left = (Align2::RIGHT_TOP, tooltip.left_top() - vec2(GAP, 0.0));
+        [below(*tooltip), above(*tooltip), right, left]
+    });
+    let places: Vec<(Align2, Pos2)> =
+        [above(rect), below(rect)].into_iter().chain(beside).collect();
+    let free = places.iter().find(|(pivot, at)| {
+        let taken = pivot.anchor_size(*at, size);
+        // A little more room is found by moving it along the edge of the screen.
+        let inside =
+            screen.y_range().contains(taken.top()) && screen.y_range().contains(taken.bottom());
+        inside && tooltips.iter().all(|tooltip| !tooltip.intersects(taken))
+    });
+    *free.unwrap_or(&places[0])
+}
+
 fn show(ctx: &Context, rect: Rect, terms: &[&'static Term]) {
     let screen = ctx.content_rect();
-    // Above the text: below it the tooltips of widgets come, and a finger covers it.
-    let above = rect.top() - screen.top() > 120.0;
-    let (pivot, at) = if above {
-        (egui::Align2::LEFT_BOTTOM, rect.left_top() - Vec2::new(0.0, 6.0))
-    } else {
-        (egui::Align2::LEFT_TOP, rect.left_bottom() + Vec2::new(0.0, 6.0))
-    };
-    Area::new(Id::unique("glossary"))
+    let id = Id::unique("glossary");
+    let (pivot, at) = place(ctx, id, rect, screen);
+    Area::new(id)
         .order(Order::Tooltip)
         .pivot(pivot)
         .fixed_pos(at)

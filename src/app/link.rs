@@ -51,9 +51,10 @@ impl Address {
     }
 }
 
-/// Puts a link up, all of it selected; gives `false` when it is to be closed.
+/// Puts a link up, all of it selected, and below it how the run is `repeated`; gives `false` when it is to be
+/// closed.
 #[must_use]
-pub fn show(ctx: &Context, link: &str) -> bool {
+pub fn show(ctx: &Context, link: &str, repeated: &str) -> bool {
     let mut open = true;
     let title = "Link to this state";
     let window = egui::Window::new(title)
@@ -64,6 +65,7 @@ pub fn show(ctx: &Context, link: &str) -> bool {
     window::closable(ctx, title, window, Some(width), &mut open, |ui| {
         ui.label("There is no clipboard here. Copy the link by hand (Ctrl+C, or a long press):");
         egui::ScrollArea::vertical().max_height(160.0).show(ui, |ui| field(ui, link));
+        ui.label(repeated);
     });
     open
 }

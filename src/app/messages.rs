@@ -12,8 +12,10 @@ use super::widgets::icon::{self, Icon};
 const SHOWN_S: f64 = 5.0;
 /// See [`SHOWN_S`].
 const SHOWN_PER_CHAR_S: f64 = 0.08;
-/// Most messages over the screen; older ones are in the list.
+/// Most messages over the screen, and over a narrow one; older ones are in the list.
 const MOST: usize = 3;
+/// See [`MOST`].
+const MOST_NARROW: usize = 1;
 /// Width of messages and list, points, and distance from the edges.
 const WIDTH: f32 = 380.0;
 /// See [`WIDTH`].
@@ -76,6 +78,7 @@ impl Messages {
         let Some(soonest_s) = self.up.iter().map(|(_, left_s)| *left_s).reduce(f64::min) else {
             return;
         };
+        let narrow = screen.width() < theme::NARROW;
         let width = WIDTH.min(screen.width() - 2.0 * EDGE);
         let shown = Area::new(egui::Id::unique("messages"))
             .order(Order::Foreground)
@@ -84,7 +87,9 @@ impl Messages {
             .constrain_to(screen)
             .show(ctx, |ui| {
                 ui.set_width(width);
-                for notice in notices.iter().filter(|notice| self.is_up(notice.number)) {
+                let up = notices.iter().filter(|notice| self.is_up(notice.number));
+                let most = if narrow { MOST_NARROW } else { MOST };
+                for notice in up.clone().skip(up.count().saturating_sub(most)) {
                     card(ui, notice, commands);
                 }
             });

@@ -180,12 +180,14 @@ impl Console {
         if self.since_change_s > GESTURE_PAUSE_S && !ctx.input(|input| input.pointer.any_down()) {
             self.session.end_gesture();
         }
-        self.messages.follow(self.session.notices(), dt_s);
+        // By the clock, however long frames take; a page that was hidden shows what it had to say.
+        let real_s = ctx.input(|input| f64::from(input.unstable_dt)).min(1.0);
+        self.messages.follow(self.session.notices(), real_s);
         theme::fit(ui);
         self.draw(ui, &mut commands);
         shortcuts::sheet(&ctx, &Reach { timeline, ..reach }, &mut self.shortcuts);
         if let Some(link) = self.link.take() {
-            self.link = link::show(&ctx, &link).then_some(link);
+            self.link = link::show(&ctx, &link, &self.repeated()).then_some(link);
         }
         glossary::explain(&ctx);
         let acted = !commands.is_empty();
@@ -235,8 +237,11 @@ impl Console {
     fn draw(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         let narrow = ui.available_width() < theme::NARROW;
         let view = View { session: &self.session, jobs: &self.jobs, place: self.place, narrow };
-        let tabs: Vec<Tab> =
-            self.panels.iter().map(|p| Tab { id: p.id(), title: p.title() }).collect();
+        let tabs: Vec<Tab> = self
+            .panels
+            .iter()
+            .map(|p| Tab { id: p.id(), title: p.title(), words: p.words() })
+            .collect();
         let side = if view.narrow { 8 } else { 12 };
         let strip = |ui: &Ui, y| {
             Frame::new().fill(ui.visuals().panel_fill).inner_margin(Margin::symmetric(side, y))

@@ -31,7 +31,22 @@ impl eframe::App for Page {
         let mut console = self.0.borrow_mut();
         console.ui(ui);
         STATE.set(console.state_json());
+        show_digits(ui.ctx());
         TAB_LEAVES.set(console.tab_leaves());
+    }
+}
+
+/// Asks a phone for the digits alone while a number is typed: eframe has one field for all texts.
+fn show_digits(ctx: &egui::Context) {
+    let wanted = if super::widgets::number::is_typed(ctx) { "decimal" } else { "text" };
+    let document = web_sys::window().and_then(|window| window.document());
+    let field =
+        document.and_then(|document| document.query_selector("body > input").ok().flatten());
+    if let Some(field) = field
+        && field.get_attribute("inputmode").as_deref() != Some(wanted)
+    {
+        // A page that refuses it keeps the keyboard of letters.
+        let _ = field.set_attribute("inputmode", wanted);
     }
 }
 

@@ -123,7 +123,7 @@ fn the_sheet_of_keys_fits_and_lists_what_is_true_here() {
             press(&mut screen, Modifiers::NONE, Key::Questionmark);
             screen.run_steps(10);
             let shown = texts(&screen);
-            let window = screen.get_by_role_and_label(Role::Window, "Keyboard").rect();
+            let window = screen.get_by_role_and_label(Role::Window, "Keys and gestures").rect();
             let whole = Rect::from_min_size(Pos2::ZERO, size);
             assert!(whole.contains_rect(window), "{window:?} in {size:?}");
             for (text, in_page) in [
@@ -135,8 +135,17 @@ fn the_sheet_of_keys_fits_and_lists_what_is_true_here() {
                 assert_eq!(shown.lines().any(|line| line == text), page == in_page, "{text}");
             }
             assert_eq!(screen.unnamed_widgets(), Vec::<String>::new());
+            assert!(shown.contains("Double tap a plot"), "{shown}");
         }
     }
+    // Whoever has fingers at hand reads first what they do.
+    let mut screen = open(PHONE, None, true);
+    finger(&mut screen, pos2(200.0, 500.0), TouchPhase::Start);
+    finger(&mut screen, pos2(200.0, 500.0), TouchPhase::End);
+    screen.run_steps(4);
+    press(&mut screen, Modifiers::NONE, Key::Questionmark);
+    let place = |text: &str| screen.get_by_label(text).rect().top();
+    assert!(place("Pinch a plot") < place("Play or pause; after the end: again"));
 }
 
 #[test]
@@ -393,6 +402,7 @@ fn a_link_that_cannot_be_copied_is_put_up_and_closed_by_escape() {
         console.push(Command::Shell(ShellCommand::ShowLink(link.clone())));
         screen.run_steps(4);
         assert!(texts(&screen).contains(&link), "{}", texts(&screen));
+        assert!(texts(&screen).contains("`steadycut run 'LINK'`"), "{}", texts(&screen));
         let window = screen.get_by_role_and_label(Role::Window, "Link to this state").rect();
         assert!(Rect::from_min_size(pos2(0.0, 0.0), size).contains_rect(window));
         press(&mut screen, Modifiers::NONE, Key::Escape);

@@ -1,4 +1,4 @@
-//! The sheet that lists all keys: it fits the window, and shows that it can be scrolled where it does not.
+//! The sheet that lists all keys, and what fingers do: it fits the window, and shows that it can be scrolled where it does not.
 
 use egui::{Align2, Context, Key, KeyboardShortcut, Label, RichText, ScrollArea, Ui, Vec2, vec2};
 
@@ -25,6 +25,15 @@ const OTHERS: [(&str, &str); 7] = [
     ("Right-click on a setting", "Back to its default"),
 ];
 
+/// What fingers do.
+const GESTURES: [(&str, &str); 5] = [
+    ("Swipe", "Scroll, wherever it begins"),
+    ("Drag across", "Move a slider or a number"),
+    ("Pinch a plot", "Zoom"),
+    ("Double tap a plot", "Fit"),
+    ("Long press", "What it means; the menu of a setting"),
+];
+
 /// The line of the screens' keys.
 fn screens_line(ctx: &Context, reach: &Reach<'_>) -> Option<(String, &'static str)> {
     let count = reach.screens.len();
@@ -43,7 +52,7 @@ fn screens_line(ctx: &Context, reach: &Reach<'_>) -> Option<(String, &'static st
 pub fn sheet(ctx: &Context, reach: &Reach<'_>, open: &mut bool) {
     let room = ctx.content_rect().size() - AROUND;
     let size = LARGEST.min(room).max(Vec2::splat(80.0));
-    let title = "Keyboard";
+    let title = "Keys and gestures";
     let window = egui::Window::new(title)
         .collapsible(false)
         .resizable(false)
@@ -68,6 +77,18 @@ fn lines(ui: &mut Ui, reach: &Reach<'_>) {
             ui.add(Label::new(doing).wrap());
         });
     };
+    // What is at hand comes first.
+    let by_fingers = theme::fingers(ui.ctx());
+    let gestures = |ui: &mut Ui| {
+        ui.label(RichText::new("Fingers").heading());
+        for (gesture, doing) in GESTURES {
+            line(ui, gesture, doing);
+        }
+    };
+    if by_fingers {
+        gestures(ui);
+        ui.label(RichText::new("Keys").heading());
+    }
     for shortcut in table(reach.place) {
         // Those of the timeline only where there is one.
         if reach.timeline || !matches!(shortcut.command, Command::Playback(_)) {
@@ -87,5 +108,8 @@ fn lines(ui: &mut Ui, reach: &Reach<'_>) {
             let back = KeyboardShortcut::new(egui::Modifiers::ALT, Key::ArrowLeft);
             line(ui, &ui.ctx().format_shortcut(&back), "The browser's own: the page before");
         }
+    }
+    if !by_fingers {
+        gestures(ui);
     }
 }

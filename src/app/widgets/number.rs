@@ -3,7 +3,7 @@
 
 use std::cell::RefCell;
 
-use egui::{DragValue, Response, Ui};
+use egui::{Context, DragValue, Id, Response, Ui};
 
 use super::super::format;
 use super::{focus, touch};
@@ -23,6 +23,17 @@ pub struct NumberField<'a> {
     pub decimals: usize,
     /// Text behind the number.
     pub suffix: &'a str,
+}
+
+fn typed() -> Id {
+    Id::unique("number being typed")
+}
+
+/// Whether a number without a sign is being typed in this frame: a phone then needs its digits only.
+#[must_use]
+pub fn is_typed(ctx: &Context) -> bool {
+    let last = ctx.data(|data| data.get_temp::<u64>(typed()));
+    last == Some(ctx.cumulative_frame_nr())
 }
 
 impl NumberField<'_> {
@@ -50,6 +61,10 @@ impl NumberField<'_> {
         touch::only_across(ui, &response, value, before);
         if response.lost_focus() {
             focus::remember(&response);
+        }
+        if response.has_focus() && min >= 0.0 {
+            let frame = ui.ctx().cumulative_frame_nr();
+            ui.data_mut(|data| data.insert_temp(typed(), frame));
         }
         if let Some(note) = problem.into_inner() {
             *said = Some(note);
