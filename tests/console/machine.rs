@@ -12,6 +12,7 @@ use steadycut::app::session::Session;
 use steadycut::base::settings::Value;
 use steadycut::run::edits::Edits;
 use steadycut::run::{Start, presets};
+use steadycut::study::stability::{StabilityCut, interrupted};
 
 use crate::drawn;
 
@@ -179,6 +180,17 @@ fn the_chart_judges_the_present_cut() {
             open(size, &[("machine.specific_cutting_force_n_mm2", Value::Float(6000.0))]);
         press(&mut screen, "Stability");
         wait_for(&mut screen, "Stable at");
+        screen.key_press(egui::Key::Space);
+        screen.run_steps(40);
+        let shown = wait_for(&mut screen, "Limit depth at ");
+        let told = shown.split("Limit depth at ").nth(1).unwrap();
+        let (speed, depth) = told.split_once(" 1/min: ").unwrap();
+        let (depth, _) = depth.split_once(" mm.").unwrap();
+        let [speed_rpm, depth_mm] = [speed, depth].map(|text| text.parse::<f64>().unwrap());
+        assert!((speed_rpm - session(&screen).row().spindle_rpm).abs() <= 20.0, "{told}");
+        let cut = StabilityCut::new(session(&screen).current()).unwrap();
+        let limit_mm = interrupted::limit_mm(&cut, speed_rpm, 1000.0).unwrap();
+        assert!((depth_mm / limit_mm - 1.0).abs() < 0.01, "{told} against {limit_mm}");
         assert_eq!(session(&screen).current().machine.spindle_quality, 5.0);
         press(&mut screen, "Q 17, as printed");
         assert_eq!(session(&screen).current().machine.spindle_quality, 17.0);

@@ -250,12 +250,15 @@ fn a_drag_on_a_plot_zooms_all_of_them_and_a_double_click_fits_again() {
     window.run_steps(2);
     assert!(window.query_by_label("Roughness from 0.00 s to 20.00 s").is_none());
     assert!(window.query_by_label("Force from 5.00 s to 15.00 s").is_some());
+    // What was zoomed to does not follow, and the tick says so.
+    assert!(!console(&window).session().playback().follow);
     for _ in 0..2 {
         window.drag_at(at(0.5, 0.5));
         window.drop_at(at(0.5, 0.5));
     }
     window.run_steps(3);
     assert!(window.query_by_label("Force from 0.00 s to 20.00 s").is_some());
+    assert!(console(&window).session().playback().follow, "as before");
 }
 
 #[test]
@@ -287,6 +290,10 @@ impl Panel for Dummy {
     }
     fn title(&self) -> &'static str {
         self.0
+    }
+
+    fn words(&self) -> &'static str {
+        "dummy"
     }
     fn ui(&mut self, ui: &mut egui::Ui, _: &View<'_>, _: &mut Vec<Command>) {
         ui.label(format!("This is {}", self.0));

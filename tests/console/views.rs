@@ -229,7 +229,7 @@ fn overlays(size: Vec2, pixels: Option<f32>, look: Look<'_>) {
     over(&mut screen, "within a revolution", look);
     click(&mut screen, "More settings");
     click(&mut screen, "Workpiece");
-    click(&mut screen, "Edit cuts\u{2026}");
+    click(&mut screen, "Edit depths\u{2026}");
     over(&mut screen, "cuts", look);
 }
 

@@ -166,7 +166,7 @@ fn where_there_are_no_teeth_one_click_brings_them() {
 fn cuts_are_edited_in_tables_and_every_change_can_be_undone() {
     for size in [DESKTOP, PHONE] {
         let mut screen = at("experiment-1", size, None, 0);
-        open_window(&mut screen, size, &WORKPIECE, "Edit cuts\u{2026}");
+        open_window(&mut screen, size, &WORKPIECE, "Edit depths\u{2026}");
         let cuts = |screen: &Screen| session(screen).scenario().workpiece.cuts.clone();
         let before = cuts(&screen);
         assert_eq!(before[0].len(), 3);
@@ -233,7 +233,7 @@ fn drag(screen: &mut Screen, from: egui::Pos2, to: egui::Pos2) {
 #[test]
 fn depths_and_ends_are_dragged_in_the_picture() {
     let mut screen = at("first-cut", DESKTOP, None, 0);
-    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");
+    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit depths\u{2026}");
     let workpiece = |screen: &Screen| session(screen).current().workpiece.clone();
     let before = workpiece(&screen);
     let [first_mm, depth_mm] = before.depth_steps[0];
@@ -263,7 +263,7 @@ fn depths_and_ends_are_dragged_in_the_picture() {
 #[test]
 fn a_cut_is_dragged_within_what_its_table_allows() {
     let mut screen = at("experiment-1", DESKTOP, None, 0);
-    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");
+    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit depths\u{2026}");
     let cut = |screen: &Screen| session(screen).current().workpiece.cuts[0].clone();
     let before = cut(&screen);
     let [length_mm, depth_mm, wall_mm] = before[0];
@@ -298,7 +298,7 @@ fn feeds_per_cut_are_numbers_each_with_its_cut() {
 #[test]
 fn a_number_that_cannot_be_is_answered_in_the_window() {
     let mut screen = at("experiment-1", DESKTOP, None, 1);
-    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");
+    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit depths\u{2026}");
     screen.get_by_label("Axial depth of section 1").click();
     screen.run_steps(3);
     press(&mut screen, Modifiers::COMMAND, Key::A);
@@ -314,7 +314,7 @@ fn a_number_that_cannot_be_is_answered_in_the_window() {
 #[test]
 fn the_one_path_has_its_profile_as_a_table_and_becomes_cuts() {
     let mut screen = at("depth-step", DESKTOP, None, 0);
-    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");
+    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit depths\u{2026}");
     let workpiece = |screen: &Screen| session(screen).current().workpiece.clone();
     let before = workpiece(&screen);
     assert!(!before.depth_steps.is_empty() && before.cuts.is_empty());
@@ -336,7 +336,7 @@ fn the_one_path_has_its_profile_as_a_table_and_becomes_cuts() {
 fn the_windows_fit_odd_screens() {
     for size in [[320.0, 420.0], [844.0, 390.0], [900.0, 600.0], [3840.0, 2160.0]] {
         let mut screen = at("depth-step", DESKTOP, None, 0);
-        open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");
+        open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit depths\u{2026}");
         open(&mut screen, "Within a revolution\u{2026}");
         screen.set_size(size.into());
         screen.run_steps(5);
@@ -366,12 +366,12 @@ fn the_windows_look_as_their_pictures() {
             open_window(&mut screen, size, &[], "Within a revolution\u{2026}");
             picture(&mut screen, format!("revolution-{look}"));
             let mut screen = at("experiment-2", size, Some(theme), 6);
-            open_window(&mut screen, size, &WORKPIECE, "Edit cuts\u{2026}");
+            open_window(&mut screen, size, &WORKPIECE, "Edit depths\u{2026}");
             picture(&mut screen, format!("cuts-{look}"));
         }
     }
     let mut screen = at("depth-step", DESKTOP, Some(Theme::Light), 6);
-    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit cuts\u{2026}");
+    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit depths\u{2026}");
     picture(&mut screen, "cuts-path-desktop-light".to_owned());
     let mut screen = at("first-cut", PHONE, Some(Theme::Light), 2);
     open_window(&mut screen, PHONE, &[], "Within a revolution\u{2026}");

@@ -65,6 +65,10 @@ impl Panel for BlockDiagramPanel {
         "Block diagram"
     }
 
+    fn words(&self) -> &'static str {
+        "closed loop scheme figure 3 equations controller gain Kp transfer function"
+    }
+
     fn ui(&mut self, ui: &mut egui::Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let side = if view.narrow { 4 } else { 12 };
         Frame::new().inner_margin(Margin::symmetric(side, 6)).show(ui, |ui| {
@@ -129,9 +133,13 @@ impl BlockDiagramPanel {
         commands: &mut Vec<Command>,
     ) {
         if view.narrow {
-            ScrollArea::vertical().id_salt("details").auto_shrink(false).show(ui, |ui| match self
-                .last
-            {
+            // Each has a place of its own: what is asked for is seen from its head.
+            let shown = match self.last {
+                Last::Wire => ("wire", self.wire.signal),
+                Last::Block => ("block", self.block.info().id),
+            };
+            let area = ScrollArea::vertical().id_salt(("details", shown)).auto_shrink(false);
+            area.show(ui, |ui| match self.last {
                 Last::Wire => {
                     self.plot(ui, view, now);
                     self.card(ui, now, commands);
@@ -146,7 +154,8 @@ impl BlockDiagramPanel {
         ui.columns_const(|[left, right]| {
             self.plot(left, view, now);
             ScrollArea::vertical()
-                .id_salt("card")
+                // Each card has a place of its own: another one begins at its head.
+                .id_salt(("card", self.block.info().id))
                 .auto_shrink(false)
                 .show(right, |ui| ui.vertical(|ui| self.card(ui, now, commands)));
         });

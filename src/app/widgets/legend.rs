@@ -2,10 +2,10 @@
 //! or hides the entry's curve; fingers get all of a legend as one target, which opens the switches as a list.
 
 use egui::{
-    Color32, Id, Painter, Popup, PopupCloseBehavior, Rect, Response, Role, Sense, Stroke, Ui,
+    Color32, Id, Painter, Popup, PopupCloseBehavior, Pos2, Rect, Response, Role, Sense, Shape,
+    Stroke, Ui, WidgetInfo, vec2,
 };
-use egui::{WidgetInfo, vec2};
-use egui_plot::LineStyle;
+use egui_plot::{LineStyle, MarkerShape};
 
 use super::super::theme::{self, Look, Palette};
 
@@ -144,6 +144,43 @@ pub fn sample_of(
     response
 }
 
+/// The name of points that are always shown, beside one of them as the plot draws it.
+pub fn points(ui: &mut Ui, name: &str, color: Color32, shape: MarkerShape) -> Response {
+    sample_of(ui, name, color, |painter, rect, color| {
+        painter.extend(point(rect.center(), shape, color));
+    })
+}
+
+/// A point as plots draw it.
+fn point(at: Pos2, shape: MarkerShape, color: Color32) -> Vec<Shape> {
+    /// Half the size of a point, points.
+    const HALF: f32 = 4.5;
+    let place = |[x, y]: [f32; 2]| at + HALF * vec2(x, y);
+    let filled = |corners: &[[f32; 2]]| {
+        let corners = corners.iter().map(|corner| place(*corner)).collect();
+        vec![Shape::convex_polygon(corners, color, Stroke::NONE)]
+    };
+    let bars = |bars: &[[f32; 2]]| -> Vec<Shape> {
+        let bar = |end: &[f32; 2]| {
+            let ends = [place(*end), place(end.map(|x| -x))];
+            Shape::line_segment(ends, Stroke::new(1.6, color))
+        };
+        bars.iter().map(bar).collect()
+    };
+    match shape {
+        MarkerShape::Circle => vec![Shape::circle_filled(at, 0.85 * HALF, color)],
+        MarkerShape::Diamond => filled(&[[0.0, -1.1], [1.1, 0.0], [0.0, 1.1], [-1.1, 0.0]]),
+        MarkerShape::Square => filled(&[[-0.8, -0.8], [0.8, -0.8], [0.8, 0.8], [-0.8, 0.8]]),
+        MarkerShape::Cross => bars(&[[0.8, 0.8], [0.8, -0.8]]),
+        MarkerShape::Plus => bars(&[[1.0, 0.0], [0.0, 1.0]]),
+        MarkerShape::Up => filled(&[[0.0, -1.0], [0.9, 0.6], [-0.9, 0.6]]),
+        MarkerShape::Down => filled(&[[0.0, 1.0], [0.9, -0.6], [-0.9, -0.6]]),
+        MarkerShape::Left => filled(&[[-1.0, 0.0], [0.6, -0.9], [0.6, 0.9]]),
+        MarkerShape::Right => filled(&[[1.0, 0.0], [-0.6, -0.9], [-0.6, 0.9]]),
+        MarkerShape::Asterisk => bars(&[[0.0, 1.0], [0.87, 0.5], [0.87, -0.5]]),
+    }
+}
+
 /// Writes a name with room for a sample at its left.
 fn named(ui: &mut Ui, name: &str, ink: Color32, sense: Sense) -> (Rect, Response) {
     let font = egui::TextStyle::Small.resolve(ui.style());
@@ -158,12 +195,10 @@ fn named(ui: &mut Ui, name: &str, ink: Color32, sense: Sense) -> (Rect, Response
 fn line(painter: &Painter, rect: Rect, stroke: Stroke, style: LineStyle) {
     let ends = [rect.left_center(), rect.right_center()];
     painter.extend(match style {
-        LineStyle::Solid => vec![egui::Shape::line_segment(ends, stroke)],
-        LineStyle::Dashed { length } => {
-            egui::Shape::dashed_line(&ends, stroke, length.min(6.0), 3.0)
-        }
+        LineStyle::Solid => vec![Shape::line_segment(ends, stroke)],
+        LineStyle::Dashed { length } => Shape::dashed_line(&ends, stroke, length.min(6.0), 3.0),
         LineStyle::Dotted { spacing } => {
-            egui::Shape::dotted_line(&ends, stroke.color, spacing, stroke.width * 0.7)
+            Shape::dotted_line(&ends, stroke.color, spacing, stroke.width * 0.7)
         }
     });
 }

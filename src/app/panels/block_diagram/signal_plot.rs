@@ -1,13 +1,13 @@
 //! The plot of one wire: the last part of the run up to the playhead.
 
 use egui::{Label, RichText};
-use egui_plot::{Line, Plot, PlotPoints};
+use egui_plot::{Line, PlotPoints};
 
 use super::moment::Now;
 use crate::app::format;
 use crate::app::session::Session;
 use crate::app::theme::{Look, Palette};
-use crate::app::widgets::plot::{level_axis, pieces, upright_axis};
+use crate::app::widgets::plot::{pieces, still, tick};
 use crate::run::diagram::Wire;
 use crate::run::signals::{SIGNALS, SignalInfo, signal};
 
@@ -115,22 +115,8 @@ pub fn show(ui: &mut egui::Ui, session: &Session, now: &Now<'_>, wire: Wire, hei
     });
     let height = (height - (ui.cursor().top() - top)).max(90.0);
     let unit = format::unit(info.unit);
-    Plot::new("wire")
-        .height(height)
-        .allow_zoom(false)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .grid_color(palette.weak)
-        .grid_fade(0.7)
-        .grid_spacing(egui::Rangef::new(16.0, 300.0))
-        .custom_x_axes(vec![level_axis()])
-        .custom_y_axes(vec![upright_axis(44.0)])
-        .x_axis_formatter(|mark, _| {
-            let decimals = usize::from(mark.step_size < 1.0) + usize::from(mark.step_size < 0.1);
-            format!("{:.decimals$} s", mark.value)
-        })
+    still("wire", palette, [ui.available_width(), height])
+        .x_axis_formatter(|mark, _| format!("{} s", tick(mark)))
         .y_axis_label(if unit == "-" { String::new() } else { unit })
         .show(ui, |plot| {
             plot.set_plot_bounds_x(span_s[0]..=span_s[1]);

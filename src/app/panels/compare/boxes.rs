@@ -1,7 +1,7 @@
 //! Box plots of a measure: least and largest value, quartiles and median over the seeds, the mean
 //! as a dot, the printed figure as a diamond.
 
-use egui::{Role, Shape, Stroke, Ui, WidgetInfo};
+use egui::{Role, Stroke, Ui, WidgetInfo};
 use egui_plot::{BoxElem, BoxPlot, BoxSpread, MarkerShape, Points};
 
 use super::table::{printed_of, title, value};
@@ -77,16 +77,9 @@ pub fn show(
         return;
     }
     ui.horizontal_wrapped(|ui| {
-        legend::sample_of(ui, "mean", palette.command, |painter, rect, color| {
-            painter.circle_filled(rect.center(), 4.0, color);
-        });
+        legend::points(ui, "mean", palette.command, MarkerShape::Circle);
         if !printed.is_empty() {
-            let name = "printed in Table 1";
-            legend::sample_of(ui, name, palette.reference, |painter, rect, color| {
-                let turned = [(0.0, -5.0), (5.0, 0.0), (0.0, 5.0), (-5.0, 0.0)];
-                let corners = turned.map(|(x, y)| rect.center() + egui::vec2(x, y));
-                painter.add(Shape::convex_polygon(corners.to_vec(), color, Stroke::NONE));
-            });
+            legend::points(ui, "printed in Table 1", palette.reference, MarkerShape::Diamond);
         }
     });
     let margin = 0.06 * (extent[1] - extent[0]).max(1e-3);

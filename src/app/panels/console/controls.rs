@@ -76,13 +76,18 @@ fn concerns(group: &str, kind: ControllerKind) -> bool {
     group.strip_prefix("controller.").is_none_or(|id| id == kind.id())
 }
 
-/// The window into a revolution, and all other settings by group.
+/// The windows on part and revolution, and all other settings by group.
 pub fn more(ui: &mut Ui, view: &View<'_>, windows: &mut Windows, commands: &mut Vec<Command>) {
-    let help = "The forces on the tool at 28.8 kHz over the last turns before the playhead";
-    let button = ui.button("Within a revolution\u{2026}").on_hover_text(help);
-    if button.clicked() {
-        windows.revolution.open = !windows.revolution.open;
-    }
+    ui.horizontal_wrapped(|ui| {
+        let help = "The part from the side: drag its depths and its ends, or type them in a table";
+        if ui.button("Edit depths\u{2026}").on_hover_text(help).clicked() {
+            windows.workpiece.toggle(view);
+        }
+        let help = "The forces on the tool at 28.8 kHz over the last turns before the playhead";
+        if ui.button("Within a revolution\u{2026}").on_hover_text(help).clicked() {
+            windows.revolution.open = !windows.revolution.open;
+        }
+    });
     ui.add_space(6.0);
     CollapsingHeader::new("More settings").id_salt("more").show_unindented(ui, |ui| {
         let scenario = view.session.current();
@@ -96,9 +101,6 @@ pub fn more(ui: &mut Ui, view: &View<'_>, windows: &mut Windows, commands: &mut 
                         && param.path != TARGET
                         && !FIRST.contains(&param.path.as_str())
                 });
-                if group == "workpiece" && ui.button("Edit cuts\u{2026}").clicked() {
-                    windows.workpiece.toggle(view);
-                }
                 for param in rest {
                     setting(ui, Screen::Console, &param.path, scenario, Size::Small, commands);
                 }

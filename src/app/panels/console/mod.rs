@@ -13,7 +13,7 @@ use revolution::RevolutionWindow;
 use workpiece::WorkpieceWindow;
 
 use super::{Panel, View};
-use crate::app::command::Command;
+use crate::app::command::{Command, PlaybackCommand};
 use crate::app::format;
 use crate::app::theme::{self, Look};
 use crate::app::widgets::chart::{self, Axes, Chart, ChartCurve};
@@ -25,6 +25,8 @@ use crate::base::units::ratio_from_percent;
 pub struct ConsolePanel {
     axes: Axes,
     follow: bool,
+    /// Whether the plots followed the playhead until they were zoomed, and will when they fit again.
+    follows_again: bool,
     windows: Windows,
 }
 
@@ -139,16 +141,26 @@ impl Panel for ConsolePanel {
         "Console"
     }
 
+    fn words(&self) -> &'static str {
+        "start home plots run simulation digest"
+    }
+
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let follow = view.session.playback().follow;
         if follow != self.follow {
-            self.follow = follow;
+            (self.follow, self.follows_again) = (follow, false);
             self.axes.fit();
         }
         if view.narrow {
             self.narrow(ui, view, commands);
         } else {
             self.wide(ui, view, commands);
+        }
+        // A range that was zoomed to stays where it is: what is ticked is what the plots do.
+        let zoomed = self.axes.is_zoomed();
+        if self.follow && zoomed || self.follows_again && !zoomed {
+            (self.follow, self.follows_again) = (!zoomed, zoomed);
+            commands.push(Command::Playback(PlaybackCommand::Follow(self.follow)));
         }
         self.windows.revolution.show(ui, view, commands);
         self.windows.workpiece.show(ui, view, commands);

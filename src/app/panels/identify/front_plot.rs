@@ -88,15 +88,9 @@ fn marks(ui: &mut Ui, search: &FormulaSearch, palette: &Palette) {
     let unit = search.asked.unit(&search.problem().target);
     let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
     ui.horizontal_wrapped(|ui| {
-        legend::sample_of(ui, &format!("error{unit}"), palette.produced, |painter, rect, color| {
-            painter.circle_filled(rect.center(), 4.0, color);
-        });
+        legend::points(ui, &format!("error{unit}"), palette.produced, MarkerShape::Circle);
         if search.report().is_some() {
-            legend::sample_of(ui, "at rows left out", palette.command, |painter, rect, color| {
-                let turned = [(0.0, -5.0), (5.0, 0.0), (0.0, 5.0), (-5.0, 0.0)];
-                let corners = turned.map(|(x, y)| rect.center() + egui::vec2(x, y)).to_vec();
-                painter.add(egui::Shape::convex_polygon(corners, color, egui::Stroke::NONE));
-            });
+            legend::points(ui, "at rows left out", palette.command, MarkerShape::Diamond);
         }
         legend::sample_of(ui, "looked at", palette.text, |painter, rect, color| {
             painter.circle_stroke(rect.center(), 5.0, egui::Stroke::new(1.0, color));

@@ -77,6 +77,10 @@ impl Panel for MachinePanel {
         "Machine"
     }
 
+    fn words(&self) -> &'static str {
+        "chatter stability lobes sound vibration wear tool life modes frequency response limit depth"
+    }
+
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let dt_s = scaffold::frame_s(ui.ctx());
         self.advance(ui, view, dt_s);
@@ -115,7 +119,8 @@ impl MachinePanel {
                 false
             }
             Part::Stability => {
-                self.stability.follow(view.session, view.jobs);
+                let now_s = ui.input(|input| input.time);
+                self.stability.follow(view.session, now_s, view.jobs);
                 false
             }
         };

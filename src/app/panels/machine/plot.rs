@@ -104,9 +104,7 @@ impl Figure {
                     });
                 }
                 for marks in &self.marks {
-                    legend::sample_of(ui, marks.name, marks.color, |painter, rect, color| {
-                        painter.circle_filled(rect.center(), 3.5, color);
-                    });
+                    legend::points(ui, marks.name, marks.color, marks.shape);
                 }
             });
         });

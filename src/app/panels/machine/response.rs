@@ -95,9 +95,7 @@ impl ResponseView {
                 }
                 legend::sample(ui, "modes", Look::Limit);
                 let color = Palette::at(ui).warn;
-                legend::sample_of(ui, "passing teeth", color, |painter, rect, color| {
-                    painter.circle_filled(rect.center(), 3.0, color);
-                });
+                legend::points(ui, "passing teeth", color, MarkerShape::Up);
             });
         });
     }

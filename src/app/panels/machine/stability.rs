@@ -38,6 +38,10 @@ const SHOWN: f64 = 4.0;
 /// Changes of speed and depth after which the verdict is made again, 1/min and mm.
 const VERDICT_STEP: [f64; 2] = [5.0, 0.01];
 
+/// The limit depth is found anew where the speed has changed, at most every so often while it goes on
+/// changing, s.
+const LIMIT_EVERY_S: f64 = 0.5;
+
 /// Speed and depth of a cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Operating {
@@ -61,6 +65,60 @@ struct Charted {
     judged: Option<(Operating, f64)>,
     /// The deepest cuts of the run, each with its multiplier once it is judged.
     of_run: Vec<(CutOfRun, Option<f64>)>,
+    limit: AtSpeed,
+}
+
+/// The limit depth at the present speed.
+#[derive(Default)]
+struct AtSpeed {
+    /// The speed that is asked about, 1/min, and when it was, s.
+    asked: Option<(f64, f64)>,
+    work: Option<Work<ChartJob>>,
+    /// The last one found.
+    found: Option<LobePoint>,
+}
+
+impl AtSpeed {
+    /// Asks about a speed, unless it is that of the last time or that is not over yet.
+    fn follow(
+        &mut self,
+        speed_rpm: f64,
+        now_s: f64,
+        scenario: &Scenario,
+        highest_mm: f64,
+        jobs: &Jobs,
+    ) {
+        let over = self.work.take_if(|work| work.is_over());
+        if let Some(work) = over {
+            self.found = work.partial().first().copied();
+        }
+        let due = self.asked.is_none_or(|(asked_rpm, at_s)| {
+            (asked_rpm - speed_rpm).abs() > VERDICT_STEP[0] && (now_s - at_s).abs() >= LIMIT_EVERY_S
+        });
+        if !due || speed_rpm <= 0.0 || self.work.is_some() {
+            return;
+        }
+        self.asked = Some((speed_rpm, now_s));
+        let (from_rpm, to_rpm) = (speed_rpm, speed_rpm);
+        let range = Range { from_rpm, to_rpm, speeds: 1, highest_mm, simulate: false };
+        // A machine that gives no chart says so in the place of the chart.
+        let job = ChartJob::new(scenario, range).ok();
+        self.work = job.map(|job| jobs.begin_brief("Limit depth at this speed", job, 1));
+    }
+
+    /// The limit, in words; nothing where that at another speed is known only.
+    fn text(&self, now: Operating, highest_mm: f64) -> String {
+        let here =
+            |point: &&LobePoint| (point.speed_rpm - now.speed_rpm).abs() <= 4.0 * VERDICT_STEP[0];
+        let Some(point) = self.found.as_ref().filter(here) else { return String::new() };
+        let speed = format::quantity(point.speed_rpm, "1/min");
+        match point.interrupted_mm {
+            Some(mm) => format!(" Limit depth at {speed}: {}.", format::quantity(mm, "mm")),
+            None => {
+                format!(" No limit depth at {speed} up to {}.", format::quantity(highest_mm, "mm"))
+            }
+        }
+    }
 }
 
 impl Charted {
@@ -94,13 +152,15 @@ fn begin(scenario: &Scenario, jobs: &Jobs) -> Result<Chart, String> {
 
 impl StabilityView {
     /// Keeps up with the scenario.
-    pub fn follow(&mut self, session: &Session, jobs: &Jobs) {
+    pub fn follow(&mut self, session: &Session, now_s: f64, jobs: &Jobs) {
         let scenario = session.current();
         let settings =
             (scenario.machine.clone(), scenario.tool.clone(), scenario.workpiece.clone());
         if self.charted.as_ref().is_none_or(|charted| charted.settings != settings) {
             let chart = begin(scenario, jobs);
-            self.charted = Some(Charted { settings, chart, judged: None, of_run: Vec::new() });
+            let limit = AtSpeed::default();
+            self.charted =
+                Some(Charted { settings, chart, judged: None, of_run: Vec::new(), limit });
         }
         if let Some(Charted { chart: Ok(chart), of_run, .. }) = &mut self.charted {
             let cuts = deepest(session);
@@ -113,8 +173,10 @@ impl StabilityView {
                 *grown = Some(multiplier(&chart.cut, cut.at.speed_rpm, cut.at.depth_mm));
             }
         }
-        if let Some(Charted { chart: Ok(chart), .. }) = &mut self.charted {
+        if let Some(Charted { chart: Ok(chart), limit, .. }) = &mut self.charted {
             chart.points = chart.work.partial();
+            let speed_rpm = session.row().spindle_rpm;
+            limit.follow(speed_rpm, now_s, scenario, HIGHEST * chart.any_speed_mm, jobs);
         }
     }
 
@@ -150,7 +212,8 @@ impl StabilityView {
             ui.ctx().request_repaint();
         }
         verdict(ui, worst, chart);
-        present(ui, now, grown);
+        let limit = charted.limit.text(now, HIGHEST * chart.any_speed_mm);
+        present(ui, now, grown, &limit);
         let cut = format!("Charted: {}.", chart.cut.engagement_text());
         ui.label(RichText::new(cut).small().color(palette.weak));
         let figure = figure(chart, now, grown, worst, palette);
@@ -244,14 +307,16 @@ fn place(at: Operating) -> String {
 }
 
 /// The cut at the playhead, below the verdict.
-fn present(ui: &mut Ui, now: Operating, grown: Option<f64>) {
+fn present(ui: &mut Ui, now: Operating, grown: Option<f64>, limit: &str) {
     let (text, standing) = match grown {
         None => ("At the playhead: no cut.".to_owned(), Standing::Plain),
         Some(grown) if grown > 1.0 => {
-            (format!("At the playhead, {}: chatter, ×{grown:.2}.", place(now)), Standing::Bad)
+            let text = format!("At the playhead, {}: chatter, ×{grown:.2}.{limit}", place(now));
+            (text, Standing::Bad)
         }
         Some(grown) => {
-            (format!("At the playhead, {}: no chatter, ×{grown:.2}.", place(now)), Standing::Good)
+            let text = format!("At the playhead, {}: no chatter, ×{grown:.2}.{limit}", place(now));
+            (text, Standing::Good)
         }
     };
     standing.label(ui, &text, |text| text);

@@ -90,6 +90,12 @@ impl Axes {
         [right - theme::FOLLOW_S, right]
     }
 
+    /// Whether a range was zoomed to.
+    #[must_use]
+    pub fn is_zoomed(&self) -> bool {
+        self.zoomed.is_some()
+    }
+
     /// Back to the automatic range.
     pub fn fit(&mut self) {
         self.zoomed = None;
