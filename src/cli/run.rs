@@ -214,9 +214,14 @@ fn print_metrics(
     }
     let target = scenario.target.ra_um;
     let dead_ticks = scenario.ticks(scenario.cnc.dead_time_s);
-    let settled =
-        m.settling_time_s.map_or("not settled".to_owned(), |time_s| format!("{time_s:.3} s"));
+    let settled = m.settling_time_s.map_or("not settled".to_owned(), |time_s| {
+        format!("{time_s:.3} s, within 2 % of its reference")
+    });
     let tolerance = scenario.target.tolerance_percent;
+    let not_judged = match m.not_judged_percent {
+        Some(share) if share >= 0.05 => format!(", {share:.1} % not judged: outside the model"),
+        Some(_) | None => String::new(),
+    };
     // With a force and without roughness its model has ended.
     let ra_shown = |value: Option<f64>, text: &dyn Fn(f64) -> String| match m.force_final_n {
         Some(_) => value.map_or("outside model".to_owned(), text),
@@ -227,7 +232,9 @@ fn print_metrics(
         ("  deviation", ra_shown(m.ra_deviation_percent, &|x| format!("{x:+.2} % of {target} um"))),
         (
             "  in tolerance",
-            shown(m.in_tolerance_percent, &|x| format!("{x:.1} % of length (+-{tolerance} %)")),
+            shown(m.in_tolerance_percent, &|x| {
+                format!("{x:.1} % of length (+-{tolerance} %){not_judged}")
+            }),
         ),
         ("force", shown(m.force_final_n, &|x| format!("{x:.2} N"))),
         ("  deviation", shown(m.force_deviation_percent, &|x| format!("{x:+.2} %"))),
@@ -236,7 +243,7 @@ fn print_metrics(
         ("  normalised std. error", shown(m.normalized_standard_error, &|x| format!("{x:.4}"))),
         ("  over 20 samples", shown(m.normalized_standard_error_20, &|x| format!("{x:.4}"))),
         ("  settling", settled),
-        ("  overshoot", shown(m.overshoot_percent, &|x| format!("{x:.2} %"))),
+        ("  overshoot", shown(m.overshoot_percent, &|x| format!("{x:.2} % of its reference"))),
         ("feed", format!("{:.2} mm/min", m.feed_final_mm_min)),
         ("spindle speed", format!("{:.1} 1/min", m.spindle_final_rpm)),
         ("time of cut", format!("{:.3} s", m.time_of_cut_s)),

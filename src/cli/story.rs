@@ -17,7 +17,6 @@ pub fn print(out: &mut impl Write, story: &Story) -> std::io::Result<()> {
 }
 
 fn figures(of: &StepResponse) -> String {
-    let seconds = |time_s: Option<f64>| time_s.map_or("never".to_owned(), |s| format!("{s:.3} s"));
     let ends = match of.ends {
         ResponseEnd::AtRest => "comes to rest",
         ResponseEnd::Moving => "still moves at the end",
@@ -26,10 +25,14 @@ fn figures(of: &StepResponse) -> String {
     };
     let error = of.remaining_error_percent;
     let error = error.map_or("none to tell".to_owned(), |error| format!("{error:+.2} %"));
-    format!(
-        "{ends}; settled {}, at rest {}, overshoot {:.2} %, remaining error {error}",
-        seconds(of.settling_time_s),
-        seconds(of.at_rest_after_s),
-        of.overshoot_percent
-    )
+    let swing = of.swing_percent.map_or(String::new(), |swing| format!(" +-{swing:.2} %"));
+    let band = of.settling_band_percent.unwrap_or_default();
+    let settling = match of.settling_time_s {
+        Some(_) if of.is_without_transient() => format!("no transient beyond {band:.2} %"),
+        Some(time_s) => format!("settled within {band:.2} % after {time_s:.3} s"),
+        None => "never settled".to_owned(),
+    };
+    let overshoot = of.overshoot_percent.filter(|_| !of.is_without_transient());
+    let overshoot = overshoot.map_or(String::new(), |most| format!(", overshoot {most:.2} %"));
+    format!("{ends}; {settling}{overshoot}, remaining error {error}{swing}")
 }

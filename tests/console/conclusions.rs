@@ -5,6 +5,7 @@ use egui::{Vec2, vec2};
 use egui_kittest::kittest::Queryable as _;
 use steadycut::app::session::Session;
 use steadycut::base::settings::Value;
+use steadycut::run::signals::signal;
 use steadycut::run::story::EventKind;
 
 use crate::screen::{self, Screen, texts};
@@ -23,7 +24,10 @@ fn press(screen: &mut Screen<'_>, name: &str) {
 
 /// A console on a preset, at the end of its cut.
 fn ended<'a>(preset: &str, changes: &[(&str, Value)]) -> Screen<'a> {
-    let mut screen = screen::open(preset, DESKTOP, "Console", changes);
+    to_its_end(screen::open(preset, DESKTOP, "Console", changes))
+}
+
+fn to_its_end(mut screen: Screen<'_>) -> Screen<'_> {
     for _ in 0..100 {
         screen.run_steps(1);
         if session(&screen).progress() >= 1.0 {
@@ -94,8 +98,9 @@ fn an_error_that_remains_is_named_with_its_sign_and_judged_once() {
         let error = response.remaining_error_percent.unwrap();
         let shown = texts(&screen);
         assert!(shown.contains(&format!("{error:+.1} % {word}")), "{error} in {shown}");
-        assert!(shown.contains("Remaining error") && shown.contains("overshoot"), "{shown}");
-        assert!(shown.contains("settles in") || shown.contains("at rest after"), "{shown}");
+        assert!(shown.contains("Remaining error"), "{shown}");
+        assert!(shown.contains("overshoot") || shown.contains("swings by ±"), "{shown}");
+        assert!(shown.contains("settles in"), "{shown}");
         // And Ra says in a word where it lies.
         let side = if word == "within" { "within target" } else { "above target" };
         assert!(shown.contains(side), "{shown}");
@@ -109,6 +114,62 @@ fn a_limit_cycle_is_called_unstable() {
     assert!(shown.contains("unstable") && shown.contains("limit cycle"), "{shown}");
     let shown = texts(&ended("first-cut", &kp_and_dead_time(0.5, 0.08)));
     assert!(!shown.to_lowercase().contains("unstable"), "{shown}");
+}
+
+/// Was it a good cut? It swung for a quarter of a minute: its calm end is no tick for it.
+#[test]
+fn a_cut_that_swung_says_from_when_to_when_and_gets_no_tick() {
+    for size in [DESKTOP, PHONE] {
+        let tuned = [(3.0, 4.0), (20.0, 0.5)];
+        let later = tuned.map(|(at_s, kp)| (at_s, "controller.sdnrp.kp", Value::Float(kp)));
+        let sets = [
+            ("cnc.dead_time_s", Value::Float(0.2)),
+            ("workpiece.depth_steps", Value::List(Vec::new())),
+        ];
+        let screen = screen::edited("first-cut", size, "Console", &sets, &later);
+        let screen = to_its_end(screen);
+        let (_, last) = session(&screen).story().response_at(1e9).unwrap();
+        let error = last.remaining_error_percent.unwrap();
+        assert!(error.abs() < 10.0, "the end itself is calm: {last:?}");
+        let shown = texts(&screen);
+        assert!(shown.contains("unstable 3.6 to 20.0 s"), "{shown}");
+        assert!(
+            shown.contains("It was unstable from 3.5") && shown.contains(" to 20.0"),
+            "{shown}"
+        );
+        let told = format!("{error:+.1} %");
+        let verdict = shown.lines().find(|line| line.starts_with(&told)).unwrap();
+        assert!(verdict.ends_with("to be looked at"), "{verdict}");
+    }
+}
+
+/// What did the step do to the loop? Nothing beyond the noise: then no time and no overshoot are told.
+#[test]
+fn a_change_without_transient_is_called_so() {
+    let sets = [("controller.kind", Value::Text("constant_feed".into()))];
+    let shown = texts(&ended("first-cut", &sets));
+    assert!(shown.contains("no transient\nbeyond ±2.0 %"), "{shown}");
+    assert!(!shown.contains("0.00 s (") && !shown.contains("overshoot"), "{shown}");
+}
+
+/// Is the chattering cut's surface within its tolerance? The model cannot tell, and nothing else is told.
+#[test]
+fn what_the_model_cannot_judge_is_not_judged_and_not_drawn() {
+    let screen = ended("chatter", &[]);
+    let shown = texts(&screen);
+    assert!(shown.contains("not judged\noutside the model"), "{shown}");
+    assert!(!shown.contains("not at rest"), "{shown}");
+    assert!(shown.contains("It chattered from 3."), "{shown}");
+    let metrics = &session(&screen).comparison().chosen;
+    let unknown = metrics.not_judged_percent.unwrap();
+    assert!((30.0..95.0).contains(&unknown), "{unknown}");
+    assert!(shown.contains(&format!("{unknown:.1} % outside the model")), "{shown}");
+    // Nor is Ra with dynamics drawn there: what vibration adds would stand alone.
+    assert!(shown.contains("Ra at the playhead: outside model"), "{shown}");
+    let rows = session(&screen).chosen().run().recording().rows();
+    let dynamic = signal("ra_dyn_um").unwrap();
+    let ended = rows.iter().filter(|row| row.ra_has_ended());
+    assert!(ended.map(|row| (dynamic.value)(row)).all(|value| value.is_none()));
 }
 
 /// What does the step in depth do? It comes within the first ten seconds, and the line says it.

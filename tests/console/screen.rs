@@ -6,7 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use steadycut::app::Console;
 use steadycut::base::settings::Value;
-use steadycut::run::edits::Edits;
+use steadycut::run::edits::{Edit, Edits};
 use steadycut::run::{Start, presets};
 
 /// The console, made in the first frame.
@@ -20,15 +20,31 @@ pub fn sliced(console: Console) -> Console {
 
 /// The screen with this title two frames after it was opened, on a preset with these changes.
 pub fn open<'a>(preset: &str, size: Vec2, title: &str, changes: &[(&str, Value)]) -> Screen<'a> {
+    edited(preset, size, title, changes, &[])
+}
+
+/// The same with changes of settings at their times in the running cut, s.
+pub fn edited<'a>(
+    preset: &str,
+    size: Vec2,
+    title: &str,
+    changes: &[(&str, Value)],
+    later: &[(f64, &str, Value)],
+) -> Screen<'a> {
     let mut scenario = presets::load(preset).expect("shipped");
     for (path, value) in changes {
         scenario.set(path, value.clone()).expect("a valid setting");
+    }
+    let mut edits = Edits::none();
+    for (at_s, path, value) in later {
+        let edit = Edit { at_s: *at_s, path: (*path).to_owned(), value: value.clone() };
+        edits.push(&scenario, edit).expect("a valid edit");
     }
     let mut screen = Harness::builder().with_size(size).with_step_dt(0.05).build_ui_state(
         move |ui, console: &mut Option<Console>| {
             let console = console.get_or_insert_with(|| {
                 let start =
-                    Start { scenario: scenario.clone(), edits: Edits::none(), notice: None };
+                    Start { scenario: scenario.clone(), edits: edits.clone(), notice: None };
                 sliced(Console::new(ui.ctx(), start))
             });
             console.ui(ui);

@@ -377,3 +377,16 @@ fn the_windows_look_as_their_pictures() {
     open_window(&mut screen, PHONE, &[], "Within a revolution\u{2026}");
     picture(&mut screen, "revolution-none-phone-light".to_owned());
 }
+
+/// When does the step that I enter act? It says so where it is entered.
+#[test]
+fn depths_entered_behind_the_tool_say_from_where_they_act() {
+    for size in [DESKTOP, PHONE] {
+        let mut screen = at("first-cut", size, None, 4);
+        open_window(&mut screen, size, &WORKPIECE, "Edit cuts\u{2026}");
+        let at_mm = session(&screen).row().position_mm;
+        let shown = texts(&screen);
+        assert!(at_mm > 1.0 && shown.contains(&format!("The tool is at {at_mm:.2} mm")), "{shown}");
+        assert!(shown.contains("act from there and from now on"), "{shown}");
+    }
+}

@@ -73,7 +73,12 @@ signals! {
     ra_um, "um", "Ra", none where |row| row.has(flag::AIR) || row.ra_has_ended();
     /// Produced roughness with machine dynamics, Ra = K6(F_dyn) or M6(F_dyn).
     ra_dyn_um, "um", "Ra with dynamics",
-        none where |row| row.has(flag::AIR) || row.has(flag::K6_OUTSIDE) && row.ra_dyn_um == 0.0;
+        none where |row| {
+            // Where model 5 has ended, what vibration adds would stand alone.
+            row.has(flag::AIR)
+                || row.ra_has_ended()
+                || row.has(flag::K6_OUTSIDE) && row.ra_dyn_um == 0.0
+        };
     /// Desired force F_d = K1(target Ra) or M1(target Ra).
     force_ref_n, "N", "Desired force";
     /// The force that the controller asks its models for.

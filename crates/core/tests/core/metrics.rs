@@ -5,7 +5,7 @@ use steadycut_core::run::edits::{Edit, Edits};
 use steadycut_core::run::metrics::{Metrics, metrics};
 use steadycut_core::run::recording::Recording;
 use steadycut_core::run::scenario::Scenario;
-use steadycut_core::run::signals::{Row, flag};
+use steadycut_core::run::signals::{Row, flag, signal};
 
 /// Rows of 10 ms, control samples every 20 ms; `change` sets what differs.
 fn rows(n: u64, change: impl Fn(f64, &mut Row)) -> Recording {
@@ -92,6 +92,27 @@ fn shares_and_errors_count_contact_only() {
     assert!((m.ra_final_um.unwrap() - 1.11).abs() < 1e-9);
     assert!((m.force_deviation_percent.unwrap() - 10.0).abs() < 1e-9);
     assert_eq!((m.max_force_n, m.time_of_cut_s, m.path_mm), (110.0, 10.0, 50.0));
+}
+
+#[test]
+fn where_ra_lies_outside_the_model_it_is_not_judged_and_counts_apart() {
+    // 10 s: 5 s in tolerance, 2 s outside the model, 3 s 11 % off.
+    let recording = rows(1000, |t, row| {
+        if t > 7.0 {
+            row.ra_um = 1.11;
+        } else if t > 5.0 {
+            (row.ra_um, row.ra_dyn_um) = (0.0, 0.4);
+            row.state_flags = f64::from(flag::K5_OUTSIDE | flag::K6_OUTSIDE);
+        }
+    });
+    let m = judge(&recording);
+    let shares = [m.in_tolerance_percent, m.not_judged_percent].map(Option::unwrap);
+    assert!((shares[0] - 50.0).abs() < 1e-6 && (shares[1] - 20.0).abs() < 1e-6, "{shares:?}");
+    // What vibration adds to nothing is no roughness either.
+    let dynamic = signal("ra_dyn_um").unwrap();
+    let outside = recording.rows().iter().filter(|row| row.has(flag::K5_OUTSIDE));
+    assert!(outside.clone().count() > 0);
+    assert!(outside.map(|row| (dynamic.value)(row)).all(|value| value.is_none()));
 }
 
 #[test]

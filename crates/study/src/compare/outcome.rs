@@ -11,6 +11,8 @@ use crate::run::signals::{Row, flag};
 const MEAN_OF: usize = 4;
 /// Half width of the band around the desired force, as a fraction of it (2005: within 10 %).
 const BAND: f64 = 0.1;
+/// A share of the length from this one on is all of it, percent.
+const ALL_PERCENT: f64 = 99.95;
 
 steadycut_core::choice! {
     /// What runs are compared by.
@@ -24,10 +26,10 @@ steadycut_core::choice! {
         /// Largest force.
         Force = "max_force_kn", "Largest force";
         /// Fraction of the length in contact with the target in tolerance.
-        InTolerance = "in_tolerance_percent", "In tolerance";
+        InTolerance = "in_tolerance_percent", "Target in tolerance";
         /// Fraction of the control samples in contact, and not at a limit of the feed, whose force lies
         /// within 10 % of the desired one.
-        Held = "held_percent", "Held within 10 %";
+        Held = "held_percent", "Force within 10 %";
         /// Longest time that the mean of four samples stayed more than 10 % above the desired
         /// force, in control periods: how long an overload lasts at worst.
         Recovery = "recovery_periods", "Longest overload";
@@ -106,7 +108,10 @@ impl Outcome {
             nsn_20: metrics.normalized_standard_error_20,
             time_s: (run.end() == Some(&End::PathDone)).then_some(metrics.time_of_cut_s),
             force_kn: metrics.max_force_n / 1000.0,
-            in_tolerance_percent: metrics.in_tolerance_percent,
+            // Where nothing can be judged, nothing is said, rather than that nothing holds.
+            in_tolerance_percent: metrics
+                .in_tolerance_percent
+                .filter(|_| metrics.not_judged_percent.is_none_or(|share| share < ALL_PERCENT)),
             held_percent: held_percent(&samples),
             recovery_periods: longest_overload(&samples) as f64,
             override_travel_percent_s: steps.sum::<f64>() / longest_s,

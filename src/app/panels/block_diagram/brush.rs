@@ -28,8 +28,8 @@ fn detail(block: Block, now: &Now<'_>) -> String {
     let scenario = now.moment.scenario;
     match block {
         Block::Reference | Block::Surface | Block::SurfaceDynamic => {
-            let calibration = block.using(scenario).map_or("", |using| using.calibration.label());
-            format!("{} {calibration}", block.info().models(scenario))
+            let origin = block.origin(scenario);
+            format!("{} {origin}", block.info().models(scenario))
         }
         Block::Controller => {
             let beside = explain_controller(scenario, now.moment.row).beside_name;

@@ -2,6 +2,7 @@
 
 use egui::{RichText, Role, TextWrapMode, Ui, WidgetInfo};
 
+use super::answer::Answer;
 use crate::app::format;
 use crate::app::panels::View;
 use crate::app::theme::{self, Palette};
@@ -54,7 +55,7 @@ fn items(view: &View<'_>) -> [Item; 5] {
             Reference::Ra => ra_now(view, &twin_has),
             Reference::Force => force_now(view, &twin_has),
         },
-        in_tolerance(chosen, reference, twin_has(share_of(twin.in_tolerance_percent))),
+        in_tolerance(chosen, reference, view.narrow, twin_has(judged(twin))),
         answer(view),
         time_of_cut(view),
         last,
@@ -103,48 +104,15 @@ fn side(value: f64, target: f64, tolerance: f64) -> &'static str {
     }
 }
 
-/// How the loop answers to the last change before the playhead: the error that remains, settling and
-/// overshoot, or that it is unstable.
 fn answer(view: &View<'_>) -> Item {
-    let session = view.session;
-    let found = session.story().response_at(session.row().time_s + 1e-9);
-    let tolerance = session.current().target.tolerance_percent;
-    let none = || ("-".to_owned(), Standing::Plain, ["".to_owned(), "".to_owned()]);
-    let (value, standing, below) = found.map_or_else(none, |(_, response)| {
-        let settled = match (response.settling_time_s, response.at_rest_after_s) {
-            (Some(s), _) => format!("settles in {}", format::quantity(s, "s")),
-            (None, Some(s)) if view.narrow => format!("rest in {}", format::quantity(s, "s")),
-            (None, Some(s)) => format!("at rest after {}", format::quantity(s, "s")),
-            (None, None) => "does not come to rest".to_owned(),
-        };
-        let overshoot = format!("overshoot {}", format::quantity(response.overshoot_percent, "%"));
-        match (response.oscillation, response.remaining_error_percent) {
-            (Some(swing), _) => {
-                let period = format::quantity(swing.period_s, "s");
-                let force = format::quantity(swing.force_percent, "%");
-                let below = [format!("force ±{force}"), format!("period {period}, no rest")];
-                ("unstable".to_owned(), Standing::Bad, below)
-            }
-            (None, Some(error)) => {
-                let inside = error.abs() <= tolerance;
-                let word = match (inside, view.narrow) {
-                    (true, false) => " within",
-                    (false, false) => " outside",
-                    // The sign says it.
-                    (_, true) => "",
-                };
-                let value = format!("{}{word}", format::deviation(error));
-                (value, Standing::judged(inside, !inside), [settled, overshoot])
-            }
-            (None, None) => ("not at rest".to_owned(), Standing::Plain, [settled, overshoot]),
-        }
-    });
+    let Answer { value, standing, below } = Answer::of(view);
     Item {
         title: "Remaining error",
         help: "The steady-state error: how far Ra, or the force where a force is held, comes to rest \
-               from its target after the last step, whether that is within the tolerance; the settling \
-               time (within 2 % for good) and the overshoot of the force. Unstable: feed and force \
-               swing without dying down."
+               from its target after the last step, whether that, with what it still swings by, is \
+               within the tolerance; the settling time of the force (within 2 % of where it rests for \
+               good, and what noise moves it by) and its overshoot over where it rests. Unstable: feed \
+               and force swing without dying down; a cut that did so is not called good later on."
             .to_owned(),
         value,
         standing,
@@ -175,8 +143,15 @@ fn force_now(view: &View<'_>, twin_has: &dyn Fn(String) -> String) -> Item {
     }
 }
 
-fn in_tolerance(chosen: &Metrics, reference: Reference, twin: String) -> Item {
+fn in_tolerance(chosen: &Metrics, reference: Reference, narrow: bool, twin: String) -> Item {
     let share = chosen.in_tolerance_percent;
+    let unknown = chosen.not_judged_percent.unwrap_or(0.0);
+    let below = match format::number(unknown, "%").as_str() {
+        "0.0" => "of the length cut".to_owned(),
+        _ if is_all(unknown) => "outside the model".to_owned(),
+        some if narrow => format!("{some} % not judged"),
+        some => format!("{some} % outside the model"),
+    };
     let [good, bad] = TOLERANCE_LEVELS;
     Item {
         title: match reference {
@@ -186,7 +161,8 @@ fn in_tolerance(chosen: &Metrics, reference: Reference, twin: String) -> Item {
         help: match reference {
             Reference::Ra => {
                 "Share of the cut length on which the produced Ra lies within the tolerance \
-                 around its target."
+                 around its target. Where it lies outside the model it is not judged: it is neither \
+                 within nor outside."
             }
             Reference::Force => {
                 "Share of the cut length on which the maximum force lies within the tolerance \
@@ -194,12 +170,12 @@ fn in_tolerance(chosen: &Metrics, reference: Reference, twin: String) -> Item {
             }
         }
         .to_owned(),
-        value: share_of(share),
+        value: judged(chosen),
         standing: Standing::judged(
             share.is_some_and(|x| x >= good),
-            share.is_some_and(|x| x < bad),
+            share.is_some_and(|x| x + unknown < bad),
         ),
-        below: ["of the length cut".to_owned(), twin],
+        below: [below, twin],
     }
 }
 
@@ -238,8 +214,8 @@ fn time_of_cut(view: &View<'_>) -> Item {
     } else {
         // A time is no victory where the tolerance is broken, by either.
         let held = match holds(chosen) {
-            true => format!("it held {}", share_of(twin.in_tolerance_percent)),
-            false => format!("{} held", share_of(chosen.in_tolerance_percent)),
+            true => format!("it held {}", judged(twin)),
+            false => format!("{} held", judged(chosen)),
         };
         [
             format!("constant feed {}", format::time(twin.time_of_cut_s)),
@@ -258,6 +234,19 @@ fn time_of_cut(view: &View<'_>) -> Item {
         value: format::time(chosen.time_of_cut_s),
         standing: Standing::Plain,
         below,
+    }
+}
+
+/// Whether a share in percent is all there is, as it is written.
+fn is_all(share: f64) -> bool {
+    format::number(share, "%") == "100.0"
+}
+
+/// The share in tolerance, or that none is judged.
+fn judged(of: &Metrics) -> String {
+    match of.not_judged_percent {
+        Some(unknown) if is_all(unknown) => "not judged".to_owned(),
+        Some(_) | None => share_of(of.in_tolerance_percent),
     }
 }
 

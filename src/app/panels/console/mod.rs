@@ -1,5 +1,6 @@
 //! The console: headline comparison, controls, and the plots of the run.
 
+mod answer;
 mod bands;
 mod controls;
 mod headline;

@@ -187,7 +187,11 @@ impl WorkpieceWindow {
         table::profile(ui, scenario, commands, &mut self.said);
         let playback = view.session.playback();
         if playback.playhead_s > 0.0 && !playback.at_end {
-            let text = "While the cut is running, changed depths are edits at the playhead.";
+            let at = format::quantity(tool_mm, "mm");
+            let text = format!(
+                "The tool is at {at}: changed depths act from there and from now on. A stretch that \
+                 begins before it holds only for what of it is still to be cut; what is cut stays."
+            );
             ui.label(RichText::new(text).small().color(Palette::at(ui).weak));
         }
     }

@@ -42,6 +42,35 @@ impl Block {
         }
     }
 
+    /// Where the coefficients of its models come from, for people: with formulas of one's own, each model
+    /// tells its own, since those without one stay the identified ones. Empty for a box without models.
+    #[must_use]
+    pub fn origin(self, scenario: &Scenario) -> String {
+        let Some(Using { set, calibration, .. }) = self.using(scenario) else {
+            return String::new();
+        };
+        if calibration != Calibration::Formula {
+            return calibration.label().to_owned();
+        }
+        let names = Names::of(scenario);
+        let of_model = |number: &u32| {
+            let own = set != ModelSet::Milling2005 && has_formula(*number, scenario);
+            let origin = if own { "own formula" } else { Calibration::Identified.label() };
+            (names.model(*number), origin)
+        };
+        let each: Vec<(String, &str)> = self.info().models.iter().map(of_model).collect();
+        match &each[..] {
+            [] => String::new(),
+            [(_, first), rest @ ..] if rest.iter().all(|(_, origin)| origin == first) => {
+                (*first).to_owned()
+            }
+            several => {
+                let told = several.iter().map(|(name, origin)| format!("{name} {origin}"));
+                told.collect::<Vec<String>>().join(", ")
+            }
+        }
+    }
+
     /// The heading over its live values: whose models they come from.
     #[must_use]
     pub fn now(self, scenario: &Scenario) -> String {
@@ -50,11 +79,23 @@ impl Block {
             Some(Using { whose, .. }) if self == Self::Cutting && !force.is_formula() => {
                 format!("Now, {whose}: {}", force.label())
             }
-            Some(Using { whose, set, calibration }) => {
-                format!("Now, {whose}: {}, {}", set.label(), calibration.label())
+            Some(Using { whose, set, .. }) => {
+                format!("Now, {whose}: {}, {}", set.label(), self.origin(scenario))
             }
             None => "Now".to_owned(),
         }
+    }
+}
+
+/// Whether there is a formula of one's own for the model with this number.
+fn has_formula(number: u32, scenario: &Scenario) -> bool {
+    let formulas = &scenario.formula;
+    match number {
+        1 => formulas.force_of_ra.get().is_some(),
+        2 => formulas.feed.get().is_some(),
+        3 => formulas.speed.get().is_some(),
+        4 => formulas.force.get().is_some(),
+        _ => formulas.ra.get().is_some(),
     }
 }
 
@@ -148,6 +189,7 @@ impl Lamp {
 mod tests {
     use super::super::BLOCKS;
     use super::*;
+    use crate::base::settings::Value;
     use crate::run::signals::FLAGS;
 
     fn titles(scenario: &Scenario) -> Vec<String> {
@@ -173,6 +215,27 @@ mod tests {
         assert!(flags(&scenario).contains(&"M6 outside its range".to_owned()));
         assert!(flags(&scenario).contains(&"in the air".to_owned()));
     }
+
+    #[test]
+    fn with_formulas_of_one_s_own_each_box_tells_its_own_origin() {
+        let mut scenario = crate::run::presets::load("own-formula").unwrap();
+        let origins = |scenario: &Scenario| {
+            let boxes = [Block::Reference, Block::Controller, Block::Cutting, Block::Surface];
+            boxes.map(|block| block.origin(scenario))
+        };
+        // The shipped scenario sets the force of the cut alone.
+        assert!(scenario.formula.ra.get().is_none() && scenario.formula.force.get().is_some());
+        scenario.change(|s| s.belief.calibration = Calibration::Formula).unwrap();
+        assert_eq!(origins(&scenario), ["identified", "identified", "own formula", "identified"]);
+        assert!(Block::Surface.now(&scenario).ends_with(", identified"));
+        scenario.set("formula.feed", Value::Text(OWN_FEED.to_owned())).unwrap();
+        assert_eq!(origins(&scenario)[1], "K2 own formula, K3 identified");
+        scenario.change(|s| s.belief.calibration = Calibration::Restored).unwrap();
+        assert_eq!(origins(&scenario)[1], "restored");
+        assert_eq!(Block::FeedDrive.origin(&scenario), "");
+    }
+
+    const OWN_FEED: &str = r#"{"version":1,"formula":"25.4*(40 - 900000/F^2)","output":{"name":"f","unit":"mm/min"},"inputs":[{"name":"F","unit":"N","low":160,"high":200}]}"#;
 
     #[test]
     fn a_network_takes_the_place_of_model_4_only() {

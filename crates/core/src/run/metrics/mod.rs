@@ -5,7 +5,7 @@
 //!   it; none without contact, or once the tool has stood still for a second. The
 //!   mean of Ra leaves out where its model has ended at zero.
 //! - In tolerance: fraction of the path in contact on which the produced Ra (K5) lies within the
-//!   tolerance band of its target.
+//!   tolerance band of its target. Not judged: the fraction on which it lies outside the model.
 //! - Settling time: from the last change (start of the run, target, depth, edit) until the force
 //!   stays within 2 % of its reference for good; none if it does not at the end.
 //! - Overshoot: the force's furthest excursion beyond its reference, on the side away from where
@@ -48,6 +48,9 @@ pub struct Metrics {
     pub ra_deviation_percent: Option<f64>,
     /// Fraction of the cut length with Ra in tolerance, percent; none without contact.
     pub in_tolerance_percent: Option<f64>,
+    /// Fraction of the cut length that is not judged, since Ra is to be held and lies outside the model,
+    /// percent; none without contact.
+    pub not_judged_percent: Option<f64>,
     /// Force, mean over the last second in contact, N; none without contact.
     pub force_final_n: Option<f64>,
     /// Deviation of the final force from its reference, percent; none without contact.
@@ -108,6 +111,10 @@ pub fn metrics(recording: &Recording, rows: usize, scenario: &Scenario, edits: &
     };
     let fraction = |count: u64| percent_from_ratio(count as f64 / tally.steps.max(1) as f64);
 
+    let of_length = |part_mm: f64| {
+        (tally.in_contact_mm > 0.0).then(|| percent_from_ratio(part_mm / tally.in_contact_mm))
+    };
+
     let samples: Vec<&Row> = recording.samples(rows).filter(|row| !row.has(flag::AIR)).collect();
     let rms = |samples: &[&Row]| stats::rms(samples.iter().map(|row| relative_error(row)));
     let twenty: Vec<&Row> =
@@ -116,8 +123,8 @@ pub fn metrics(recording: &Recording, rows: usize, scenario: &Scenario, edits: &
     Metrics {
         ra_final_um: ra,
         ra_deviation_percent: deviation(ra, ra_target),
-        in_tolerance_percent: (tally.in_contact_mm > 0.0)
-            .then(|| percent_from_ratio(tally.good_mm / tally.in_contact_mm)),
+        in_tolerance_percent: of_length(tally.good_mm),
+        not_judged_percent: of_length(tally.unknown_mm),
         force_final_n: force,
         force_deviation_percent: deviation(force, force_ref),
         force_worst_percent: tally.worst.map(percent_from_ratio),
@@ -185,6 +192,7 @@ impl Metrics {
             ra_final_um: None,
             ra_deviation_percent: None,
             in_tolerance_percent: None,
+            not_judged_percent: None,
             force_final_n: None,
             force_deviation_percent: None,
             force_worst_percent: None,

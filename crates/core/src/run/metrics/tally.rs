@@ -34,6 +34,14 @@ impl Judged {
         Self { tolerance, reference: target.reference, control_every }
     }
 
+    /// Whether there is a value to judge.
+    fn knows(&self, row: &Row) -> bool {
+        match self.reference {
+            Reference::Ra => !row.ra_has_ended(),
+            Reference::Force => true,
+        }
+    }
+
     fn in_tolerance(&self, row: &Row) -> bool {
         match self.reference {
             Reference::Ra => {
@@ -117,6 +125,8 @@ pub struct Tally {
     /// Path in contact, and the part of it in tolerance, mm.
     pub(super) in_contact_mm: f64,
     pub(super) good_mm: f64,
+    /// Path in contact on which there is nothing to judge: Ra is held and lies outside the model, mm.
+    pub(super) unknown_mm: f64,
     pub(super) removed_mm3: f64,
     pub(super) max_force_n: f64,
     /// Largest relative error in contact after the first second, signed.
@@ -152,6 +162,7 @@ impl Tally {
             time_s: row.time_s,
             in_contact_mm: 0.0,
             good_mm: 0.0,
+            unknown_mm: 0.0,
             removed_mm3: 0.0,
             max_force_n: row.force_n,
             worst: None,
@@ -183,6 +194,8 @@ impl Tally {
             self.in_contact_mm += step_mm;
             if self.judged.in_tolerance(row) {
                 self.good_mm += step_mm;
+            } else if !self.judged.knows(row) {
+                self.unknown_mm += step_mm;
             }
             let error = relative_error(row);
             let larger = self.worst.is_none_or(|worst| error.abs() > worst.abs());

@@ -274,8 +274,42 @@ fn wear(run: &Run, rows: &[Row], twin: Option<&Run>, changes: &[Change]) -> Opti
     })
 }
 
-/// The end of the run, with its cause.
-pub(super) fn end(run: &Run, rows: &[Row]) -> Option<StoryEvent> {
+/// The stretches of time in s of all events of a kind, those of neighbours joined: a limit cycle is told of
+/// from its first period after a change on.
+pub(super) fn spans(events: &[StoryEvent], kind: EventKind) -> Vec<[f64; 2]> {
+    let mut found: Vec<[f64; 2]> = Vec::new();
+    for event in events.iter().filter(|event| event.id == kind) {
+        let gap_s = match &event.figures {
+            Figures::LimitCycle(cycle) => 1.5 * cycle.oscillation.period_s,
+            Figures::Change(_)
+            | Figures::Air(_)
+            | Figures::Answer(_)
+            | Figures::Limit(_)
+            | Figures::Outside(_)
+            | Figures::Chatter(_)
+            | Figures::Wear(_)
+            | Figures::End(_) => 0.0,
+        };
+        match found.last_mut() {
+            Some(last) if event.from_s <= last[1] + gap_s => last[1] = last[1].max(event.to_s),
+            _ => found.push([event.from_s, event.to_s]),
+        }
+    }
+    found
+}
+
+/// What the cut was on the way and is not at its end: who sees the end alone is told of it.
+fn was(events: &[StoryEvent]) -> String {
+    let kinds = [(EventKind::LimitCycle, "was unstable"), (EventKind::Chatter, "chattered")];
+    let told = kinds.map(|(kind, words)| match &spans(events, kind)[..] {
+        [] => String::new(),
+        some => format!(" It {words} {}.", words::stretches(some)),
+    });
+    told.concat()
+}
+
+/// The end of the run, with its cause, and with what its events say against it.
+pub(super) fn end(run: &Run, rows: &[Row], events: &[StoryEvent]) -> Option<StoryEvent> {
     let last = rows.last()?;
     let done = WayDone {
         path_mm: last.position_mm,
@@ -292,6 +326,7 @@ pub(super) fn end(run: &Run, rows: &[Row]) -> Option<StoryEvent> {
             format!("{end}.")
         }
     };
+    let sentence = sentence + &was(events);
     Some(StoryEvent {
         id: EventKind::End,
         from_s: last.time_s,

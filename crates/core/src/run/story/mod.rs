@@ -122,7 +122,8 @@ impl Story {
         let changes = changes::changes(run, scan, rows);
         let mut events = effects::tell(run, rows, twin, &changes);
         events.extend(spans::tell(run, scan, rows));
-        events.extend(effects::end(run, rows));
+        let end = effects::end(run, rows, &events);
+        events.extend(end);
         // In the order of time; what comes at the same time stays in the order of causes.
         events.sort_by(|a, b| a.from_s.total_cmp(&b.from_s));
         Self { events }
@@ -133,6 +134,14 @@ impl Story {
     pub fn response_at(&self, time_s: f64) -> Option<(&StoryEvent, &StepResponse)> {
         let begun = self.events.iter().take_while(|event| event.from_s <= time_s);
         begun.filter_map(|event| event.response().map(|response| (event, response))).last()
+    }
+
+    /// When the loop was unstable before a time in s, as stretches of time in s that do not touch.
+    #[must_use]
+    pub fn unstable_until(&self, time_s: f64) -> Vec<[f64; 2]> {
+        let spans = effects::spans(&self.events, EventKind::LimitCycle).into_iter();
+        let begun = spans.filter(|[from_s, _]| *from_s <= time_s);
+        begun.map(|[from_s, to_s]| [from_s, to_s.min(time_s)]).collect()
     }
 
     /// The change that a time in s stands behind: the last start, step, contact, air or end before it.

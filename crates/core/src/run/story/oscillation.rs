@@ -6,6 +6,11 @@
 //! after four periods, that of noise through a loop with the damping ratio D has fallen to about
 //! exp(-8 pi D). And it is the loop that swings if the force follows the feed; a force that comes from
 //! outside is answered by the feed, later and the other way round.
+//!
+//! In few periods noise stays in step by chance. So the swing has to be larger than what the noise drives:
+//! through loops of SDNRP up to nine tenths of their critical gain the amplitude is at most 1.5 times the
+//! root mean square of what the sensor adds (measured over gains, dead times, seeds and noise levels), and
+//! a limit cycle is bounded by limits and models, not by the noise.
 
 use serde::Serialize;
 
@@ -22,6 +27,8 @@ pub struct Oscillation {
     pub feed_percent: f64,
 }
 
+/// Amplitude over the root mean square of the noise from which on noise alone does not explain it (measured).
+const ABOVE_NOISE: f64 = 1.6;
 /// Amplitudes below this fraction are no oscillation that anybody would call one (chosen).
 const LEAST_AMPLITUDE: f64 = 0.01;
 /// Periods after which the autocorrelation is looked at, and what it must still be: a damping ratio
@@ -39,10 +46,11 @@ const FOLLOWS: f64 = 0.5;
 /// Fewest samples that are judged.
 const LEAST_SAMPLES: usize = 40;
 
-/// Looks for an undamped oscillation. `force` is relative to its reference, `feed` in any unit,
-/// both in samples `sample_s` seconds apart, after the loop has had time to come to rest.
+/// Looks for an undamped oscillation. `force` and `noise`, which the sensor adds to it, are relative to its
+/// reference, `feed` in any unit, all in samples `sample_s` seconds apart, after the loop has had time to
+/// come to rest.
 #[must_use]
-pub fn undamped(force: &[f64], feed: &[f64], sample_s: f64) -> Option<Oscillation> {
+pub fn undamped(force: &[f64], feed: &[f64], noise: &[f64], sample_s: f64) -> Option<Oscillation> {
     let count = force.len().min(feed.len());
     if count < LEAST_SAMPLES {
         return None;
@@ -55,8 +63,14 @@ pub fn undamped(force: &[f64], feed: &[f64], sample_s: f64) -> Option<Oscillatio
     if force_size < LEAST_AMPLITUDE || feed_size < LEAST_AMPLITUDE {
         return None;
     }
-    let halves = feed.split_at(count / 2);
-    if amplitude(halves.1)? < NOT_DYING * amplitude(halves.0)? {
+    let noise_mean = stats::mean(noise.iter().copied()).unwrap_or(0.0);
+    let noise_size = stats::rms(noise.iter().map(|x| x - noise_mean)).unwrap_or(0.0);
+    if force_size < ABOVE_NOISE * noise_size {
+        return None;
+    }
+    // Noise makes the amplitude wander by about its own size.
+    let halves = force.split_at(count / 2);
+    if amplitude(halves.1)? < NOT_DYING * amplitude(halves.0)? - noise_size {
         return None;
     }
     if stats::correlation(&force, &feed)? < FOLLOWS {
@@ -132,26 +146,26 @@ mod tests {
     #[test]
     fn a_steady_and_a_growing_swing_are_undamped_with_their_period_and_amplitude() {
         let feed = series(|t| 300.0 * (1.0 + 0.2 * swing(t)));
-        let found = undamped(&series(|t| 0.1 * swing(t)), &feed, 0.02).unwrap();
+        let found = undamped(&series(|t| 0.1 * swing(t)), &feed, &[], 0.02).unwrap();
         assert!((found.period_s - 1.2).abs() < 0.01, "{found:?}");
         assert!((found.force_percent - 10.0).abs() < 0.2, "{found:?}");
         assert!((found.feed_percent - 20.0).abs() < 0.4, "{found:?}");
         let growing = |t: f64| 0.02 * exp(t / 20.0) * swing(t);
-        assert!(undamped(&series(growing), &series(|t| 300.0 + growing(t)), 0.02).is_none());
-        assert!(undamped(&series(growing), &series(|t| 3.0 + growing(t)), 0.02).is_some());
+        assert!(undamped(&series(growing), &series(|t| 300.0 + growing(t)), &[], 0.02).is_none());
+        assert!(undamped(&series(growing), &series(|t| 3.0 + growing(t)), &[], 0.02).is_some());
     }
 
     #[test]
     fn what_dies_down_or_is_small_or_comes_from_outside_is_not() {
         let damped = |t: f64| exp(-t / 8.0) * swing(t);
-        assert_eq!(undamped(&series(damped), &series(|t| 3.0 + damped(t)), 0.02), None);
+        assert_eq!(undamped(&series(damped), &series(|t| 3.0 + damped(t)), &[], 0.02), None);
         let small = |t: f64| 0.005 * swing(t);
-        assert_eq!(undamped(&series(small), &series(|t| 1.0 + small(t)), 0.02), None);
+        assert_eq!(undamped(&series(small), &series(|t| 1.0 + small(t)), &[], 0.02), None);
         // The force swings, the feed answers a quarter of a period later, the other way round.
         let feed = series(|t| 1.0 - 0.2 * swing(t - 0.3));
-        assert_eq!(undamped(&series(|t| 0.1 * swing(t)), &feed, 0.02), None);
+        assert_eq!(undamped(&series(|t| 0.1 * swing(t)), &feed, &[], 0.02), None);
         let still = series(|_| 300.0);
-        assert_eq!(undamped(&series(|t| 0.1 * swing(t)), &still, 0.02), None);
+        assert_eq!(undamped(&series(|t| 0.1 * swing(t)), &still, &[], 0.02), None);
     }
 
     /// A resonance of damping ratio `damping` at a period of 1.2 s, driven by noise.
@@ -178,8 +192,22 @@ mod tests {
             for damping in [0.1, 0.3, 1.0] {
                 let force = noisy(seed, damping);
                 let feed: Vec<f64> = force.iter().map(|x| 1.0 + x).collect();
-                assert_eq!(undamped(&force, &feed, 0.02), None, "seed {seed}, damping {damping}");
+                assert_eq!(
+                    undamped(&force, &feed, &[], 0.02),
+                    None,
+                    "seed {seed}, damping {damping}"
+                );
             }
         }
+    }
+
+    #[test]
+    fn a_swing_no_larger_than_the_noise_that_drives_it_is_not_told_apart() {
+        let noise = Stream::new(7, "story");
+        let noise: Vec<f64> = (0..1500).map(|i| 0.1 * noise.normal(i)).collect();
+        let feed = series(|t| 1.0 + 0.2 * swing(t));
+        let told = |size: f64| undamped(&series(|t| size * swing(t)), &feed, &noise, 0.02);
+        assert_eq!(told(0.12), None);
+        assert!(told(0.25).is_some());
     }
 }

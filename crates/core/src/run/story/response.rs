@@ -1,15 +1,16 @@
 //! How a loop answers to a step: settling, overshoot, the error that remains, stability.
 //!
-//! Judged over the stretch from one change to the next, at control samples:
+//! Judged over the stretch from one change to the next, at control samples, against the value that the force
+//! comes to rest at, its mean over the last quarter, since a loop can rest beside its reference:
 //!
-//! - Settling time: from the change until the force stays within 2 % of its reference for good, as in
-//!   [`metrics`](crate::run::metrics).
-//! - At rest after: the same around the force's own final mean, wider by its scatter at rest, since a
-//!   loop can come to rest beside its reference.
-//! - Overshoot: the force's furthest excursion beyond its reference, on the side away from where it
-//!   was right after the change, percent of the reference.
+//! - Settling time: from the change until the force stays within a band around its value at rest for good. The
+//!   band is 2 %, wider by what noise still moves the force at rest: the settling time of the textbooks, which
+//!   does not jump with single samples of noise. Zero where the force never leaves the band: then the change
+//!   makes no transient.
+//! - Overshoot: the force's furthest excursion beyond its value at rest, on the side away from where it was
+//!   right after the change, percent of that value; none of what noise does at rest as well.
 //! - Remaining error: mean deviation of what is to be held at rest, percent, positive above the
-//!   reference: the steady-state error.
+//!   reference: the steady-state error. Swing: the amplitude about it.
 //! - Oscillation: see [`oscillation`](super::oscillation).
 
 use serde::Serialize;
@@ -21,9 +22,12 @@ use crate::base::stats;
 use crate::base::units::percent_from_ratio;
 use crate::blocks::reference::Reference;
 
-/// Force counts as settled within this fraction of its reference.
+/// Force counts as settled within this fraction of its value at rest.
 const SETTLED: f64 = 0.02;
-/// Means of two quarters of a stretch that differ by less than this fraction are at rest (chosen).
+/// Excursions up to so many times the largest one at rest are the noise's (chosen).
+const OF_NOISE: f64 = 1.25;
+/// Means of the last two quarters of a stretch that differ by less than this fraction, and the scatter within
+/// them, are at rest (chosen).
 const AT_REST: f64 = 0.01;
 /// Fewest control samples that say anything about a response.
 const LEAST_SAMPLES: usize = 8;
@@ -58,14 +62,17 @@ pub enum ResponseEnd {
 pub struct StepResponse {
     /// How it ends.
     pub ends: ResponseEnd,
-    /// Settling time, s; none if the force is not within 2 % of its reference at the end.
+    /// Settling time, s: 0 where the change makes no transient; none if it does not come to rest.
     pub settling_time_s: Option<f64>,
-    /// Time until the force stays where it comes to rest, s; none if it does not.
-    pub at_rest_after_s: Option<f64>,
-    /// Overshoot of the force, percent of its reference.
-    pub overshoot_percent: f64,
-    /// Remaining error of what is to be held, percent; none if it does not come to rest.
+    /// Half-width of the band that the settling time is judged by, percent of the force at rest.
+    pub settling_band_percent: Option<f64>,
+    /// Overshoot of the force, percent of its value at rest; none if it does not come to rest.
+    pub overshoot_percent: Option<f64>,
+    /// Remaining error of what is to be held, percent; none if it does not come to rest, or lies outside
+    /// the model.
     pub remaining_error_percent: Option<f64>,
+    /// Amplitude of what is to be held about that, percent of its reference: what noise moves it by.
+    pub swing_percent: Option<f64>,
     /// Remaining error of the force, percent; none if it does not come to rest.
     pub remaining_force_error_percent: Option<f64>,
     /// The oscillation, if there is one.
@@ -80,56 +87,89 @@ impl StepResponse {
         let stride = sampling.stride.max(1);
         let samples: Vec<&Row> =
             rows.iter().step_by(stride).filter(|row| !row.has(flag::AIR)).collect();
-        let first = samples.first()?;
         let errors: Vec<f64> = samples.iter().map(|row| force_error(row)).collect();
-        let side = force_error(first).signum();
-        let overshoot = errors.iter().fold(0.0, |most: f64, error| most.max(-side * error));
-        let stays_from = |outside: &dyn Fn(f64) -> bool| match errors
-            .iter()
-            .rposition(|error| outside(*error))
-        {
-            None => Some(0.0),
-            Some(i) => samples.get(i + 1).map(|row| row.time_s - changed_s),
-        };
+        if errors.is_empty() {
+            return None;
+        }
         let mut found = Self {
             ends: ResponseEnd::TooShort,
-            settling_time_s: stays_from(&|error| error.abs() > SETTLED),
-            at_rest_after_s: None,
-            overshoot_percent: percent_from_ratio(overshoot),
+            settling_time_s: None,
+            settling_band_percent: None,
+            overshoot_percent: None,
             remaining_error_percent: None,
+            swing_percent: None,
             remaining_force_error_percent: None,
             oscillation: None,
         };
         if samples.len() < LEAST_SAMPLES {
             return Some(found);
         }
-        let feed: Vec<f64> = samples.iter().map(|row| row.feed_mm_min).collect();
         let from = (errors.len() / 3).max(errors.len().saturating_sub(MOST_SAMPLES));
         found.oscillation =
-            undamped(&errors[from..], &feed[from..], stride as f64 * sampling.row_s);
+            oscillation(&samples[from..], &errors[from..], stride as f64 * sampling.row_s);
         if found.oscillation.is_some() {
             found.ends = ResponseEnd::Unstable;
             return Some(found);
         }
         let quarter = errors.len() / 4;
-        let (before, end) = errors[errors.len() - 2 * quarter..].split_at(quarter);
+        let late = &errors[errors.len() - 2 * quarter..];
+        let (before, end) = late.split_at(quarter);
         let mean = |of: &[f64]| stats::mean(of.iter().copied());
         let (mean_before, rest) = (mean(before)?, mean(end)?);
-        if (rest - mean_before).abs() > AT_REST {
+        // From here on relative to the value at rest, which is that fraction above the reference.
+        let off = |error: &f64| (error - rest) / (1.0 + rest);
+        let scatter = |of: &[f64], mean: f64| stats::rms(of.iter().map(|error| error - mean));
+        let scatter = 0.5 * (scatter(before, mean_before)? + scatter(end, rest)?);
+        if (rest - mean_before).abs() > AT_REST + scatter {
             found.ends = ResponseEnd::Moving;
             return Some(found);
         }
         found.ends = ResponseEnd::AtRest;
-        let scatter = end.iter().fold(0.0, |most: f64, error| most.max((error - rest).abs()));
-        found.at_rest_after_s = stays_from(&|error| (error - rest).abs() > SETTLED + scatter);
+        let noise = late.iter().map(off).fold(0.0, |most: f64, off| most.max(off.abs()));
+        let band = SETTLED + OF_NOISE * noise;
+        found.settling_band_percent = Some(percent_from_ratio(band));
+        found.settling_time_s = match errors.iter().rposition(|error| off(error).abs() > band) {
+            None => Some(0.0),
+            Some(i) => samples.get(i + 1).map(|row| row.time_s - changed_s),
+        };
+        let side = off(&errors[0]).signum();
+        let beyond = errors.iter().fold(0.0, |most: f64, error| most.max(-side * off(error)));
+        let overshoot = if beyond > OF_NOISE * noise { beyond } else { 0.0 };
+        found.overshoot_percent = Some(percent_from_ratio(overshoot));
         found.remaining_force_error_percent = Some(percent_from_ratio(rest));
         let of_end = samples[samples.len() - quarter..].iter();
         let of_end: Vec<f64> = of_end.filter_map(|row| deviation(row, held)).collect();
         if 2 * of_end.len() > quarter {
-            found.remaining_error_percent = mean(&of_end).map(percent_from_ratio);
+            let error = mean(&of_end)?;
+            found.remaining_error_percent = Some(percent_from_ratio(error));
+            let scatter = stats::rms(of_end.iter().map(|of| of - error))?;
+            found.swing_percent = Some(percent_from_ratio(2.0_f64.sqrt() * scatter));
         }
         Some(found)
     }
+
+    /// Whether it ends in an oscillation that does not die down.
+    #[must_use]
+    pub fn is_unstable(&self) -> bool {
+        self.ends == ResponseEnd::Unstable
+    }
+
+    /// Whether the change makes no transient: the force never leaves the band around its value at rest.
+    #[must_use]
+    pub fn is_without_transient(&self) -> bool {
+        self.settling_time_s == Some(0.0)
+    }
+}
+
+/// An oscillation in control samples with their force errors, `sample_s` apart.
+fn oscillation(samples: &[&Row], errors: &[f64], sample_s: f64) -> Option<Oscillation> {
+    let feed: Vec<f64> = samples.iter().map(|row| row.feed_mm_min).collect();
+    // The controller reads at the end of one sample's row what the next one records.
+    let read = samples.windows(2);
+    let noise: Vec<f64> = read
+        .map(|pair| (pair[1].force_measured_n - pair[0].force_n) / pair[0].force_ref_n)
+        .collect();
+    undamped(errors, &feed, &noise, sample_s)
 }
 
 /// The means at the end of a stretch: over its last second, at most its second half.

@@ -17,6 +17,10 @@ use crate::run::scenario::{Scenario, param};
 const KEPT_PERCENT: f64 = 0.5;
 /// A remaining error below this is none, percent.
 const NO_ERROR_PERCENT: f64 = 0.05;
+/// What is held is said to swing about its mean from this amplitude on, percent.
+const SWINGS_PERCENT: f64 = 2.0;
+/// Most stretches of time that are told one by one.
+const MOST_STRETCHES: usize = 3;
 /// A spindle speed that changes by less than this is not spoken of, percent.
 const SPEED_KEPT_PERCENT: f64 = 1.0;
 
@@ -181,9 +185,13 @@ fn moved(before: &StretchMeans, after: &StretchMeans) -> String {
 /// The error that remains, named and signed, or that the loop does not come to rest.
 fn remains(effect: &ChangeEffect, reference: Reference) -> String {
     let Some(response) = effect.response else { return String::new() };
+    let swing = response.swing_percent.filter(|swing| *swing >= SWINGS_PERCENT);
+    let swings = swing.map_or(String::new(), |swing| {
+        format!(", about which {} still moves by ±{}", held_name(reference), percent(swing))
+    });
     match (response.ends, response.remaining_error_percent) {
         (ResponseEnd::AtRest, Some(error)) if error.abs() < NO_ERROR_PERCENT => {
-            " No error remains.".to_owned()
+            format!(" No error remains{}.", swings.replace("about which", "but"))
         }
         (ResponseEnd::AtRest, Some(error)) => {
             let side = if error < 0.0 { "below" } else { "above" };
@@ -191,7 +199,7 @@ fn remains(effect: &ChangeEffect, reference: Reference) -> String {
                 Reference::Ra => "the target Ra",
                 Reference::Force => "the reference force",
             };
-            format!(" The remaining error is {} {side} {of}.", percent(error.abs()))
+            format!(" The remaining error is {} {side} {of}{swings}.", percent(error.abs()))
         }
         (ResponseEnd::Moving, _) => " It does not come to rest in this stretch.".to_owned(),
         (ResponseEnd::AtRest, None) | (ResponseEnd::TooShort | ResponseEnd::Unstable, _) => {
@@ -226,7 +234,12 @@ fn own(effect: &ChangeEffect, after: &StretchMeans, scenario: &Scenario) -> Stri
     let contact = effect.causes.contains(&Cause::Contact);
     let settled = before.filter(|_| !contact);
     let verb = tolerance(settled.and_then(|before| before.in_tolerance), after.in_tolerance);
-    let held = from_to(settled, after, reference);
+    let swing = effect.response.and_then(|response| response.swing_percent).unwrap_or_default();
+    // A mean within the tolerance says nothing of how far the swings about it go.
+    let off = after.deviation_percent.map_or(0.0, f64::abs);
+    let leaves = swing >= SWINGS_PERCENT && off + swing > scenario.target.tolerance_percent;
+    let in_the_mean = if leaves && after.in_tolerance == Some(true) { "in the mean " } else { "" };
+    let held = format!("{in_the_mean}{}", from_to(settled, after, reference));
     if scenario.controller.kind == ControllerKind::ConstantFeed {
         return format!("the feed stays as programmed and {verb} {held}");
     }
@@ -388,4 +401,18 @@ pub(super) fn limit_cycle(cycle: &LimitCycle) -> String {
         percent(of.force_percent),
         percent(of.feed_percent)
     )
+}
+
+/// Stretches of time.
+pub(super) fn stretches(of: &[[f64; 2]]) -> String {
+    let each = of.iter().map(|[from_s, to_s]| format!("from {from_s:.2} to {to_s:.2} s"));
+    let each: Vec<String> = each.collect();
+    match &each[..] {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first, .., last] if each.len() > MOST_STRETCHES => {
+            format!("{} times {first} up to {last}", each.len())
+        }
+        [before @ .., last] => format!("{} and {last}", before.join(", ")),
+    }
 }

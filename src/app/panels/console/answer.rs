@@ -1,0 +1,121 @@
+//! How the loop answers to the last change before the playhead: the error that remains, settling and
+//! overshoot, or that it is unstable, or was before.
+
+use crate::app::format;
+use crate::app::panels::View;
+use crate::app::widgets::standing::Standing;
+use crate::run::story::{ResponseEnd, StepResponse};
+
+/// What is held is said to swing about its mean from this amplitude on, percent.
+const SWINGS_PERCENT: f64 = 2.0;
+
+/// What its card says.
+pub struct Answer {
+    /// The number.
+    pub value: String,
+    /// How it stands.
+    pub standing: Standing,
+    /// The lines below it.
+    pub below: [String; 2],
+}
+
+impl Answer {
+    /// The answer at the playhead.
+    pub fn of(view: &View<'_>) -> Self {
+        let session = view.session;
+        let now_s = session.row().time_s + 1e-9;
+        let tolerance = session.current().target.tolerance_percent;
+        let Some((_, response)) = session.story().response_at(now_s) else {
+            let below = [String::new(), String::new()];
+            return Self { value: "-".to_owned(), standing: Standing::Plain, below };
+        };
+        let found = Self::after(response, tolerance, view.narrow);
+        let unstable = session.story().unstable_until(now_s);
+        let (false, Some([from_s, to_s])) = (response.is_unstable(), unstable.last().copied())
+        else {
+            return found;
+        };
+        // The last step alone is no verdict on a cut that swung.
+        let standing = match found.standing {
+            Standing::Good | Standing::Best | Standing::Plain => Standing::Watch,
+            standing @ (Standing::Watch | Standing::Bad) => standing,
+        };
+        let [settled, _] = found.below;
+        let more = if unstable.len() > 1 { ", and before" } else { "" };
+        let was = format!("unstable {from_s:.1} to {to_s:.1} s{more}");
+        Self { value: found.value, standing, below: [was, settled] }
+    }
+
+    /// The answer to one change.
+    fn after(response: &StepResponse, tolerance: f64, narrow: bool) -> Self {
+        let words = |value: &str, below: [&str; 2]| Self {
+            value: value.to_owned(),
+            standing: Standing::Plain,
+            below: below.map(str::to_owned),
+        };
+        match response.ends {
+            ResponseEnd::TooShort => words("-", ["too short to judge", ""]),
+            ResponseEnd::Moving => words("not at rest", ["still on its way", ""]),
+            ResponseEnd::Unstable => {
+                let of = |swing: Option<f64>, word: &str| {
+                    swing.map_or(String::new(), |size| {
+                        format!("{word} ±{}", format::quantity(size, "%"))
+                    })
+                };
+                let swing = response.oscillation;
+                let period = swing.map_or(String::new(), |swing| {
+                    format!("period {}, no rest", format::quantity(swing.period_s, "s"))
+                });
+                let below = [of(swing.map(|swing| swing.force_percent), "force"), period];
+                Self { value: "unstable".to_owned(), standing: Standing::Bad, below }
+            }
+            ResponseEnd::AtRest => Self::at_rest(response, tolerance, narrow),
+        }
+    }
+
+    fn at_rest(response: &StepResponse, tolerance: f64, narrow: bool) -> Self {
+        let below = transient(response, narrow);
+        let Some(error) = response.remaining_error_percent else {
+            let value = if narrow { "no Ra" } else { "not judged" }.to_owned();
+            let [settled, _] = below;
+            let below = ["outside the model".to_owned(), format!("force: {settled}")];
+            return Self { value, standing: Standing::Plain, below };
+        };
+        let swing = response.swing_percent.unwrap_or_default();
+        let inside = error.abs() <= tolerance;
+        let word = match (inside, narrow) {
+            (true, false) => " within",
+            (false, false) => " outside",
+            // The sign says it.
+            (_, true) => "",
+        };
+        let standing = match (inside, error.abs() + swing <= tolerance) {
+            (true, true) => Standing::Good,
+            (true, false) => Standing::Watch,
+            (false, _) => Standing::Bad,
+        };
+        let [settled, overshoot] = below;
+        let below = if swing >= SWINGS_PERCENT {
+            [settled, format!("swings by ±{}", format::quantity(swing, "%"))]
+        } else {
+            [settled, overshoot]
+        };
+        Self { value: format!("{}{word}", format::deviation(error)), standing, below }
+    }
+}
+
+/// How it came to rest: settling and overshoot, or that there was nothing of the kind.
+fn transient(response: &StepResponse, narrow: bool) -> [String; 2] {
+    let band = format::quantity(response.settling_band_percent.unwrap_or_default(), "%");
+    let Some(settling_s) = response.settling_time_s.filter(|_| !response.is_without_transient())
+    else {
+        return ["no transient".to_owned(), format!("beyond ±{band}")];
+    };
+    let settling = format::quantity(settling_s, "s");
+    let settled = match narrow {
+        true => format!("settles in {settling}"),
+        false => format!("settles in {settling} (±{band})"),
+    };
+    let overshoot = response.overshoot_percent.unwrap_or_default();
+    [settled, format!("overshoot {}", format::quantity(overshoot, "%"))]
+}
