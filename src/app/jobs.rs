@@ -14,8 +14,13 @@ use super::clock::now_s;
 use crate::run::job::{Budget, Job, OneThread, Progress, Threads};
 pub use list::{show, time as time_left};
 
-/// Time of a slice in a frame, for all jobs together, s.
+/// Least time of a slice in a frame, for all jobs together, s.
 const FRAME_SLICE_S: f64 = 0.008;
+/// Most of it, s: a frame that takes long shall not take for ever.
+const MOST_SLICE_S: f64 = 0.1;
+/// Time of a slice over the rest of a frame's: where drawing is slow, a slice of a fast frame would be next to
+/// nothing of the time (chosen).
+const OF_THE_FRAME: f64 = 0.5;
 /// Time of a slice on the pool, s: partial results are as old as that at most.
 #[cfg(not(target_arch = "wasm32"))]
 const POOL_SLICE_S: f64 = 0.03;
@@ -46,8 +51,11 @@ struct Slot<J: Job> {
     /// Whether a slice is due or under way on the pool.
     #[cfg(not(target_arch = "wasm32"))]
     on_pool: bool,
-    /// Time worked so far, s, and the share at its beginning.
-    worked: (f64, f64),
+    /// Time worked so far, s.
+    worked_s: f64,
+    /// The same when it began to come on, and the share then: what is done before the first of what is counted
+    /// says nothing of the time that the rest takes.
+    came_on: (f64, f64),
 }
 
 /// What a screen, the list and the pool share of a job.
@@ -56,6 +64,8 @@ struct Shared<J: Job> {
     /// Time of work from which it is listed, s.
     listed_from_s: f64,
     running: AtomicBool,
+    /// Stopped in the list, which keeps the way on.
+    halted: AtomicBool,
     /// Nobody wants it any more.
     gone: AtomicBool,
     slot: Mutex<Slot<J>>,
@@ -66,11 +76,19 @@ impl<J: Job> Shared<J> {
         self.slot.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// Goes on where it was stopped.
+    fn go_on(&self) {
+        if !self.slot().over {
+            self.halted.store(false, Ordering::Relaxed);
+            self.running.store(true, Ordering::Relaxed);
+        }
+    }
+
     /// Time that is left at most, s.
     fn left_s(&self) -> Option<f64> {
         let slot = self.slot();
-        let (worked_s, from) = slot.worked;
-        slot.progress.left_s(worked_s, from)
+        let (before_s, from) = slot.came_on;
+        slot.progress.left_s(slot.worked_s - before_s, from)
     }
 
     /// Works at it for a slice that is to take `slice_s` seconds; `true` while there is more to do.
@@ -108,7 +126,10 @@ impl<J: Job> Shared<J> {
         } else if took_s < 0.5 * slice_s {
             slot.steps = steps.saturating_mul(2);
         }
-        slot.worked.0 += took_s;
+        slot.worked_s += took_s;
+        if found.1.share() <= slot.came_on.1 {
+            slot.came_on.0 = slot.worked_s;
+        }
         slot.refusal = job.refusal().map(str::to_owned);
         (slot.partial, slot.progress) = found;
         slot.over = over;
@@ -124,9 +145,14 @@ impl<J: Job> Shared<J> {
 trait Listed: Send + Sync {
     fn name(&self) -> &str;
     fn is_running(&self) -> bool;
-    /// Whether it is shown in the list.
+    /// Whether it is shown in the list as being worked at.
     fn is_listed(&self) -> bool;
-    fn stop(&self);
+    /// Whether it is shown there as stopped.
+    fn is_halted(&self) -> bool;
+    /// Stops it, from the list.
+    fn halt(&self);
+    /// Goes on where it was stopped.
+    fn go_on(&self);
     fn is_gone(&self) -> bool;
     fn progress(&self) -> (Progress, Option<f64>);
     fn frame(&self, slice_s: f64);
@@ -151,11 +177,20 @@ where
     }
 
     fn is_listed(&self) -> bool {
-        self.is_running() && self.slot().worked.0 >= self.listed_from_s
+        self.is_running() && self.slot().worked_s >= self.listed_from_s
     }
 
-    fn stop(&self) {
+    fn is_halted(&self) -> bool {
+        self.halted.load(Ordering::Relaxed) && !self.is_running() && !self.slot().over
+    }
+
+    fn halt(&self) {
+        self.halted.store(true, Ordering::Relaxed);
         self.running.store(false, Ordering::Relaxed);
+    }
+
+    fn go_on(&self) {
+        Self::go_on(self);
     }
 
     fn is_gone(&self) -> bool {
@@ -236,9 +271,7 @@ impl<J: Job> Work<J> {
 
     /// Goes on where it was stopped.
     pub fn go_on(&self) {
-        if !self.is_over() {
-            self.shared.running.store(true, Ordering::Relaxed);
-        }
+        self.shared.go_on();
     }
 
     /// The job with all it has found, unless it is being worked at.
@@ -270,12 +303,20 @@ impl<J: Job> Drop for Work<J> {
 pub struct Jobs {
     all: RefCell<Vec<Arc<dyn Listed>>>,
     in_slices: Cell<bool>,
+    /// When the last frame's share of the work ended, s.
+    pumped_s: Cell<Option<f64>>,
 }
 
 impl Default for Jobs {
     fn default() -> Self {
-        Self { all: RefCell::default(), in_slices: Cell::new(cfg!(target_arch = "wasm32")) }
+        let in_slices = Cell::new(cfg!(target_arch = "wasm32"));
+        Self { all: RefCell::default(), in_slices, pumped_s: Cell::new(None) }
     }
+}
+
+/// Time of a slice in a frame whose rest takes `rest_s`, s.
+fn frame_slice_s(rest_s: f64) -> f64 {
+    (OF_THE_FRAME * rest_s).clamp(FRAME_SLICE_S, MOST_SLICE_S)
 }
 
 impl Jobs {
@@ -311,12 +352,14 @@ impl Jobs {
             over: false,
             #[cfg(not(target_arch = "wasm32"))]
             on_pool: false,
-            worked: (0.0, progress.share()),
+            worked_s: 0.0,
+            came_on: (0.0, progress.share()),
         };
         let shared = Arc::new(Shared {
             name,
             listed_from_s,
             running: AtomicBool::new(false),
+            halted: AtomicBool::new(false),
             gone: AtomicBool::new(false),
             slot: Mutex::new(slot),
         });
@@ -363,6 +406,7 @@ impl Jobs {
         let all = self.all.borrow();
         let running: Vec<&Arc<dyn Listed>> = all.iter().filter(|job| job.is_running()).collect();
         if running.is_empty() {
+            self.pumped_s.set(None);
             return;
         }
         #[cfg(not(target_arch = "wasm32"))]
@@ -370,9 +414,11 @@ impl Jobs {
             running.into_iter().for_each(pool::work_at);
             return ctx.request_repaint_after_secs(REDRAW_S as f32);
         }
+        let slice_s = frame_slice_s(self.pumped_s.get().map_or(0.0, |ended_s| now_s() - ended_s));
         for job in &running {
-            job.frame(FRAME_SLICE_S / running.len() as f64);
+            job.frame(slice_s / running.len() as f64);
         }
+        self.pumped_s.set(Some(now_s()));
         ctx.request_repaint();
     }
 }

@@ -5,7 +5,7 @@ use crate::screen;
 use crate::screen::{Screen, texts};
 use egui::accesskit::Role;
 use egui::{Vec2, vec2};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT as _, Queryable};
 use steadycut::app::Console;
 use steadycut::base::settings::Value;
 use steadycut::blocks::control::ControllerKind;
@@ -118,4 +118,54 @@ fn nobody_is_said_so() {
         screen.run_steps(2);
     }
     assert!(texts(&screen).contains("Nobody takes part"));
+}
+
+/// Everything fits a phone once there are results of the part of 2005, printed figures among them.
+#[test]
+fn the_results_of_the_2005_part_fit_a_phone() {
+    let mut screen = screen::open("table3-5-noise", SIZES[1], "Compare", &[]);
+    let away = ["Division", "Adjustable PI", "MRAC", "UNKS", "P, Smith predictor"];
+    for name in away.into_iter().chain(["MRAC, one gain", "Preview"]) {
+        screen.get_by_role_and_label(Role::Button, name).click();
+        screen.run_steps(2);
+    }
+    screen.get_by_role_and_label(Role::SpinButton, "Seeds").set_value_accesskit(2.0);
+    screen.run_steps(2);
+    click(&mut screen, "Run the comparison");
+    for _ in 0..20_000 {
+        screen.run_steps(1);
+        if texts(&screen).contains("\ndone") {
+            break;
+        }
+    }
+    screen.run_steps(4);
+    let shown = texts(&screen);
+    assert!(shown.contains("\ndone") && shown.contains("printed 115, "), "{shown}");
+    assert!(shown.contains("within the spread") || shown.contains("the best"), "{shown}");
+    let width = SIZES[1].x;
+    let figures = ["printed ", "± ", "Longest overload", "Box plots of", "Mean and standard"];
+    let mut seen = 0;
+    for node in screen.root().children_recursive() {
+        let told = node.accesskit_node();
+        let label = told.label().or_else(|| told.value()).unwrap_or_default();
+        if figures.iter().any(|begin| label.starts_with(begin)) {
+            let right = node.rect().right();
+            assert!(right <= width, "{label}: up to {right} of {width} points");
+            seen += 1;
+        }
+    }
+    assert!(seen > 20, "{seen} figures");
+}
+
+/// Changes in the running cut are not compared, and that is said.
+#[test]
+fn the_open_scenario_s_edits_are_said_to_be_left_out() {
+    let later = [(1.0, "target.ra_um", Value::Float(0.7))];
+    for (later, left_out) in [(&later[..], true), (&[][..], false)] {
+        let mut screen = screen::edited("first-cut", SIZES[0], "Compare", &[], later);
+        assert!(!texts(&screen).contains("left out, since"));
+        click(&mut screen, "Part: Open scenario");
+        let shown = texts(&screen);
+        assert_eq!(shown.contains("1 change in its running cut left out"), left_out, "{shown}");
+    }
 }

@@ -1,5 +1,5 @@
 //! What goes on, in the bar: a button with the number of jobs, and a list of their names, how far they
-//! are, how long they will take, each with a button that stops it.
+//! are, how long they will take, each with a button that stops it and lets it go on again.
 
 use egui::{ProgressBar, RichText, Role, Ui, WidgetInfo};
 
@@ -10,29 +10,42 @@ use crate::app::widgets::icon::{self, Icon};
 /// Width of the list, points: it fits a phone.
 const WIDTH: f32 = 300.0;
 
-/// The button, while something goes on.
+/// What the button says: how many are worked at, and how many are stopped; shorter, and for screen readers.
+fn counted(running: usize, halted: usize) -> [String; 2] {
+    let jobs = if running.max(halted) == 1 { "job" } else { "jobs" };
+    match (running, halted) {
+        (_, 0) => [format!("{running} at work"), format!("{running} {jobs} at work")],
+        (0, _) => [format!("{halted} stopped"), format!("{halted} {jobs} stopped")],
+        (_, _) => {
+            let both = format!("{running} at work, {halted} stopped");
+            [both.clone(), format!("jobs: {both}")]
+        }
+    }
+}
+
+/// The button, while something goes on or stands where it was stopped here.
 pub fn show(ui: &mut Ui, jobs: &Jobs) {
     let all = jobs.all.borrow();
-    let running = || all.iter().filter(|job| job.is_listed());
-    let count = running().count();
+    let shown = || all.iter().filter(|job| job.is_listed() || job.is_halted());
+    let halted = shown().filter(|job| job.is_halted()).count();
+    let count = shown().count();
     let id = egui::Id::unique("jobs");
     if count == 0 {
         egui::Popup::close_id(ui.ctx(), id);
         return;
     }
     let palette = Palette::at(ui);
-    let text = RichText::new(format!("{count} at work")).color(palette.accent);
+    let [text, name] = counted(count - halted, halted);
+    let text = RichText::new(text).color(palette.accent);
     let response =
         ui.button(text).on_hover_text("What is being worked out; also beside other screens");
-    let name =
-        if count == 1 { "1 job at work".to_owned() } else { format!("{count} jobs at work") };
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.clone()));
     egui::Popup::menu(&response)
         .id(id)
         .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside)
         .show(|ui| {
             ui.set_width(WIDTH);
-            running().for_each(|job| line(ui, job.as_ref(), palette));
+            shown().for_each(|job| line(ui, job.as_ref(), palette));
         });
 }
 
@@ -40,18 +53,33 @@ fn line(ui: &mut Ui, job: &dyn Listed, palette: &Palette) {
     // The part that is not done yet is to be seen on the light list too.
     ui.visuals_mut().extreme_bg_color = palette.line;
     let (progress, left_s) = job.progress();
+    let halted = job.is_halted();
     ui.horizontal(|ui| {
         ui.strong(job.name());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let (name, help) = (format!("Stop {}", job.name()), "Stands still; what is done stays");
-            if icon::button(ui, Icon::Close, &name, help, true).clicked() {
-                job.stop();
+            if halted {
+                let name = format!("Go on with {}", job.name());
+                if icon::button(ui, Icon::Play, &name, "Goes on where it was stopped", true)
+                    .clicked()
+                {
+                    job.go_on();
+                }
+            } else {
+                let name = format!("Stop {}", job.name());
+                let help = "Stands still; what is found stays, and it can go on from here";
+                if icon::button(ui, Icon::Pause, &name, help, true).clicked() {
+                    job.halt();
+                }
             }
         });
     });
     ui.add(ProgressBar::new(progress.share() as f32).desired_width(WIDTH).desired_height(8.0));
-    let left = left_s.map_or(String::new(), |left_s| format!(", {} left", time(left_s)));
-    ui.label(RichText::new(format!("{progress}{left}")).color(palette.weak));
+    let state = match left_s {
+        _ if halted => format!("stopped at {progress}: what is found stays"),
+        Some(left_s) => format!("{progress}, {} left", time(left_s)),
+        None => progress.to_string(),
+    };
+    ui.label(RichText::new(state).color(palette.weak));
     ui.add_space(4.0);
 }
 
@@ -68,7 +96,14 @@ pub fn time(s: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::time;
+    use super::{counted, time};
+
+    #[test]
+    fn the_button_tells_what_is_stopped_from_what_goes_on() {
+        assert_eq!(counted(1, 0), ["1 at work", "1 job at work"]);
+        assert_eq!(counted(0, 2), ["2 stopped", "2 jobs stopped"]);
+        assert_eq!(counted(2, 1)[1], "jobs: 2 at work, 1 stopped");
+    }
 
     #[test]
     fn times_have_the_unit_that_fits() {

@@ -63,7 +63,7 @@ impl Panel for ComparePanel {
 impl ComparePanel {
     fn page(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let palette = Palette::at(ui);
-        controls::show(ui, &mut self.contests);
+        controls::show(ui, &mut self.contests, view.session.edits().list().len());
         let printed = self.contests.is_table_1();
         let Some(contest) = self.contests.shown() else {
             // A set-up that is refused says why above.
@@ -79,14 +79,14 @@ impl ComparePanel {
         let compared = contest.table();
         ui.add_space(4.0);
         if view.narrow {
-            table::cards(ui, contest.entrants(), compared, printed, commands);
+            table::cards(ui, contest, printed, commands);
         } else {
-            table::table(ui, contest.entrants(), compared, printed, commands);
+            table::table(ui, contest, printed, commands);
         }
-        let sheet = || sheets::compared(compared, printed);
+        let sheet = || sheets::compared(contest.entrants(), compared, contest.reference(), printed);
         save_table(ui, "comparison", sheet, commands);
         ui.add_space(8.0);
-        boxes::show(ui, &contest.runs(), compared, &mut self.measure, printed);
+        boxes::show(ui, contest, &mut self.measure, printed);
         step::show(ui, contest, printed, commands);
         claims::show(ui, compared, contest.transients(), printed);
         robust::show(ui, &mut self.contests.robust, view.jobs, commands);

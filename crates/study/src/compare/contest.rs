@@ -62,6 +62,8 @@ pub struct ContestSoFar {
     pub transients: Vec<Transient>,
     /// The table.
     pub table: Vec<Compared>,
+    /// How many entrants take the load step, which comes first.
+    pub stepping: usize,
     /// How far the tournament is.
     pub runs: Progress,
 }
@@ -80,18 +82,15 @@ impl Job for ContestJob {
         self.steps.advance(self.stepping, budget, &making) && self.tournament.advance(budget)
     }
 
+    /// Of the runs over the seeds: a load step takes a small part of the time of one of them.
     fn progress(&self) -> Progress {
-        let tournament = self.tournament.progress();
-        Progress {
-            done: self.steps.progress() + tournament.done,
-            total: self.stepping as f64 + tournament.total,
-            ..tournament
-        }
+        self.tournament.progress()
     }
 
     fn partial(&self) -> ContestSoFar {
         ContestSoFar {
             transients: self.transients().to_vec(),
+            stepping: self.stepping,
             table: self.tournament.table(),
             runs: self.tournament.progress(),
         }

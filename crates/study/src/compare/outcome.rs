@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::base::units::percent_from_ratio;
+use crate::blocks::reference::Reference;
 use crate::run::one_run::{End, Run};
 use crate::run::signals::{Row, flag};
 
@@ -26,7 +27,7 @@ steadycut_core::choice! {
         /// Largest force.
         Force = "max_force_kn", "Largest force";
         /// Fraction of the length in contact with the target in tolerance.
-        InTolerance = "in_tolerance_percent", "Target in tolerance";
+        InTolerance = "in_tolerance_percent", "In tolerance";
         /// Fraction of the control samples in contact, and not at a limit of the feed, whose force lies
         /// within 10 % of the desired one.
         Held = "held_percent", "Force within 10 %";
@@ -39,6 +40,25 @@ steadycut_core::choice! {
 }
 
 impl Measure {
+    /// Its name with what it is of, where `reference` is to be held: Ra or the force.
+    #[must_use]
+    pub fn name(self, reference: Reference) -> &'static str {
+        match (self, reference) {
+            (Self::InTolerance, Reference::Ra) => "Ra in tolerance",
+            (Self::InTolerance, Reference::Force) => "Force in tolerance",
+            (
+                Self::Nsn
+                | Self::Nsn20
+                | Self::Time
+                | Self::Force
+                | Self::Held
+                | Self::Recovery
+                | Self::Travel,
+                _,
+            ) => self.label(),
+        }
+    }
+
     /// Its unit; empty for a pure number.
     #[must_use]
     pub fn unit(self) -> &'static str {
@@ -70,7 +90,7 @@ impl Measure {
 }
 
 /// What one run gave.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Outcome {
     /// Normalised standard error over all samples in contact; none without contact.
     pub nsn: Option<f64>,
@@ -90,6 +110,8 @@ pub struct Outcome {
     pub override_travel_percent_s: f64,
     /// Whether an overload or a crash stopped the machine.
     pub force_stop: bool,
+    /// Digest of the run, which anybody can recompute.
+    pub digest: String,
 }
 
 impl Outcome {
@@ -116,6 +138,7 @@ impl Outcome {
             recovery_periods: longest_overload(&samples) as f64,
             override_travel_percent_s: steps.sum::<f64>() / longest_s,
             force_stop: matches!(run.end(), Some(End::Overload(_) | End::Crash(_))),
+            digest: recording.digest(),
         }
     }
 

@@ -27,6 +27,8 @@ pub struct Compared {
     pub force_stops: usize,
     /// Runs of them that came to the end of the part.
     pub finished: usize,
+    /// Digest of its run of seed 1, once that is done.
+    pub digest: Option<String>,
     /// Spread of each measure by its id; none where no run has given the value yet.
     spreads: BTreeMap<&'static str, Spread>,
 }
@@ -120,19 +122,30 @@ impl Tournament {
             runs: self.outcomes(entrant).count(),
             force_stops: self.outcomes(entrant).filter(|outcome| outcome.force_stop).count(),
             finished: self.outcomes(entrant).filter(|outcome| outcome.time_s.is_some()).count(),
+            digest: self.outcomes(entrant).next().map(|outcome| outcome.digest.clone()),
             spreads: spreads.collect(),
         }
     }
 }
 
-/// The scenario of run `index`.
-fn scenario(entrants: &[Entrant], index: usize) -> Scenario {
-    let scenario = entrants[index % entrants.len()].scenario.with(|settings| {
-        settings.run.seed = 1 + (index / entrants.len()) as u32;
+/// What an entrant's run of a seed is of.
+///
+/// # Panics
+/// Never: no rule joins seed and recording with others.
+#[must_use]
+pub fn scenario_of(entrant: &Scenario, seed: u32) -> Scenario {
+    let scenario = entrant.with(|settings| {
+        settings.run.seed = seed;
         // A row for every control sample is what the measures need.
         settings.run.record_every = settings.run.steps_per_control;
     });
     scenario.expect("any seed, and a row a control period, go with any scenario")
+}
+
+/// The scenario of run `index`.
+fn scenario(entrants: &[Entrant], index: usize) -> Scenario {
+    let seed = 1 + (index / entrants.len()) as u32;
+    scenario_of(&entrants[index % entrants.len()].scenario, seed)
 }
 
 /// A step is one of the plant in one of the runs.
@@ -195,6 +208,9 @@ mod tests {
             assert_eq!((compared.runs, compared.force_stops, compared.finished), (3, 0, 0));
             assert_eq!(compared.get(Measure::Time), None, "the path is longer than two seconds");
         }
+        // Anybody can repeat the run that the digest is of.
+        let first = Run::complete(&scenario_of(&entrants()[1].scenario, 1), &Edits::none());
+        assert_eq!(whole.table()[1].digest, Some(first.recording().digest()));
         let pi = whole.table()[1].get(Measure::Nsn).unwrap();
         assert!(pi.deviation > 0.0, "three seeds differ");
         // The constant feed does not touch the override; the PI controller does.

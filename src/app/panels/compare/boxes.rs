@@ -4,6 +4,7 @@
 use egui::{Role, Stroke, Ui, WidgetInfo};
 use egui_plot::{BoxElem, BoxPlot, BoxSpread, MarkerShape, Points};
 
+use super::contest::Contest;
 use super::table::{printed_of, title, value};
 use crate::app::theme::Palette;
 use crate::app::widgets::legend;
@@ -11,7 +12,6 @@ use crate::app::widgets::plot::{grid, still};
 use crate::app::widgets::touch;
 use crate::run::job::Progress;
 use crate::study::compare::outcome::Measure;
-use crate::study::compare::tournament::Compared;
 
 /// Height of a box with its gap, and of the axis, points.
 const ROW: f32 = 34.0;
@@ -20,19 +20,14 @@ const AXIS: f32 = 34.0;
 const WIDTH: f64 = 0.5;
 
 /// The choice of the measure and the plot.
-pub fn show(
-    ui: &mut Ui,
-    runs: &Progress,
-    compared: &[Compared],
-    measure: &mut Measure,
-    belongs: bool,
-) {
+pub fn show(ui: &mut Ui, contest: &Contest, measure: &mut Measure, belongs: bool) {
     let palette = Palette::at(ui);
+    let (compared, reference) = (contest.table(), contest.reference());
     ui.horizontal_wrapped(|ui| {
         ui.strong("Spread over the seeds:");
         for one in Measure::ALL {
-            let response = touch::choice(ui, *measure == *one, one.label());
-            let (is, name) = (*measure == *one, format!("Spread of {}", one.label()));
+            let response = touch::choice(ui, *measure == *one, one.name(reference));
+            let (is, name) = (*measure == *one, format!("Spread of {}", one.name(reference)));
             response.widget_info(|| WidgetInfo::selected(Role::Button, true, is, name.clone()));
             if response.clicked() {
                 *measure = *one;
@@ -94,7 +89,7 @@ pub fn show(
             let mark = |k: usize| egui_plot::GridMark { value: k as f64, step_size: 1.0 };
             (0..rows).map(mark).collect()
         })
-        .x_axis_label(title(measure))
+        .x_axis_label(title(measure, reference))
         .y_axis_formatter(move |mark, _| {
             names.get(mark.value.round() as usize).cloned().unwrap_or_default()
         })
@@ -123,9 +118,10 @@ pub fn show(
             plot.points(dots("printed", printed, palette.reference, MarkerShape::Diamond));
         })
         .response;
-    let Progress { done, total: all, .. } = *runs;
+    let Progress { done, total: all, .. } = contest.runs();
     response.widget_info(|| {
-        let label = format!("Box plots of {}, {:.0} of {all} runs", title(measure), done.floor());
+        let title = title(measure, reference);
+        let label = format!("Box plots of {title}, {:.0} of {all} runs", done.floor());
         WidgetInfo::labeled(Role::Figure, true, label)
     });
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::app::jobs::{Jobs, Work};
 use crate::base::settings::{SettingError, Value};
 use crate::blocks::cutting::material::Material;
+use crate::blocks::reference::Reference;
 use crate::run::job::Progress;
 use crate::run::scenario::Scenario;
 use crate::study::compare::contest::{ContestJob, ContestSoFar};
@@ -142,6 +143,17 @@ impl Contest {
     /// Who takes part.
     pub fn entrants(&self) -> &[Entrant] {
         &self.entrants
+    }
+
+    /// What is to be held: Ra or the force.
+    pub fn reference(&self) -> Reference {
+        self.base.target.reference
+    }
+
+    /// How many load steps are done and to be done, where they are under way before the runs.
+    pub fn load_steps(&self) -> Option<[usize; 2]> {
+        let (done, all) = (self.latest.transients.len(), self.latest.stepping);
+        (done < all).then_some([done, all])
     }
 
     /// How the entrants took the load step, as far as they have.

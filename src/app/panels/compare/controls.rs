@@ -3,6 +3,7 @@
 use egui::{Label, ProgressBar, RichText, Role, Ui, WidgetInfo};
 
 use super::contest::{ContestDeadTime, ContestPart, Contests, Stock, methods};
+use crate::app::jobs::time_left;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::number::NumberField;
@@ -14,8 +15,8 @@ use crate::run::job::Progress;
 /// Least and most seeds.
 const SEEDS: [u32; 2] = [1, 500];
 
-/// The rows of choices above the table.
-pub fn show(ui: &mut Ui, contests: &mut Contests) {
+/// The rows of choices above the table; the open scenario has so many changes in its running cut.
+pub fn show(ui: &mut Ui, contests: &mut Contests, edits: usize) {
     let palette = Palette::at(ui);
     let setup = &mut contests.setup;
     choose(ui, "Part", ContestPart::ALL, ContestPart::OPTIONS, ContestPart::label, &mut setup.part);
@@ -73,14 +74,30 @@ pub fn show(ui: &mut Ui, contests: &mut Contests) {
             ui.add(
                 ProgressBar::new(progress.share() as f32).desired_width(120.0).desired_height(10.0),
             );
+            let left = contest
+                .work
+                .left_s()
+                .map_or(String::new(), |left_s| format!(", {} left", time_left(left_s)));
+            // The same counts as in the list of what goes on.
             let state = match (over, running) {
                 (true, _) => "done".to_owned(),
-                (false, true) => format!("run {:.0} of {all}", done.floor() + 1.0),
+                (false, true) => match contest.load_steps() {
+                    Some([steps, of]) => format!("load step {steps} of {of}, then {all} runs"),
+                    None => format!("{progress}{left}"),
+                },
                 (false, false) => format!("{:.0} of {all} runs done", done.floor()),
             };
             ui.add(Label::new(RichText::new(state).color(palette.weak)).extend());
         }
     });
+    if edits > 0 && contests.setup.part == ContestPart::Open {
+        let what = if edits == 1 { "change" } else { "changes" };
+        let text = format!(
+            "The scenario is compared as it starts: {edits} {what} in its running cut left out, since \
+             every way of control would have others."
+        );
+        Standing::Watch.label(ui, &text, |text| text);
+    }
     for problem in contests.said.iter().chain(&contests.refused) {
         Standing::Bad.label(ui, problem, |text| text);
     }

@@ -1,6 +1,6 @@
 //! The load step: how long each way of control takes until the force is back.
 
-use egui::{RichText, Ui};
+use egui::{RichText, ScrollArea, TextWrapMode, Ui};
 
 use super::contest::Contest;
 use super::sheets;
@@ -32,6 +32,16 @@ pub fn show(ui: &mut Ui, contest: &Contest, belongs: bool, commands: &mut Vec<Co
         ui.weak("Not run yet: it comes first when the comparison runs.");
         return;
     }
+    ScrollArea::horizontal().id_salt("load step").show(ui, |ui| {
+        ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+        steps(ui, contest, belongs);
+    });
+    let sheet = || sheets::load_step(contest.transients(), belongs);
+    save_table(ui, "load-step", sheet, commands);
+}
+
+fn steps(ui: &mut Ui, contest: &Contest, belongs: bool) {
+    let palette = Palette::at(ui);
     touch::grid(ui, "load step").striped(true).spacing([16.0, 4.0]).show(ui, |ui| {
         for title in ["Control", "Periods", "Overshoot", "Left over", "Printed"] {
             ui.strong(title);
@@ -49,6 +59,4 @@ pub fn show(ui: &mut Ui, contest: &Contest, belongs: bool, commands: &mut Vec<Co
             ui.end_row();
         }
     });
-    let sheet = || sheets::load_step(contest.transients(), belongs);
-    save_table(ui, "load-step", sheet, commands);
 }
