@@ -11,7 +11,7 @@ mod change;
 use super::cut::{Cut, Ghost};
 use super::playback::Playback;
 use super::twin::{self, Comparison};
-use crate::run::constant_feed_twin;
+use crate::run::constant_feed_twin::{self, SharedEdits};
 use crate::run::edits::{Edits, Unfit};
 use crate::run::one_run::End;
 use crate::run::scenario::Scenario;
@@ -22,6 +22,8 @@ use crate::run::story::Story;
 const TICKS_PER_FRAME: u64 = 60_000;
 /// The same tooth by tooth, where a tick costs some ten times as much.
 const TOOTH_TICKS_PER_FRAME: u64 = 12_000;
+/// Edits that the twin meets in one frame at most: it is cut again from each of them on.
+const EDITS_PER_FRAME: usize = 4;
 /// Steps of undo that are kept.
 const MAX_UNDO: usize = 200;
 /// Messages that are kept.
@@ -51,6 +53,10 @@ pub struct Session {
     plan: Plan,
     chosen: Cut,
     twin: Cut,
+    /// Where the twin meets the edits that it shares.
+    shared: SharedEdits,
+    /// Counts the edits that the twin has met.
+    met: u64,
     ghost: Option<Ghost>,
     playback: Playback,
     undo: Vec<Plan>,
@@ -71,7 +77,7 @@ pub struct Session {
     changes: u64,
 }
 
-/// What a comparison or a story was made of: number of changes, rows (of a comparison those revealed),
+/// What a comparison or a story was made of: number of changes and of edits that the twin has met, rows (of a comparison those revealed),
 /// rows of the twin.
 type Compared = (u64, usize, usize);
 
@@ -81,14 +87,15 @@ impl Session {
     pub fn new(scenario: Scenario, edits: Edits) -> Self {
         let (edits, unfit) = edits.fitted(&scenario);
         let chosen = Cut::new(&scenario, &edits);
-        let twin_edits = constant_feed_twin::edits(&edits);
-        let twin = Cut::new(&constant_feed_twin::scenario(&scenario), &twin_edits);
+        let twin = Cut::new(&constant_feed_twin::scenario(&scenario), &Edits::none());
         let comparison = twin::compare(chosen.run(), 1, twin.run());
         let mut session = Self {
             current: scenario.clone(),
             plan: (scenario, edits),
             chosen,
             twin,
+            shared: SharedEdits::default(),
+            met: 0,
             ghost: None,
             playback: Playback::from_start(),
             undo: Vec::new(),
@@ -238,6 +245,7 @@ impl Session {
                 cut.advance(ticks);
             }
         }
+        self.meet();
         self.playback.advance(dt_s, self.chosen.simulated_s(), self.chosen.is_over());
         self.since_comparison_s += dt_s;
         self.refresh();
@@ -259,7 +267,8 @@ impl Session {
     }
 
     fn to_compare(&self) -> Compared {
-        (self.changes, self.revealed().len(), self.twin.run().recording().rows().len())
+        let rows = self.twin.run().recording().rows().len();
+        (self.changes + self.met, self.revealed().len(), rows)
     }
 
     /// Ends the step of undo that a drag has opened.
@@ -320,10 +329,22 @@ impl Session {
         self.tell();
     }
 
+    /// Lets the twin meet the next edits at their places, once both runs have come there.
+    fn meet(&mut self) {
+        for _ in 0..EDITS_PER_FRAME {
+            if self.shared.place(self.chosen.run(), self.twin.run()).is_none() {
+                return;
+            }
+            self.met += 1;
+            self.twin.change(&constant_feed_twin::scenario(&self.plan.0), &self.shared.edits());
+            self.twin.advance(TICKS_PER_FRAME);
+        }
+    }
+
     /// Tells the story anew where the runs are others or longer than when it was told.
     fn tell(&mut self) {
         let rows = |cut: &Cut| cut.run().recording().rows().len();
-        let now = (self.changes, rows(&self.chosen), rows(&self.twin));
+        let now = (self.changes + self.met, rows(&self.chosen), rows(&self.twin));
         if self.told != now {
             self.told = now;
             let twin = Some(self.twin.run());

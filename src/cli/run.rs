@@ -14,7 +14,7 @@ use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::models::formula_model::FormulaModel;
 use crate::models::genetic::{Calibration, FormulaSettings};
-use crate::run::constant_feed_twin;
+use crate::run::constant_feed_twin::BesideRun;
 use crate::run::edits::Edits;
 use crate::run::job::Job;
 use crate::run::metrics::Metrics;
@@ -162,9 +162,9 @@ pub fn execute(args: &RunArgs) -> Outcome {
 
 /// The story of a run, with that of the same cut at constant feed beside it.
 fn story_of(run: &Run, quiet: bool) -> Result<Story, Box<dyn std::error::Error>> {
-    let mut twin = constant_feed_twin::of(run.scenario(), run.edits());
-    progress::work(&mut twin, "constant feed", quiet)?;
-    Ok(Story::of(run, Some(&twin)))
+    let mut beside = BesideRun::new(run);
+    progress::work(&mut beside, "constant feed", quiet)?;
+    Ok(Story::of(run, Some(beside.twin())))
 }
 
 /// The forces within the last revolution before `at_s`, as CSV.

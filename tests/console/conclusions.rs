@@ -148,7 +148,8 @@ fn a_cut_that_swung_says_from_when_to_when_and_gets_no_tick() {
 fn a_change_without_transient_is_called_so() {
     let sets = [("controller.kind", Value::Text("constant_feed".into()))];
     let shown = texts(&ended("first-cut", &sets));
-    assert!(shown.contains("no transient\nbeyond ±2.0 %"), "{shown}");
+    assert!(shown.contains("settles at once (±2.0 %)"), "{shown}");
+    assert!(shown.contains("no transient"), "{shown}");
     assert!(!shown.contains("0.00 s (") && !shown.contains("overshoot"), "{shown}");
 }
 
@@ -246,14 +247,14 @@ fn the_plan_s_values_make_no_score_better_that_the_cut_did_not() {
     }
 }
 
-/// Why does the dashed line step earlier or later? It goes by time, and says so.
+/// How good was constant feed there? Its line stands at the same place of the part as the cut's, and says so.
 #[test]
-fn the_line_of_constant_feed_says_that_it_goes_by_time() {
+fn the_line_of_constant_feed_goes_by_place_and_says_so() {
     let mut screen = screen::open("first-cut", DESKTOP, "Console", &[]);
     screen.run_steps(20);
     let entry = screen.get_all_by_role_and_label(Role::CheckBox, "constant feed").last();
     entry.unwrap().hover();
     screen.run_steps(30);
     let shown = texts(&screen);
-    assert!(shown.contains("earlier or later than the cut"), "{shown}");
+    assert!(shown.contains("drawn at the same place of the part"), "{shown}");
 }

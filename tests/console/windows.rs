@@ -383,7 +383,7 @@ fn the_windows_look_as_their_pictures() {
 fn depths_entered_behind_the_tool_say_from_where_they_act() {
     for size in [DESKTOP, PHONE] {
         let mut screen = at("first-cut", size, None, 4);
-        open_window(&mut screen, size, &WORKPIECE, "Edit cuts\u{2026}");
+        open_window(&mut screen, size, &WORKPIECE, "Edit depths\u{2026}");
         let at_mm = session(&screen).row().position_mm;
         let shown = texts(&screen);
         assert!(at_mm > 1.0 && shown.contains(&format!("The tool is at {at_mm:.2} mm")), "{shown}");

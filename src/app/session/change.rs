@@ -327,14 +327,16 @@ impl Session {
             self.ghost = Some(Ghost { from_s, traces: self.chosen.traces().clone() });
         }
         self.chosen.change(&plan.0, &plan.1);
-        let edits = constant_feed_twin::edits(&plan.1);
-        self.twin.change(&constant_feed_twin::scenario(&plan.0), &edits);
+        // Places after the change are others; the twin meets them anew.
+        self.shared.truncate(from_s);
+        self.twin.change(&constant_feed_twin::scenario(&plan.0), &self.shared.edits());
         let before = std::mem::replace(&mut self.plan, plan);
         self.changes += 1;
         // The picture of this frame shall already show what the change does at the playhead.
         for cut in [&mut self.chosen, &mut self.twin] {
             cut.advance(TICKS_PER_FRAME);
         }
+        self.meet();
         let end_s = self.chosen.simulated_s();
         if self.playback.at_end {
             self.playback.playhead_s = end_s;

@@ -4,6 +4,7 @@
 mod content;
 mod curves;
 mod envelope;
+mod places;
 mod reading;
 
 use egui::Ui;

@@ -120,6 +120,12 @@ impl Edits {
         Self(self.0.iter().filter(|edit| wanted(edit)).cloned().collect())
     }
 
+    /// These edits at other times in s, in the same order, unchecked: one for each.
+    #[must_use]
+    pub(super) fn at_times(edits: impl IntoIterator<Item = (Edit, f64)>) -> Self {
+        Self(edits.into_iter().map(|(edit, at_s)| Edit { at_s, ..edit }).collect())
+    }
+
     /// Those of these edits that fit another base, and those that do not, with the reason.
     #[must_use]
     pub fn fitted(&self, base: &Scenario) -> (Self, Vec<Unfit>) {

@@ -5,7 +5,7 @@ use steadycut_core::blocks::control::ControllerKind;
 use steadycut_core::run::edits::{Edit, Edits};
 use steadycut_core::run::one_run::Run;
 use steadycut_core::run::scenario::Scenario;
-use steadycut_core::run::signals::flag;
+use steadycut_core::run::signals::{Row, flag};
 use steadycut_core::run::story::{
     Cause, ChangeEffect, ChatterEnd, EventKind, Figures, LimitedCommand, ResponseEnd, Story,
     StoryEvent,
@@ -27,8 +27,7 @@ fn quiet(sets: &[(&str, Value)]) -> Scenario {
 
 fn told_with(scenario: &Scenario, edits: &Edits) -> (Run, Story) {
     let run = Run::complete(scenario, edits);
-    let mut twin = constant_feed_twin::of(scenario, edits);
-    twin.advance(u64::MAX);
+    let twin = constant_feed_twin::beside(&run);
     let story = Story::of(&run, Some(&twin));
     (run, story)
 }
@@ -192,6 +191,49 @@ fn a_change_of_the_target_and_of_a_setting_are_told_with_both_values() {
     };
     assert_eq!((path.as_str(), to.as_str()), ("plant.hardness_hb", "280 HB"));
     assert_ne!(from, to);
+}
+
+/// The twin ends in half of the time: what is changed after that is changed at its place, too.
+#[test]
+fn constant_feed_meets_a_change_at_the_place_where_the_cut_does() {
+    let scenario = changed(
+        "first-cut",
+        &[
+            ("noise.level", Value::Float(0.0)),
+            ("program.feed_mm_min", Value::Float(800.0)),
+            ("workpiece.depth_steps", Value::List(Vec::new())),
+        ],
+    );
+    let mut edits = Edits::none();
+    for (at_s, path, value) in [
+        (5.0, "plant.hardness_hb", 230.0),
+        (40.0, "controller.sdnrp.kp", 0.6),
+        (45.0, "workpiece.axial_depth_mm", 2.2),
+    ] {
+        edits
+            .push(&scenario, Edit { at_s, path: path.to_owned(), value: Value::Float(value) })
+            .unwrap();
+    }
+    let run = Run::complete(&scenario, &edits);
+    let twin = constant_feed_twin::beside(&run);
+    let rows = |run: &Run| run.recording().rows().to_vec();
+    let (cut, alone) = (rows(&run), rows(&twin));
+    let ended_s = alone.last().unwrap().time_s;
+    assert!(ended_s < 40.0, "{ended_s}");
+    // The depth of both is the same at each place, to a step of feed.
+    for [at_mm, depth_mm] in [[100.0, 2.0], [290.0, 2.2]] {
+        let at =
+            |rows: &[Row]| rows[rows.partition_point(|row| row.position_mm < at_mm)].axial_depth_mm;
+        assert_eq!([at(&cut), at(&alone)], [depth_mm; 2], "at {at_mm} mm");
+    }
+    let step = |rows: &[Row]| rows.iter().find(|row| row.axial_depth_mm > 2.1).unwrap().position_mm;
+    assert!((step(&cut) - step(&alone)).abs() < 0.03, "{} and {}", step(&cut), step(&alone));
+    // And the story can compare before and after it.
+    let story = Story::of(&run, Some(&twin));
+    let changes = of_kind(&story, EventKind::DepthStep);
+    let told = effect(changes[0]);
+    let (before, after) = (told.twin_before.unwrap(), told.twin_after.unwrap());
+    assert!((after.force_n / before.force_n - 1.1).abs() < 1e-3, "{told:#?}");
 }
 
 fn response(sets: &[(&str, Value)]) -> (Story, ResponseEnd) {

@@ -138,7 +138,7 @@ fn figure_lines(ui: &mut Ui, figure: &Figure) {
 }
 
 /// Width of a mean with its sign and deviation, points.
-const FIGURE_WIDTH: f32 = 108.0;
+const FIGURE_WIDTH: f32 = 96.0;
 
 /// The button that loads an entrant's scenario into the console.
 fn load(ui: &mut Ui, entrants: &[Entrant], index: usize, commands: &mut Vec<Command>) {
@@ -174,7 +174,7 @@ pub fn table(ui: &mut Ui, contest: &Contest, belongs: bool, commands: &mut Vec<C
     let (entrants, compared) = (contest.entrants(), contest.table());
     ScrollArea::horizontal().id_salt("compared").show(ui, |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-        touch::grid(ui, "compared").striped(true).spacing([18.0, 6.0]).show(ui, |ui| {
+        touch::grid(ui, "compared").striped(true).spacing([14.0, 6.0]).show(ui, |ui| {
             ui.strong("Control");
             ui.label("");
             for measure in Measure::ALL {

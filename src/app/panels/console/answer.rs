@@ -106,16 +106,17 @@ impl Answer {
 
 /// How it came to rest: settling and overshoot, or that there was nothing of the kind.
 fn transient(response: &StepResponse, narrow: bool) -> [String; 2] {
+    let settling = match response.settling_time_s {
+        Some(settling_s) if !response.is_without_transient() => {
+            format!("settles in {}", format::quantity(settling_s, "s"))
+        }
+        Some(_) | None => "settles at once".to_owned(),
+    };
     let band = format::quantity(response.settling_band_percent.unwrap_or_default(), "%");
-    let Some(settling_s) = response.settling_time_s.filter(|_| !response.is_without_transient())
-    else {
-        return ["no transient".to_owned(), format!("beyond ±{band}")];
-    };
-    let settling = format::quantity(settling_s, "s");
-    let settled = match narrow {
-        true => format!("settles in {settling}"),
-        false => format!("settles in {settling} (±{band})"),
-    };
-    let overshoot = response.overshoot_percent.unwrap_or_default();
-    [settled, format!("overshoot {}", format::quantity(overshoot, "%"))]
+    let settled = if narrow { settling } else { format!("{settling} (±{band})") };
+    let overshoot = response.overshoot_percent.filter(|_| !response.is_without_transient());
+    let overshoot = overshoot.map_or("no transient".to_owned(), |overshoot| {
+        format!("overshoot {}", format::quantity(overshoot, "%"))
+    });
+    [settled, overshoot]
 }

@@ -60,9 +60,9 @@ pub(super) const ALL: &str = "all";
 /// The legend's name of the twin.
 pub(super) const TWIN: &str = "constant feed";
 /// What the twin's line is, where it is hovered.
-pub(super) const TWIN_HELP: &str = "The same part cut at the programmed feed, without a controller, at the \
-    same time. It moves at another feed, so it comes to each place of the part, and to its steps, \
-    earlier or later than the cut.";
+pub(super) const TWIN_HELP: &str = "The same part cut at the programmed feed, without a controller, drawn at \
+    the same place of the part: its steps and changes come where those of the cut do. It moves at another \
+    feed, so it took another time to get there.";
 /// The legend's name of the run before the last change.
 pub(super) const GHOST: &str = "before";
 /// What that line is, where it is hovered.

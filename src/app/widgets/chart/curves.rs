@@ -4,6 +4,7 @@ use egui_plot::FilledArea;
 
 use super::content::{ALL, Axes, Chart, FUTURE, GHOST, TWIN, index};
 use super::envelope::Curve;
+use super::places::Places;
 use crate::app::cut::Cut;
 use crate::app::session::Session;
 use crate::app::theme::{Look, Palette};
@@ -18,15 +19,16 @@ pub(super) fn fit_values(chart: &Chart, session: &Session, zoomed: Option<[f64; 
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     let mut join = |value: f64| range = [range[0].min(value), range[1].max(value)];
     let times = zoomed.unwrap_or([0.0, f64::INFINITY]);
-    let mut of = |cut: &Cut, signal: &str| {
+    let mut of = |cut: &Cut, signal: &str, times: [f64; 2]| {
         let rows = cut.run().recording().rows();
         let points = cut.traces().points(index(signal), times, usize::MAX, BUCKETS, Some(rows));
         points.iter().for_each(|[_, value]| join(*value));
     };
     for curve in chart.curves {
-        of(session.chosen(), curve.signal);
+        of(session.chosen(), curve.signal, times);
         if curve.compared {
-            of(session.twin(), curve.signal);
+            let places = Places::of(session);
+            of(session.twin(), curve.signal, times.map(|time_s| places.of_twin(time_s)));
         }
     }
     if zoomed.is_none() {
@@ -121,8 +123,11 @@ pub(super) fn lines(
         let label = SIGNALS[index(curve.signal)].label;
         let chosen = session.chosen();
         if curve.compared && compared(TWIN) {
-            let end = session.twin().run().recording().index_at(playhead_s) + 1;
-            let points = visible(session.twin(), curve.signal, range, end, width);
+            let places = Places::of(session);
+            let end = places.rows_of_twin(playhead_s);
+            let there = range.map(|time_s| places.of_twin(time_s));
+            let points = visible(session.twin(), curve.signal, there, end, width);
+            let points = places.at_the_cut(points);
             lines.extend(line(&format!("{label}, {TWIN}"), Look::Twin, points));
         }
         if curve.compared

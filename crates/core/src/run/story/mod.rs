@@ -12,8 +12,7 @@
 //!
 //! let scenario = presets::load("depth-step").unwrap();
 //! let run = Run::complete(&scenario, &Edits::none());
-//! let mut twin = constant_feed_twin::of(&scenario, &Edits::none());
-//! twin.advance(u64::MAX);
+//! let twin = constant_feed_twin::beside(&run);
 //! let story = Story::of(&run, Some(&twin));
 //! let step = story.events.iter().find(|event| event.id == EventKind::DepthStep).unwrap();
 //! println!("{:.2} s: {}", step.from_s, step.sentence);
