@@ -92,13 +92,16 @@ fn state(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
     let progress = view.session.progress();
     if let Some(end) = view.session.finished() {
+        let swung = view.session.story().has_swung();
         let standing = match end {
+            End::PathDone if swung => Standing::Watch,
             End::PathDone => Standing::Good,
             End::TimeLimit => Standing::Watch,
             End::Overload(_) | End::Crash(_) | End::Fault(_) | End::Refused(_) => Standing::Bad,
         };
         // Whole, on the next line where this one has no room for it.
-        let text = RichText::new(end.to_string()).strong();
+        let how = if swung { ", not steady" } else { "" };
+        let text = RichText::new(format!("{end}{how}")).strong();
         standing.line(ui, text, TextWrapMode::Extend);
         if ui.button("Restart the cut").on_hover_text("Space does the same").clicked() {
             commands.push(Command::Playback(PlaybackCommand::Restart));

@@ -132,7 +132,8 @@ fn a_cut_that_swung_says_from_when_to_when_and_gets_no_tick() {
         let error = last.remaining_error_percent.unwrap();
         assert!(error.abs() < 10.0, "the end itself is calm: {last:?}");
         let shown = texts(&screen);
-        assert!(shown.contains("unstable 3.6 to 20.0 s"), "{shown}");
+        let was = if size == PHONE { "unstable\n" } else { "unstable 3.6 to 20.0 s" };
+        assert!(shown.contains(was) && shown.contains("3.6 to 20.0 s\n"), "{shown}");
         assert!(
             shown.contains("It was unstable from 3.5") && shown.contains(" to 20.0"),
             "{shown}"
@@ -140,6 +141,20 @@ fn a_cut_that_swung_says_from_when_to_when_and_gets_no_tick() {
         let told = format!("{error:+.1} %");
         let verdict = shown.lines().find(|line| line.starts_with(&told)).unwrap();
         assert!(verdict.ends_with("to be looked at"), "{verdict}");
+        assert!(shown.contains("Cut finished, not steady"), "{shown}");
+        // Nor does the surface get one where it swings through its target.
+        let mut screen = screen;
+        let mut within = 0;
+        for step in 0..12 {
+            seek(&mut screen, 15.0 + 0.05 * f64::from(step));
+            let row = *session(&screen).row();
+            let is_within = (row.ra_um / row.ra_target_um - 1.0).abs() < 0.1;
+            within += u32::from(is_within);
+            let shown = texts(&screen);
+            let good = |line: &str| line.ends_with(" µm as it should be");
+            assert!(!is_within || !shown.lines().any(good), "{shown}");
+        }
+        assert!(within > 0, "it swings through its target");
     }
 }
 
@@ -158,7 +173,8 @@ fn a_change_without_transient_is_called_so() {
 fn what_the_model_cannot_judge_is_not_judged_and_not_drawn() {
     let screen = ended("chatter", &[]);
     let shown = texts(&screen);
-    assert!(shown.contains("not judged\noutside the model"), "{shown}");
+    assert!(shown.contains("not judged") && shown.contains("\noutside the model"), "{shown}");
+    assert!(shown.contains("chattered 3.7 to 7.3 s"), "{shown}");
     assert!(!shown.contains("not at rest"), "{shown}");
     assert!(shown.contains("It chattered from 3."), "{shown}");
     let metrics = &session(&screen).comparison().chosen;

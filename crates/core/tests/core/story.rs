@@ -394,13 +394,13 @@ fn a_cut_that_swung_or_chattered_says_so_at_its_end() {
         edits.push(&scenario, edit).unwrap();
     }
     let (_, story) = told_with(&scenario, &edits);
-    let spans = story.unstable_until(1e9);
+    let spans = story.stretches_until(EventKind::LimitCycle, 1e9);
     let [[from_s, to_s]] = spans[..] else { panic!("{spans:?}") };
     assert!((3.0..4.5).contains(&from_s) && (to_s - 20.0).abs() < 0.1, "{spans:?}");
     let end = &story.events.last().unwrap().sentence;
     assert!(end.contains(&format!("It was unstable from {from_s:.2} to {to_s:.2} s.")), "{end}");
-    assert_eq!(story.unstable_until(10.0), [[from_s, 10.0]]);
-    assert!(story.unstable_until(2.0).is_empty());
+    assert_eq!(story.stretches_until(EventKind::LimitCycle, 10.0), [[from_s, 10.0]]);
+    assert!(story.stretches_until(EventKind::LimitCycle, 2.0).is_empty());
     let (_, quiet) = told(&quiet(&[]));
     assert!(!quiet.events.last().unwrap().sentence.contains("It was"));
     let (_, chatter) = told(&presets::load("chatter").unwrap());

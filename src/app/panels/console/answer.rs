@@ -4,7 +4,7 @@
 use crate::app::format;
 use crate::app::panels::View;
 use crate::app::widgets::standing::Standing;
-use crate::run::story::{ResponseEnd, StepResponse};
+use crate::run::story::{EventKind, ResponseEnd, StepResponse, Story};
 
 /// What is held is said to swing about its mean from this amplitude on, percent.
 const SWINGS_PERCENT: f64 = 2.0;
@@ -30,20 +30,18 @@ impl Answer {
             return Self { value: "-".to_owned(), standing: Standing::Plain, below };
         };
         let found = Self::after(response, tolerance, view.narrow);
-        let unstable = session.story().unstable_until(now_s);
-        let (false, Some([from_s, to_s])) = (response.is_unstable(), unstable.last().copied())
-        else {
-            return found;
-        };
-        // The last step alone is no verdict on a cut that swung.
+        let Some([word, stretch]) = was(session.story(), response, now_s) else { return found };
+        // The last step alone is no verdict on a cut that swung or chattered.
         let standing = match found.standing {
             Standing::Good | Standing::Best | Standing::Plain => Standing::Watch,
             standing @ (Standing::Watch | Standing::Bad) => standing,
         };
         let [settled, _] = found.below;
-        let more = if unstable.len() > 1 { ", and before" } else { "" };
-        let was = format!("unstable {from_s:.1} to {to_s:.1} s{more}");
-        Self { value: found.value, standing, below: [was, settled] }
+        let below = match view.narrow {
+            true => [word, stretch],
+            false => [format!("{word} {stretch}"), settled],
+        };
+        Self { value: found.value, standing, below }
     }
 
     /// The answer to one change.
@@ -102,6 +100,19 @@ impl Answer {
         };
         Self { value: format!("{}{word}", format::deviation(error)), standing, below }
     }
+}
+
+/// What the cut was before, from when to when, where that is not what it is now.
+fn was(story: &Story, response: &StepResponse, now_s: f64) -> Option<[String; 2]> {
+    if response.is_unstable() {
+        return None;
+    }
+    let kinds = [(EventKind::LimitCycle, "unstable"), (EventKind::Chatter, "chattered")];
+    let each = kinds.map(|(kind, word)| (word, story.stretches_until(kind, now_s)));
+    let (word, stretches) = each.into_iter().find(|(_, stretches)| !stretches.is_empty())?;
+    let [from_s, to_s] = stretches.last()?;
+    let more = if stretches.len() > 1 { ", and before" } else { "" };
+    Some([word.to_owned(), format!("{from_s:.1} to {to_s:.1} s{more}")])
 }
 
 /// How it came to rest: settling and overshoot, or that there was nothing of the kind.

@@ -12,7 +12,7 @@ use crate::base::units::ratio_from_percent;
 use crate::blocks::reference::Reference;
 use crate::run::metrics::Metrics;
 use crate::run::signals::{Row, flag};
-use crate::run::story::produced_ra_um;
+use crate::run::story::{EventKind, produced_ra_um};
 
 /// One number of the comparison.
 struct Item {
@@ -73,6 +73,7 @@ fn ra_now(view: &View<'_>, twin_has: &dyn Fn(String) -> String) -> Item {
     };
     let ra = produced_ra_um(now);
     let side = ra.map(|ra_um| side(ra_um, target_um, tolerance));
+    let swings = swings(view);
     let target_text = format::quantity(target_um, "um");
     Item {
         title: "Ra now",
@@ -81,15 +82,25 @@ fn ra_now(view: &View<'_>, twin_has: &dyn Fn(String) -> String) -> Item {
             target.tolerance_percent
         ),
         value: text(now),
-        standing: Standing::judged(side == Some(WITHIN), side.is_some_and(|side| side != WITHIN)),
+        standing: Standing::judged(
+            side == Some(WITHIN) && !swings,
+            side.is_some_and(|side| side != WITHIN),
+        ),
         below: [
             match side {
+                Some(_) if swings && !view.narrow => format!("swings, target {target_text}"),
                 Some(side) if !view.narrow => format!("{side} target {target_text}"),
                 Some(_) | None => format!("target {target_text}"),
             },
             twin_has(text(twin)),
         ],
     }
+}
+
+/// Whether an instability or chatter lasts at the playhead: what swings through its target is not held there.
+fn swings(view: &View<'_>) -> bool {
+    let lasting = view.session.story().lasting_at(view.session.row().time_s + 1e-9);
+    lasting.is_some_and(|event| matches!(event.id, EventKind::LimitCycle | EventKind::Chatter))
 }
 
 /// The word for a value within the tolerance of its target.
@@ -135,7 +146,7 @@ fn force_now(view: &View<'_>, twin_has: &dyn Fn(String) -> String) -> Item {
             "Maximum force at the playhead: as it should be within {percent} % of its reference."
         ),
         value: force(now),
-        standing: Standing::judged(inside, !now.has(flag::AIR)),
+        standing: Standing::judged(inside && !swings(view), !inside && !now.has(flag::AIR)),
         below: [
             format!("{side} reference {}", format::quantity(now.force_ref_n, "N")),
             twin_has(force(twin)),

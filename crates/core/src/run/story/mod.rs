@@ -135,12 +135,19 @@ impl Story {
         begun.filter_map(|event| event.response().map(|response| (event, response))).last()
     }
 
-    /// When the loop was unstable before a time in s, as stretches of time in s that do not touch.
+    /// When events of a kind lasted before a time in s, as stretches of time in s that do not touch.
     #[must_use]
-    pub fn unstable_until(&self, time_s: f64) -> Vec<[f64; 2]> {
-        let spans = effects::spans(&self.events, EventKind::LimitCycle).into_iter();
+    pub fn stretches_until(&self, kind: EventKind, time_s: f64) -> Vec<[f64; 2]> {
+        let spans = effects::spans(&self.events, kind).into_iter();
         let begun = spans.filter(|[from_s, _]| *from_s <= time_s);
         begun.map(|[from_s, to_s]| [from_s, to_s.min(time_s)]).collect()
+    }
+
+    /// Whether the cut was unstable or chattered at any time.
+    #[must_use]
+    pub fn has_swung(&self) -> bool {
+        let mut kinds = self.events.iter().map(|event| event.id);
+        kinds.any(|kind| matches!(kind, EventKind::LimitCycle | EventKind::Chatter))
     }
 
     /// The change that a time in s stands behind: the last start, step, contact, air or end before it.
