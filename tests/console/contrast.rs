@@ -12,8 +12,10 @@ use steadycut::base::math::pow;
 use crate::judged::Judge;
 use crate::screen::Screen;
 
-/// Pixels to the point: thin strokes have to have pixels of their own.
-pub const PIXELS: f32 = 2.0;
+/// Pixels to the point. Drawing takes most of the time of this test.
+pub const PIXELS: f32 = 1.5;
+/// The same for a view that has texts which seem faint: thin strokes have to have pixels of their own.
+const FINE: f32 = 2.0;
 /// Least contrast of text, of large text, and of that of controls that are out of use (WCAG 2.2, 1.4.3,
 /// which has no limit for the last).
 const LEAST: [f64; 3] = [4.5, 3.0, 3.0];
@@ -91,9 +93,14 @@ fn contrast(a: [u8; 3], b: [u8; 3]) -> f64 {
 }
 
 /// The contrast of the pixels in a rectangle and closely around it.
-fn measured(rect: Rect, size: [u32; 2], pixel: &dyn Fn(u32, u32) -> [u8; 3]) -> Option<f64> {
+fn measured(
+    rect: Rect,
+    pixels: f32,
+    size: [u32; 2],
+    pixel: &dyn Fn(u32, u32) -> [u8; 3],
+) -> Option<f64> {
     let rect = rect.expand(AROUND);
-    let place = |at: Pos2| [at.x, at.y].map(|x| (x * PIXELS).round().max(0.0) as u32);
+    let place = |at: Pos2| [at.x, at.y].map(|x| (x * pixels).round().max(0.0) as u32);
     let ([left, top], [right, bottom]) = (place(rect.min), place(rect.max));
     let (right, bottom) = (right.min(size[0]), bottom.min(size[1]));
     let mut count: BTreeMap<[u8; 3], u32> = BTreeMap::new();
@@ -123,8 +130,10 @@ pub struct Contrast {
 }
 
 impl Contrast {
-    fn drawn(&mut self, screen: &mut Screen<'_>, view: &str) {
-        let pieces = seen(screen);
+    /// The texts that are too faint in a picture of a view.
+    fn drawn(&mut self, screen: &mut Screen<'_>, view: &str) -> Vec<String> {
+        let (pieces, mut faint) = (seen(screen), Vec::new());
+        let pixels = screen.ctx.pixels_per_point();
         // A busy machine may take longer for a large picture than is waited for.
         let picture = (0..5).find_map(|_| screen.render().ok()).expect("a picture");
         let all = [picture.width(), picture.height()];
@@ -133,7 +142,7 @@ impl Contrast {
             [r, g, b]
         };
         for piece in pieces {
-            let Some(found) = measured(piece.rect, all, &pixel) else { continue };
+            let Some(found) = measured(piece.rect, pixels, all, &pixel) else { continue };
             self.count += 1;
             let off = found < LEAST[0] && is_disabled(screen, piece.rect.center());
             // A dash alone is a mark, whose pixels hardly fill a row.
@@ -148,9 +157,10 @@ impl Contrast {
             }
             if found < least {
                 let at = piece.rect.center();
-                self.faint.push(format!("{found:.2} {view}: {} at {at}", piece.text));
+                faint.push(format!("{found:.2} {view}: {} at {at}", piece.text));
             }
         }
+        faint
     }
 }
 
@@ -159,7 +169,15 @@ impl Judge for Contrast {
         for theme in [Theme::Dark, Theme::Light] {
             screen.ctx.set_theme(theme);
             screen.run_steps(2);
-            self.drawn(screen, &format!("{theme:?}, {view}"));
+            let name = format!("{theme:?}, {view}");
+            if !self.drawn(screen, &name).is_empty() {
+                screen.set_pixels_per_point(FINE);
+                screen.run_steps(2);
+                let faint = self.drawn(screen, &name);
+                self.faint.extend(faint);
+                screen.set_pixels_per_point(PIXELS);
+                screen.run_steps(2);
+            }
         }
     }
 
@@ -179,5 +197,5 @@ fn contrast_is_that_of_the_standard() {
     assert!((contrast([0x76; 3], [255; 3]) - 4.54).abs() < 0.01);
     let pixels = |x: u32, _| if x == 5 { [0x5a, 0x66, 0x72] } else { [255; 3] };
     let rect = Rect::from_min_size(Pos2::new(2.0, 2.0), Vec2::splat(1.0));
-    assert!((measured(rect, [8, 8], &pixels).unwrap() - 5.87).abs() < 0.01);
+    assert!((measured(rect, FINE, [8, 8], &pixels).unwrap() - 5.87).abs() < 0.01);
 }
