@@ -10,7 +10,6 @@ use crate::run::edits::Edits;
 use crate::run::{Start, presets, scenario_link};
 
 thread_local! {
-    static STATE: RefCell<String> = const { RefCell::new(String::new()) };
     static SHOWN: RefCell<Option<Shown>> = const { RefCell::new(None) };
     static TAB_LEAVES: Cell<bool> = const { Cell::new(false) };
 }
@@ -30,7 +29,6 @@ impl eframe::App for Page {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         let mut console = self.0.borrow_mut();
         console.ui(ui);
-        STATE.set(console.state_json());
         show_digits(ui.ctx());
         TAB_LEAVES.set(console.tab_leaves());
     }
@@ -38,13 +36,17 @@ impl eframe::App for Page {
 
 /// Asks a phone for the digits alone while a number is typed: eframe has one field for all texts.
 fn show_digits(ctx: &egui::Context) {
+    thread_local! {
+        static NOW: Cell<&str> = const { Cell::new("text") };
+    }
     let wanted = if super::widgets::number::is_typed(ctx) { "decimal" } else { "text" };
+    if NOW.replace(wanted) == wanted {
+        return;
+    }
     let document = web_sys::window().and_then(|window| window.document());
     let field =
         document.and_then(|document| document.query_selector("body > input").ok().flatten());
-    if let Some(field) = field
-        && field.get_attribute("inputmode").as_deref() != Some(wanted)
-    {
+    if let Some(field) = field {
         // A page that refuses it keeps the keyboard of letters.
         let _ = field.set_attribute("inputmode", wanted);
     }
@@ -159,7 +161,11 @@ fn start_of_link() -> Start {
 /// The state of the console, for tests: see [`Console::state_json`].
 #[must_use]
 pub fn state_json() -> String {
-    STATE.with_borrow(Clone::clone)
+    // Written when it is asked for: a frame has no use for it.
+    SHOWN.with_borrow(|shown| {
+        let console = shown.as_ref().and_then(|shown| shown.console.try_borrow().ok());
+        console.map_or_else(String::new, |console| console.state_json())
+    })
 }
 
 /// Whether the next Tab belongs to the browser: see [`Console::tab_leaves`].

@@ -15,7 +15,7 @@ use super::super::session::Session;
 use super::super::theme::{Look, Palette};
 use super::focus::pointer_only;
 use super::legend;
-use super::plot::{near, still, tick};
+use super::plot::{self, near, still, tick};
 use super::zoom::{by_touch, zoom};
 use crate::run::signals::SIGNALS;
 pub use content::{Axes, Chart, ChartCurve};
@@ -54,28 +54,28 @@ pub fn show(
             format::time(position.x)
         ))
     };
-    let response = still(chart.id, palette, [width, height])
+    let plot = still(chart.id, palette, [width, height])
         .link_cursor(group, [true, false])
         .allow_zoom([true, false])
         .sense(drags)
         .x_axis_formatter(|mark, _| format!("{} s", tick(mark)))
-        .label_formatter(label)
-        .show(ui, |plot| {
-            plot.set_plot_bounds_x(range[0]..=range[1]);
-            plot.set_plot_bounds_y(values[0]..=values[1]);
-            if let Some(band) = band {
-                plot.add(band);
-            }
-            for (name, level) in &chart.levels {
-                let (stroke, style) = Look::Limit.line(palette);
-                plot.hline(HLine::new(*name, *level).stroke(stroke).style(style));
-            }
-            for line in lines {
-                plot.add(line);
-            }
-            let playhead = VLine::new("", session.playback().playhead_s).allow_hover(false);
-            plot.vline(playhead.color(palette.playhead).width(1.0));
-        });
+        .label_formatter(label);
+    let response = plot::show(ui, plot, |plot| {
+        plot.set_plot_bounds_x(range[0]..=range[1]);
+        plot.set_plot_bounds_y(values[0]..=values[1]);
+        if let Some(band) = band {
+            plot.add(band);
+        }
+        for (name, level) in &chart.levels {
+            let (stroke, style) = Look::Limit.line(palette);
+            plot.hline(HLine::new(*name, *level).stroke(stroke).style(style));
+        }
+        for line in lines {
+            plot.add(line);
+        }
+        let playhead = VLine::new("", session.playback().playhead_s).allow_hover(false);
+        plot.vline(playhead.color(palette.playhead).width(1.0));
+    });
     response.response.widget_info(|| {
         let [from_s, to_s] = range.map(format::time);
         let label = format!("{} from {from_s} to {to_s}", chart.title);

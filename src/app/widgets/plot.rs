@@ -1,7 +1,10 @@
 //! What all plots have in common: their look, their grid, and what the pointer is near to.
 
-use egui::Rangef;
-use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Plot, PlotPoint};
+use egui::epaint::RectShape;
+use egui::{Rangef, Shape, StrokeKind, Ui};
+use egui_plot::{
+    AxisHints, GridInput, GridMark, HoverPosition, Plot, PlotPoint, PlotResponse, PlotUi,
+};
 
 use super::super::format::{log10, round_step};
 use super::super::theme::Palette;
@@ -29,6 +32,23 @@ pub fn still<'a>(title: &str, palette: &Palette, [width, height]: [f32; 2]) -> P
         .x_axis_formatter(|mark, _| tick(mark))
         .y_axis_formatter(|mark, _| tick(mark))
         .grid_spacing(Rangef::new(16.0, 300.0))
+}
+
+/// Draws a plot. Its ground is painted with what surrounds it: the plot's own would be one more piece for the
+/// graphics, and the labels of its axes another.
+pub fn show<'a>(
+    ui: &mut Ui,
+    plot: Plot<'a>,
+    add: impl FnOnce(&mut PlotUi<'a>) + 'a,
+) -> PlotResponse<()> {
+    let ground = ui.painter().add(Shape::Noop);
+    let response = plot.show_background(false).show(ui, add);
+    let visuals = ui.visuals();
+    let stroke = visuals.widgets.noninteractive.bg_stroke;
+    let (rect, inside) = (*response.transform.frame(), StrokeKind::Inside);
+    let shape = RectShape::new(rect, 2.0, visuals.extreme_bg_color, stroke, inside);
+    ui.painter().set(ground, shape);
+    response
 }
 
 /// A horizontal axis. Its labels do not fade in as they get room, which would be hard to read.

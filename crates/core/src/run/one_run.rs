@@ -105,6 +105,8 @@ pub struct Run {
     recording: Recording,
     snapshots: Vec<State>,
     snapshot_ticks: u64,
+    /// The tick of the next snapshot: a comparison in every step, where a remainder costs a division.
+    next_snapshot: u64,
     end: Option<End>,
 }
 
@@ -135,6 +137,7 @@ impl Run {
             edit_ticks: Vec::new(),
             snapshots: vec![state.clone()],
             snapshot_ticks: SNAPSHOT_TICKS,
+            next_snapshot: SNAPSHOT_TICKS,
             state,
             last_tick,
             path_mm: ToolPath::length_of(&scenario.workpiece),
@@ -208,13 +211,20 @@ impl Run {
             self.end = Some(End::Overload(overload));
         } else if tick >= self.last_tick {
             self.end = Some(End::TimeLimit);
-        } else if tick.is_multiple_of(self.snapshot_ticks) {
+        } else if tick >= self.next_snapshot {
             self.snapshot();
+            self.aim_snapshot();
         }
         if self.end.is_some() {
             let State { closed_loop, tally, .. } = &self.state;
             self.recording.finish(tick, closed_loop.row(), tally.as_ref());
         }
+    }
+
+    /// The next snapshot is taken at the next whole number of its ticks.
+    fn aim_snapshot(&mut self) {
+        let tick = self.state.closed_loop.tick();
+        self.next_snapshot = (tick / self.snapshot_ticks + 1) * self.snapshot_ticks;
     }
 
     fn snapshot(&mut self) {
@@ -241,6 +251,7 @@ impl Run {
         if let Some(state) = self.snapshots.last() {
             self.state = state.clone();
         }
+        self.aim_snapshot();
         self.recording.truncate(self.state.closed_loop.tick());
         self.end = None;
         self.take_edits(edits);

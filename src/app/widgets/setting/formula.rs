@@ -212,4 +212,13 @@ fn write(
         }
         *open &= !button(ui, param, "Cancel", "As it was before", true);
     });
+    if !*open {
+        // Another widget may have the place of the field that was written in, and its id: without this the keys
+        // would stay with a text that is gone.
+        ui.memory_mut(|memory| {
+            if let Some(focused) = memory.focused() {
+                memory.surrender_focus(focused);
+            }
+        });
+    }
 }
