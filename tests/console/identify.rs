@@ -170,15 +170,27 @@ fn a_click_into_the_picture_picks_the_formula_that_is_nearest() {
     assert!(shown.contains(&format!("Tree of the formula, {smallest} parts")), "{shown}");
 }
 
+/// The batch that the search under way is at.
+fn batch(screen: &Screen<'_>) -> u64 {
+    let shown = texts(screen);
+    let told = shown.split_once("batch ").and_then(|(_, rest)| rest.split(' ').next());
+    told.and_then(|number| number.parse().ok()).unwrap_or(0)
+}
+
+/// Waits for a batch or a later one: one may come and go between two frames.
+fn come_to(screen: &mut Screen<'_>, number: u64) {
+    while batch(screen) < number {
+        screen.run_steps(1);
+    }
+}
+
 #[test]
 fn a_search_is_paused_gone_on_with_and_ended_early_and_loses_nothing() {
     for size in SIZES {
         let mut screen = open(size);
         set(&mut screen, "Most batches", BATCHES as f64);
         click(&mut screen, "Search");
-        while !texts(&screen).contains("batch 2 of") {
-            screen.run_steps(1);
-        }
+        come_to(&mut screen, 2);
         click(&mut screen, "Pause the search");
         screen.run_steps(3);
         let paused = texts(&screen);
@@ -193,15 +205,9 @@ fn a_search_is_paused_gone_on_with_and_ended_early_and_loses_nothing() {
     }
     let mut screen = open(SIZES[0]);
     click(&mut screen, "Search");
-    while !texts(&screen).contains("batch 3 of") {
-        screen.run_steps(1);
-    }
+    come_to(&mut screen, 3);
     click(&mut screen, "Pause the search");
-    let stood: u64 = {
-        let shown = texts(&screen);
-        let (_, rest) = shown.split_once("batch ").unwrap();
-        rest.split(' ').next().unwrap().parse().unwrap()
-    };
+    let stood = batch(&screen);
     click(&mut screen, "End here");
     screen::rest(&mut screen);
     let short = report(first(), 1, stood);

@@ -102,7 +102,7 @@ fn the_claim_of_2013_is_judged_over_rows_that_nobody_was_trained_on() {
     }
     let found: Vec<Verdict> = claim.statements.iter().map(|statement| statement.verdict).collect();
     let [yes, no] = [Verdict::Holds, Verdict::Not];
-    assert_eq!(found, [yes, yes, no, no, yes], "{:?}", claim.statements);
+    assert_eq!(found, [no, yes, no, no, yes], "{:?}", claim.statements);
     // The formula by its own file, over the rows that it was found on: as good there as on fresh ones.
     let recipe = RecipeKind::Literal.recipe();
     let rows: Vec<TrainingRow> = RowsJob::measured(recipe.rows, recipe.seed).complete();
@@ -117,4 +117,4 @@ fn the_claim_of_2013_is_judged_over_rows_that_nobody_was_trained_on() {
 }
 
 /// Mean errors of the literal network, the improved one and the formula, percent.
-const STATED_PERCENT: [f64; 3] = [6.7, 2.5, 6.9];
+const STATED_PERCENT: [f64; 3] = [6.7, 2.5, 6.2];

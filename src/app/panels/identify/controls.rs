@@ -78,7 +78,7 @@ fn search(ui: &mut Ui, form: &mut IdentifyForm) {
     };
     number(ui, "Seed", SEEDS, 0.2, &mut asked.seed, said);
     number(ui, "Most batches", BATCHES, 2.0, &mut asked.batches, said);
-    let stop = "It ends earlier where nothing is gained for 120 batches, or a formula is exact.";
+    let stop = "It ends earlier where nothing is gained for 200 batches, or a formula is exact.";
     ui.label(RichText::new(stop).small().color(palette.weak));
     ui.checkbox(&mut asked.strict, "Only formulas that are right in their units");
     ui.label("Beside it, as searched in a paper:");

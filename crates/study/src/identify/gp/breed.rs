@@ -21,6 +21,9 @@ const FIRST_ROWS: usize = 80;
 /// How much worse than what survives an offspring may look on these.
 const FIRST_LOOK: f64 = 1.8;
 
+/// Share of the offspring that are survivors with a term taken out.
+const PRUNED: f64 = 0.02;
+
 /// Most that a term may vary, as a multiple of the target: terms that nearly cancel say nothing.
 const CANCEL: f64 = 30.0;
 
@@ -55,7 +58,7 @@ impl Nursery {
     #[must_use]
     pub fn new(rows: DataRows, languages: Vec<Language>, bounds: SumBounds) -> Self {
         let first = rows.sample(FIRST_ROWS);
-        let probes = Probes::new(&rows, &[]);
+        let probes = Probes::new(&rows, &[], &languages[0].positive);
         let spread = rows.spread();
         Self { rows, first, probes, languages, bounds, spread, rule: None, lock: None }
     }
@@ -79,7 +82,7 @@ impl Nursery {
 
     fn relocked(mut self, lock: Option<Lock>) -> Self {
         if let Some(lock) = &lock {
-            self.probes = Probes::new(&self.rows, &lock.parts);
+            self.probes = Probes::new(&self.rows, &lock.parts, &self.languages[0].positive);
             let on = |language: Language| language.on(&lock.free);
             self.languages = self.languages.into_iter().map(on).collect();
         }
@@ -133,8 +136,8 @@ impl Nursery {
         let mut fitter = Fitter::default();
         let empty = Archive::default();
         let families = match &self.lock {
-            None => families(&self.rows),
-            Some(lock) => families_of(&self.rows, &lock.free),
+            None => families(&self.rows, &self.languages[0].positive),
+            Some(lock) => families_of(&self.rows, &self.languages[0].positive, &lock.free),
         };
         let locked = families.into_iter().map(|sum| self.with_lock(sum));
         locked.filter_map(|sum| self.judge(sum, &empty, &mut fitter)).collect()
@@ -189,7 +192,10 @@ impl Nursery {
         let bounds = SumBounds { size: self.bounds.size.min(most), ..self.bounds };
         let language = &self.languages[island];
         let variation = Variation { language, bounds, rows: &self.first };
-        let sum = variation.offspring(&a, &b, draws, &mut fitter);
+        let sum = match draws.chance(PRUNED) {
+            true => self.pruned(&a, &mut fitter)?,
+            false => variation.offspring(&a, &b, draws, &mut fitter),
+        };
         let sum = self.with_lock(sum);
         if !variation.fits(&sum) || sum.terms.is_empty() {
             return None;
@@ -197,21 +203,48 @@ impl Nursery {
         self.judge(sum, own, &mut fitter)
     }
 
+    /// A survivor without the term whose loss is felt least: terms that once explained scatter go so.
+    fn pruned(&self, sum: &Sum, fitter: &mut Fitter) -> Option<Sum> {
+        let locked = self.locked_terms();
+        let mut least: Option<(f64, Sum)> = None;
+        for number in 0..sum.terms.len() {
+            if sum.terms.len() < 2 || locked.contains(&sum.terms[number]) {
+                continue;
+            }
+            let mut other = sum.clone();
+            other.terms.remove(number);
+            let Some(left) = fitter.fit(&mut other, &self.first, Effort { steps: 2, goal: 0.0 })
+            else {
+                continue;
+            };
+            if least.as_ref().is_none_or(|(least, _)| left < *least) {
+                least = Some((left, other));
+            }
+        }
+        least.map(|(_, sum)| sum)
+    }
+
     /// Fits a formula and judges it against the survivors; none where it has no place among them.
     pub fn judge(&self, mut sum: Sum, own: &Archive, fitter: &mut Fitter) -> Option<FittedSum> {
         let n = self.rows.len() as f64;
-        let goal = own.goal(sum.size());
+        sum.settle();
         if self.first.len() < self.rows.len() {
             let few = self.first.len() as f64;
-            let most = FIRST_LOOK * goal;
+            let goal = own.goal(sum.size());
             let effort = Effort { steps: STEPS, goal: goal * goal * few };
             let left = fitter.fit(&mut sum, &self.first, effort)?;
+            self.join(&mut sum);
+            let most = FIRST_LOOK * own.goal(sum.size());
             if left > most * most * few {
                 return None;
             }
         }
+        let goal = own.goal(sum.size());
         let effort = Effort { steps: STEPS, goal: goal * goal * n };
-        let left = fitter.fit(&mut sum, &self.rows, effort)?;
+        let mut left = fitter.fit(&mut sum, &self.rows, effort)?;
+        if self.join(&mut sum) {
+            left = fitter.fit(&mut sum, &self.rows, effort)?;
+        }
         let candidate = self.candidate(sum, left, fitter)?;
         if candidate.error >= own.goal(candidate.size) {
             return None;
@@ -226,6 +259,19 @@ impl Nursery {
         let candidate = self.clear(candidate, parts, fitter);
         (self.is_allowed(&candidate) && self.has_values(&candidate.sum, fitter))
             .then_some(candidate)
+    }
+
+    /// Joins terms that share their factors: it is the same formula with fewer nodes, and has to be judged by them.
+    fn join(&self, sum: &mut Sum) -> bool {
+        let locked = self.locked_terms();
+        let mut changed = false;
+        while let Some(next) =
+            joined(sum, &locked).into_iter().find(|next| next.size() < sum.size())
+        {
+            *sum = next;
+            changed = true;
+        }
+        changed
     }
 
     /// Whether no survivor of its size or a smaller one is nearly as good.
@@ -304,7 +350,7 @@ impl Nursery {
             }
         }
         if parts {
-            for sum in joined(&candidate.sum) {
+            for sum in joined(&candidate.sum, &locked) {
                 if let Some(simpler) = self.refit(sum, fitter)
                     && simpler.size < candidate.size
                     && self.says_as_much(&simpler, &candidate)

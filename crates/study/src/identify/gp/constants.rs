@@ -107,6 +107,12 @@ pub fn is_named(node: &Node) -> bool {
     matches!(node, Node::Constant(constant) if constant.name != "pi" && constant.name != "e")
 }
 
+/// Whether an exponent is whole or half, and so not fitted.
+#[must_use]
+pub fn is_exponent(x: f64) -> bool {
+    (2.0 * x).floor() == 2.0 * x
+}
+
 /// Which numbers of a formula are fitted.
 struct Numbers {
     /// The names of its constants, where it has some: these are fitted then, and its numbers stay.
@@ -138,9 +144,7 @@ impl Numbers {
                 self.values[place] = constant.value;
                 by(place, constant.value)
             }
-            Node::Number(x)
-                if self.names.is_empty() && !(exponent && (2.0 * x).floor() == 2.0 * x) =>
-            {
+            Node::Number(x) if self.names.is_empty() && !(exponent && is_exponent(*x)) => {
                 self.values.push(*x);
                 by(self.values.len() - 1, *x)
             }

@@ -9,6 +9,9 @@ use super::rows::DataRows;
 use crate::base::math;
 use crate::base::rng::Stream;
 
+/// Share of swings among random terms, where sines and cosines are allowed.
+const SWINGS: f64 = 0.2;
+
 /// Random numbers in a row, from one stream.
 #[derive(Clone, Debug)]
 pub struct Draws {
@@ -73,7 +76,7 @@ pub struct Language {
     pub functions: Functions,
     /// Size of the values of each input.
     scales: Vec<f64>,
-    /// Whether all values of an input are positive.
+    /// Whether an input is positive, in the rows and beyond.
     pub(super) positive: Vec<bool>,
     /// The inputs that formulas may read.
     inputs: Vec<u8>,
@@ -84,13 +87,13 @@ pub struct Language {
 impl Language {
     /// The language for some rows.
     #[must_use]
-    pub fn new(rows: &DataRows, functions: Functions) -> Self {
+    pub fn new(rows: &DataRows, positive: Vec<bool>, functions: Functions) -> Self {
         let ranges = rows.ranges();
         let scale = |[low, high]: &[f64; 2]| low.abs().max(high.abs()).max(f64::MIN_POSITIVE);
         Self {
             functions,
             scales: ranges.iter().map(scale).collect(),
-            positive: ranges.iter().map(|[low, _]| *low > 0.0).collect(),
+            positive,
             inputs: (0..ranges.len() as u8).collect(),
             most: 14,
         }
@@ -282,8 +285,49 @@ impl Language {
         vec![input]
     }
 
+    /// Whether there are swings: with units, no input is the argument of a wave by itself.
+    #[must_use]
+    pub fn swings(&self) -> bool {
+        self.functions.periodic && !self.functions.scaled
+    }
+
+    /// A swing: sines and cosines of one argument to whole powers, grown or damped or both.
+    pub fn swing(&self, draws: &mut Draws) -> Product {
+        let x = self.input(draws);
+        let (input, scale) = (Step::Input(x as u8), self.scales[x]);
+        let mut argument = vec![input];
+        if draws.chance(0.3) {
+            argument.extend([Step::Constant((1.0 + 20.0 * draws.uniform()) / scale), Step::Mul]);
+        }
+        let exponents = [0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 3.0];
+        let waves = [Step::Sin, Step::Cos].map(|wave| (wave, draws.of(&exponents)));
+        let mut factors = Vec::new();
+        let power = |mut factor: Factor, exponent: f64, factors: &mut Vec<Factor>| {
+            if exponent != 1.0 {
+                factor.push(fixed(exponent));
+            }
+            if exponent != 0.0 {
+                factors.push(factor);
+            }
+        };
+        for (wave, exponent) in waves {
+            let mut factor = argument.clone();
+            factor.push(wave);
+            power(factor, exponent, &mut factors);
+        }
+        power(vec![input], draws.of(&[0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0]), &mut factors);
+        if self.functions.exp && draws.chance(0.4) || factors.is_empty() {
+            let rate = math::exp(3.5 * draws.uniform() - 0.5) / scale;
+            factors.push(vec![input, Step::Constant(-rate), Step::Mul, Step::Exp]);
+        }
+        Product { factors }
+    }
+
     /// A random term of one to three factors.
     pub fn term(&self, draws: &mut Draws) -> Product {
+        if self.swings() && draws.chance(SWINGS) {
+            return self.swing(draws);
+        }
         let mut term = Product::of(self.factor(draws));
         while term.factors.len() < 3 && draws.chance(0.35) {
             let mut factor = self.factor(draws);

@@ -13,10 +13,10 @@ fn sum(intercept: bool, terms: Vec<Factor>) -> Sum {
 /// The families of curves with their constants fitted, at most `size` nodes large; without those that have
 /// no values on the rows, or as many constants as rows.
 #[must_use]
-pub fn declared(rows: &DataRows, size: usize) -> Vec<FittedSum> {
+pub fn declared(rows: &DataRows, positive: &[bool], size: usize) -> Vec<FittedSum> {
     let mut fitter = Fitter::default();
     let mut found = Vec::new();
-    for mut sum in families(rows) {
+    for mut sum in families(rows, positive) {
         let effort = Effort { steps: 40, goal: 0.0 };
         let Some(left) = fitter.fit(&mut sum, rows, effort) else { continue };
         let error = fitter.prediction_error(&sum, rows, left);
@@ -30,11 +30,12 @@ pub fn declared(rows: &DataRows, size: usize) -> Vec<FittedSum> {
 
 /// The families of some of the inputs.
 #[must_use]
-pub fn families_of(rows: &DataRows, inputs: &[u8]) -> Vec<Sum> {
+pub fn families_of(rows: &DataRows, positive: &[bool], inputs: &[u8]) -> Vec<Sum> {
     let column = |input: &u8| rows.inputs[usize::from(*input)].clone();
     let some =
         DataRows { inputs: inputs.iter().map(column).collect(), target: rows.target.clone() };
-    let mut found = families(&some);
+    let positive: Vec<bool> = inputs.iter().map(|input| positive[usize::from(*input)]).collect();
+    let mut found = families(&some, &positive);
     for step in
         found.iter_mut().flat_map(|sum| &mut sum.terms).flat_map(|term| &mut term.factors).flatten()
     {
@@ -45,13 +46,13 @@ pub fn families_of(rows: &DataRows, inputs: &[u8]) -> Vec<Sum> {
     found
 }
 
-/// The families for these rows.
+/// The families for these rows, of which some inputs are positive.
 #[must_use]
-pub fn families(rows: &DataRows) -> Vec<Sum> {
+pub fn families(rows: &DataRows, positive: &[bool]) -> Vec<Sum> {
     let ranges = rows.ranges();
     let mut found = vec![Sum::default()];
     let inputs = 0..ranges.len() as u8;
-    for (input, [low, high]) in inputs.clone().zip(&ranges) {
+    for ((input, [low, high]), positive) in inputs.clone().zip(&ranges).zip(positive) {
         let x = Step::Input(input);
         let power = |exponent| vec![x, Step::Power { exponent, free: true }];
         let scale = low.abs().max(high.abs());
@@ -72,7 +73,7 @@ pub fn families(rows: &DataRows) -> Vec<Sum> {
             found.extend([2.0, 3.0, 4.0, 5.0, -1.0].map(|e| sum(true, vec![shifted(fixed(e))])));
             found.push(sum(true, vec![shifted(Step::Ln)]));
         }
-        if *low > 0.0 {
+        if *positive {
             found.extend([
                 sum(true, vec![vec![x, RECIPROCAL]]),
                 sum(true, vec![vec![x, fixed(-2.0)]]),
@@ -90,7 +91,7 @@ pub fn families(rows: &DataRows) -> Vec<Sum> {
         found.push(sum(true, inputs.clone().map(|input| vec![Step::Input(input)]).collect()));
         let power =
             |exponent| move |input| vec![Step::Input(input), Step::Power { exponent, free: true }];
-        if ranges.iter().all(|[low, _]| *low > 0.0) {
+        if positive.iter().all(|positive| *positive) {
             // The product of powers, as in the laws of Kienzle and Taylor.
             let factors: Vec<Factor> = inputs.clone().map(power(0.6)).collect();
             found.push(Sum::of(false, vec![Product { factors }]));

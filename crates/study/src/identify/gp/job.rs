@@ -18,10 +18,10 @@ use crate::run::job::{Budget, Job, Progress};
 /// Islands with their functions: on half of them formulas have no sines and cosines.
 const ISLANDS: usize = 4;
 /// Batches without gain after which a search ends.
-const IDLE: u64 = 120;
+const IDLE: u64 = 200;
 /// Most batches of a search by default.
 pub const BATCHES: u64 = 400;
-/// How much better a formula with sines and cosines has to be than all others of its size.
+/// How much better a formula with sines and cosines has to be than all of its size without.
 const PERIODIC_GAIN: f64 = 0.5;
 
 /// How to search.
@@ -52,10 +52,11 @@ pub struct GpJob {
     over: bool,
 }
 
-fn nursery(rows: DataRows, rule: Option<UnitRule>) -> Nursery {
+fn nursery(rows: DataRows, positive: &[bool], rule: Option<UnitRule>) -> Nursery {
     let language = |island: usize| {
         let periodic = island >= ISLANDS / 2;
-        Language::new(&rows, Functions { ln: true, exp: true, periodic, scaled: rule.is_some() })
+        let functions = Functions { ln: true, exp: true, periodic, scaled: rule.is_some() };
+        Language::new(&rows, positive.to_vec(), functions)
     };
     let languages = (0..ISLANDS).map(language).collect();
     let constants = (rows.len() / 2).min(16);
@@ -72,7 +73,8 @@ impl GpJob {
         if let Some(collinear) = problem.collinear().filter(|_| problem.template.is_none()) {
             return Err(collinear.to_string());
         }
-        let nursery = nursery(problem.searched(settings.seed), problem.rule.clone())
+        let rows = problem.searched(settings.seed);
+        let nursery = nursery(rows, &problem.positive(), problem.rule.clone())
             .locked(problem.template.as_ref());
         let stop = Stop { batches: settings.batches, idle: IDLE };
         let paper = settings
@@ -126,20 +128,20 @@ impl GpJob {
     }
 
     /// The front: the best formula of each size that pays for its size; one with sines and cosines only
-    /// where it halves the error of all others.
+    /// where it halves the error of all that have none.
     #[must_use]
     pub fn front(&self) -> Vec<FittedSum> {
         let (calm, best) = (self.search.calm(), self.search.best());
         let nursery = self.search.nursery();
         // A few rows are soon followed by a wave: there, only an exact one counts.
         let few = nursery.rows.len() <= SMALL;
-        let mut least = f64::INFINITY;
+        let (mut least, mut calm_least) = (f64::INFINITY, f64::INFINITY);
         let mut front: Vec<FittedSum> = Vec::new();
         for size in 0..calm.sizes().max(best.sizes()) {
             let plain = calm.best(size);
+            calm_least = calm_least.min(plain.map_or(f64::INFINITY, |plain| plain.error));
             let periodic = best.best(size).filter(|best| {
-                let plain = plain.map_or(f64::INFINITY, |plain| plain.error);
-                best.error < PERIODIC_GAIN * least.min(plain) && (!few || nursery.is_exact(best))
+                best.error < PERIODIC_GAIN * calm_least && (!few || nursery.is_exact(best))
             });
             let Some(candidate) = periodic.or(plain) else { continue };
             if candidate.error < 0.999 * least {

@@ -53,6 +53,24 @@ impl Step {
         }
     }
 
+    /// The input that it reads.
+    #[must_use]
+    pub fn input(self) -> Option<u8> {
+        match self {
+            Self::Input(number) => Some(number),
+            Self::Constant(_)
+            | Self::Add
+            | Self::Sub
+            | Self::Mul
+            | Self::Div
+            | Self::Power { .. }
+            | Self::Ln
+            | Self::Exp
+            | Self::Sin
+            | Self::Cos => None,
+        }
+    }
+
     /// The exponent of a power, and whether it is fitted.
     #[must_use]
     pub fn power(self) -> Option<(f64, bool)> {
@@ -302,6 +320,17 @@ impl Sum {
             && self.coefficients.iter().all(|c| c.is_finite())
             && self.terms.iter().all(|term| !term.factors.is_empty())
             && self.terms.iter().flat_map(|term| &term.factors).all(whole)
+    }
+
+    /// A constant that stands beside a whole term is the constant term: the same formula has one form.
+    pub fn settle(&mut self) {
+        for term in &mut self.terms {
+            let [factor] = &mut term.factors[..] else { continue };
+            while let [.., Step::Constant(_), Step::Add] = factor[..] {
+                factor.truncate(factor.len() - 2);
+                self.intercept = true;
+            }
+        }
     }
 
     /// How many sines and cosines it has.

@@ -16,7 +16,7 @@ const SIZE: usize = 11;
 #[must_use]
 pub fn without(problem: &GpProblem, row: usize) -> Option<f64> {
     let rest = problem.rows.only(|other| other != row);
-    let families = declared(&rest, SIZE);
+    let families = declared(&rest, &problem.positive(), SIZE);
     let best = families.iter().min_by(|a, b| a.error.total_cmp(&b.error))?;
     let written = formula(&best.sum, &problem.columns).ok()?;
     let fit = fitted(&written, &rest).ok()?;

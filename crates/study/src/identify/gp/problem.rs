@@ -1,10 +1,11 @@
 //! What is asked: a column of a table as a formula of other columns.
 
-use super::rows::DataRows;
+use super::rows::{DataRows, widened};
 use super::template::Template;
 use super::units::{UnitRule, by_name};
 use super::written::Columns;
 use crate::base::formula::Unit;
+use crate::base::math;
 use crate::base::rng::Stream;
 use crate::base::stats;
 use crate::csv_table::CsvTable;
@@ -22,6 +23,9 @@ pub const SMALL: usize = 30;
 const COLLINEAR_SMALL: f64 = 0.89;
 /// The same for many rows (variance inflation above 100).
 const COLLINEAR: f64 = 0.995;
+
+/// Levels of a column from which they are many.
+const MANY_LEVELS: usize = 20;
 
 /// A target, its inputs and their rows.
 #[derive(Clone, Debug, PartialEq)]
@@ -140,6 +144,36 @@ impl GpProblem {
         Ok(())
     }
 
+    /// Which inputs are positive, in the rows and beyond them, the parts of a template after the columns. A column
+    /// that tells its unit is where all its rows are. One that tells none may be a variable of any sign, and is where
+    /// it is not laid out evenly so near to 0 that the next value down would lie beyond.
+    #[must_use]
+    pub fn positive(&self) -> Vec<bool> {
+        let columns = self.rows.inputs.iter().zip(&self.inputs);
+        let one = |(column, name): (&Vec<f64>, &String)| {
+            let [low, _] = math::extent(column.iter().copied());
+            low > 0.0 && (by_name(name).is_some() || !passes_zero(column))
+        };
+        let mut positive: Vec<bool> = columns.map(one).collect();
+        if let Some(template) = &self.template
+            && let Ok(extended) = template.extended(&self.rows)
+        {
+            positive.extend(&extended.positive()[self.inputs.len()..]);
+        }
+        positive
+    }
+
+    /// The range of each input, widened by `share` of its width on both sides where that is not 0.
+    #[must_use]
+    pub fn ranges(&self, share: f64) -> Vec<[f64; 2]> {
+        let ranges = self.rows.ranges();
+        if share == 0.0 {
+            return ranges;
+        }
+        let wide = |(range, positive): ([f64; 2], bool)| widened(range, positive, share);
+        ranges.into_iter().zip(self.positive()).map(wide).collect()
+    }
+
     /// Two inputs that lie so nearly on one line that the rows do not tell their effects apart.
     #[must_use]
     pub fn collinear(&self) -> Option<Collinear> {
@@ -173,6 +207,22 @@ impl GpProblem {
         order[..MOST_SEARCHED].iter().for_each(|(_, row)| keep[*row] = true);
         rows.only(|row| keep[row])
     }
+}
+
+/// Whether values are laid out evenly so that the next one down would be below 0: on many levels, or far below it.
+fn passes_zero(column: &[f64]) -> bool {
+    let mut levels = column.to_vec();
+    levels.sort_by(f64::total_cmp);
+    levels.dedup();
+    let [low, .., high] = levels[..] else { return false };
+    let step = (high - low) / (levels.len() - 1) as f64;
+    let even = levels.windows(2).all(|pair| (pair[1] - pair[0] - step).abs() < 1e-6 * step);
+    let below = match levels.len() {
+        MANY_LEVELS.. => step,
+        FEWEST.. => 0.25 * step,
+        _ => 0.0,
+    };
+    even && low < below * (1.0 - 1e-6)
 }
 
 /// Two inputs on one line.

@@ -4,7 +4,6 @@
 use serde::Serialize;
 
 use super::problem::GpProblem;
-use super::rows::widened;
 use crate::base::formula::{Certificate, Formula, Interval, Trend, UncertifiedPlace};
 
 /// By how much of their width the ranges are widened on each side.
@@ -41,7 +40,7 @@ pub struct RangeReport {
     pub inputs: Vec<String>,
     /// On the ranges of the rows. Beyond them every value is an extrapolation.
     pub training: RangeCertificate,
-    /// On the wider ranges; an input that is positive in all rows stays so.
+    /// On the wider ranges; an input that is positive stays so.
     pub widened: RangeCertificate,
 }
 
@@ -89,8 +88,7 @@ impl RangeReport {
     #[must_use]
     pub fn of(problem: &GpProblem, formula: &Formula) -> Self {
         let certify = |share: f64| {
-            let wide = |range: [f64; 2]| if share > 0.0 { widened(range, share) } else { range };
-            let ranges: Vec<[f64; 2]> = problem.rows.ranges().into_iter().map(wide).collect();
+            let ranges = problem.ranges(share);
             let boxed: Vec<Interval> =
                 ranges.iter().map(|[low, high]| Interval::new(*low, *high)).collect();
             match formula.certify(&boxed) {

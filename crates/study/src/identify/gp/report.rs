@@ -6,17 +6,16 @@ use std::cmp::Ordering;
 use serde::Serialize;
 
 use super::archive::FittedSum;
-use super::constants::{FittedConstant, FittedFormula, fitted, rounded};
+use super::constants::{FittedConstant, FittedFormula, fitted, is_exponent, rounded};
 use super::families::declared;
 use super::folds::{LeftOut, refitted};
 use super::outliers::without;
 use super::paper::PaperResult;
 use super::problem::{GpProblem, SMALL};
 use super::range::RangeReport;
-use super::rows::widened;
 use super::search::GpSearch;
 use super::written::formula;
-use crate::base::formula::{Formula, Interval};
+use crate::base::formula::{Formula, Function, Interval, Node, Operator};
 use crate::base::math;
 use crate::run::digest::Digest;
 
@@ -181,6 +180,23 @@ impl Entry {
     }
 }
 
+/// Whole and half exponents of a formula: they were tried like any constant, though none is fitted any more.
+fn powers(node: &Node) -> usize {
+    let own = match node {
+        Node::Unary(Function::Sqrt, _) => 1,
+        Node::Binary(Operator::Power, pair) => match pair[1] {
+            Node::Number(x) => usize::from(is_exponent(x)),
+            Node::Input(_) | Node::Constant(_) | Node::Unary(..) | Node::Binary(..) => 0,
+        },
+        Node::Number(_)
+        | Node::Input(_)
+        | Node::Constant(_)
+        | Node::Unary(..)
+        | Node::Binary(..) => 0,
+    };
+    own + node.operands().iter().map(powers).sum::<usize>()
+}
+
 /// Which formula is chosen, of those certified on the ranges of the rows: one that is exact, or with few rows
 /// the smallest whose error at rows left out is near the least, with many the one of the least description
 /// by that error, its constants and its size.
@@ -200,7 +216,7 @@ fn choose(entries: &[Entry], rows: usize) -> Option<usize> {
     let description = |number: &usize| {
         let entry = &entries[*number];
         n * 2.0 * math::ln(entry.loo())
-            + (math::ln(n) - 2.0) * entry.fit.fitted as f64
+            + (math::ln(n) - 2.0) * (entry.fit.fitted + powers(entry.fit.formula.root())) as f64
             + PER_NODE * entry.size() as f64
             + PER_WAVE * entry.periodic as f64
     };
@@ -209,11 +225,7 @@ fn choose(entries: &[Entry], rows: usize) -> Option<usize> {
 
 /// The box of the rows.
 fn ranges(problem: &GpProblem, share: f64) -> Vec<Interval> {
-    let range = |range: [f64; 2]| {
-        let [low, high] = widened(range, share);
-        Interval::new(low, high)
-    };
-    problem.rows.ranges().into_iter().map(range).collect()
+    problem.ranges(share).into_iter().map(|[low, high]| Interval::new(low, high)).collect()
 }
 
 fn finished(
@@ -276,7 +288,7 @@ fn searched(
 /// The families of curves beside what was searched, with few rows: nobody has searched for them, so their
 /// constants alone are fitted without each row.
 fn with_families(problem: &GpProblem, search: &GpSearch, mut entries: Vec<Entry>) -> Vec<Entry> {
-    for family in declared(&problem.rows, SMALL_SIZE) {
+    for family in declared(&problem.rows, &problem.positive(), SMALL_SIZE) {
         let left_out = refitted(&family.sum, &problem.rows);
         entries.extend(finished(problem, search, &family, Some(left_out)));
     }

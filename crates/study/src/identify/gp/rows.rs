@@ -45,6 +45,12 @@ impl DataRows {
         self.inputs.iter().map(|column| math::extent(column.iter().copied())).collect()
     }
 
+    /// Which inputs are positive in every row.
+    #[must_use]
+    pub fn positive(&self) -> Vec<bool> {
+        self.ranges().iter().map(|[low, _]| *low > 0.0).collect()
+    }
+
     /// Sum of the squares of the target about its mean.
     #[must_use]
     pub fn spread(&self) -> f64 {
@@ -64,13 +70,12 @@ impl DataRows {
     }
 }
 
-/// A range widened by `share` of its width on both sides; what is all positive or all negative
-/// stays so.
+/// A range widened by `share` of its width on both sides; what is `positive` or all negative stays so.
 #[must_use]
-pub fn widened([low, high]: [f64; 2], share: f64) -> [f64; 2] {
+pub fn widened([low, high]: [f64; 2], positive: bool, share: f64) -> [f64; 2] {
     let by = share * (high - low);
     let below = low - by;
-    let low = if low > 0.0 && below <= 0.0 { 0.5 * low } else { below };
+    let low = if positive && below <= 0.0 { 0.5 * low } else { below };
     let above = high + by;
     [low, if high < 0.0 && above >= 0.0 { 0.5 * high } else { above }]
 }
@@ -89,7 +94,7 @@ pub struct Probes {
 impl Probes {
     /// The probes of some rows, of which the last columns are formulas of the others.
     #[must_use]
-    pub fn new(rows: &DataRows, parts: &[CompiledFormula]) -> Self {
+    pub fn new(rows: &DataRows, parts: &[CompiledFormula], positive: &[bool]) -> Self {
         let mut ranges = rows.ranges();
         ranges.truncate(rows.inputs.len() - parts.len());
         let stream = Stream::new(0, "identify.gp.probes");
@@ -99,7 +104,7 @@ impl Probes {
                 let share = stream.uniform((input * 1000 + point) as u64);
                 low + (high - low) * share
             };
-            let wide = widened(*range, 0.3);
+            let wide = widened(*range, positive[input], 0.3);
             let mut column: Vec<f64> = (0..inside).map(|point| at(point, *range)).collect();
             if ranges.len() == 1 {
                 // One input: evenly spread, so that no pole between two rows is missed.

@@ -96,6 +96,12 @@ impl Tidy<'_> {
         }
     }
 
+    /// Whether `a c` is a power of something positive times something positive.
+    fn is_scaled_power(&self, a: &Part, c: &Part) -> bool {
+        let power = matches!(a, One(Step::Power { .. }, base) if self.is_positive(base));
+        power && matches!(c, Constant(c) if *c > 0.0)
+    }
+
     fn simplify(&self, part: Part) -> Part {
         match part {
             Input(_) | Constant(_) => part,
@@ -165,6 +171,16 @@ impl Tidy<'_> {
             (Step::Ln, One(Step::Exp, a)) => *a,
             (Step::Ln, One(Step::Power { exponent, .. }, a)) if self.is_positive(&a) => {
                 let a = self.function(Step::Ln, *a);
+                self.operation(Step::Mul, a, Constant(exponent))
+            }
+            // ln(c a^p) is p ln(c^(1/p) a).
+            (Step::Ln, Two(Step::Mul, a, c)) if self.is_scaled_power(&a, &c) => {
+                let (One(Step::Power { exponent, .. }, a), Constant(c)) = (*a, *c) else {
+                    return Constant(f64::NAN);
+                };
+                let c = Constant(math::power(c, 1.0 / exponent));
+                let a = self.operation(Step::Mul, *a, c);
+                let a = self.function(Step::Ln, a);
                 self.operation(Step::Mul, a, Constant(exponent))
             }
             (Step::Exp, Constant(a)) => Constant(math::exp(a)),
@@ -263,7 +279,7 @@ mod tests {
         let inputs: Vec<Vec<f64>> = vec![column(0.5, 0.03), column(-1.0, 0.041)];
         let rows = DataRows { target: inputs[0].clone(), inputs: inputs.clone() };
         let functions = Functions { ln: true, exp: true, periodic: true, scaled: false };
-        let language = Language::new(&rows, functions);
+        let language = Language::new(&rows, rows.positive(), functions);
         let tidy = Tidy { positive: &[true, false] };
         let mut sweeps = Sweeps::default();
         let mut compared = 0;

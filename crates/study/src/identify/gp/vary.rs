@@ -25,6 +25,9 @@ pub struct SumBounds {
 /// Candidates for a new term.
 const CANDIDATES: usize = 24;
 
+/// Share of the changes of a term that give it a swing, where there are swings.
+const SWUNG: f64 = 0.1;
+
 /// Everything that variation needs besides the parents.
 pub struct Variation<'a> {
     /// What new parts are drawn from.
@@ -217,6 +220,9 @@ impl Variation<'_> {
             *term = self.language.term(draws);
             return;
         }
+        if self.language.swings() && draws.chance(SWUNG) {
+            return self.swing(term, draws);
+        }
         let j = draws.below(term.factors.len());
         match draws.below(12) {
             0 | 1 if term.factors.len() < self.bounds.factors => {
@@ -257,6 +263,23 @@ impl Variation<'_> {
                 term.factors[j].push(function);
             }
         }
+        self.tidy(term, draws);
+    }
+
+    /// Other factors of one input, or one more factor of each kind, as swings have them.
+    fn swing(&self, term: &mut Product, draws: &mut Draws) {
+        let swing = self.language.swing(draws);
+        let read = |factor: &Factor| {
+            let mut inputs: Vec<u8> = factor.iter().filter_map(|step| step.input()).collect();
+            inputs.sort_unstable();
+            inputs.dedup();
+            inputs
+        };
+        let own = swing.factors.first().map(read).unwrap_or_default();
+        if draws.chance(0.5) {
+            term.factors.retain(|factor| read(factor) != own);
+        }
+        term.factors.extend(swing.factors);
         self.tidy(term, draws);
     }
 

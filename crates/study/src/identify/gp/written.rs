@@ -137,11 +137,11 @@ fn term_with_sign(next: &Product, coefficient: f64, parts: &Columns) -> Tree {
 
 /// Formulas with fewer nodes that may say the same: two terms with common factors joined.
 #[must_use]
-pub fn joined(sum: &Sum) -> Vec<Sum> {
+pub fn joined(sum: &Sum, kept: &[Product]) -> Vec<Sum> {
     let mut found = Vec::new();
     for a in 0..sum.terms.len() {
         for b in 0..sum.terms.len() {
-            if a == b {
+            if a == b || kept.contains(&sum.terms[a]) || kept.contains(&sum.terms[b]) {
                 continue;
             }
             let (one, other) = (&sum.terms[a], &sum.terms[b]);
