@@ -73,17 +73,21 @@ pub fn execute(args: &IdentifyGpArgs) -> Outcome {
     let mut out = report_to(args.json, args.out.as_ref())?;
     let problem = asked(args)?;
     let declared = problem.template.clone().filter(|template| template.free.is_none());
-    let report = match declared {
+    let (report, problem) = match declared {
         Some(template) => {
             if args.resume.is_some() || args.state.is_some() || args.paper.is_some() {
                 let unused =
                     "without T nothing is searched for: leave out --resume, --state, --paper";
                 return Err(format!("--template: {unused}").into());
             }
-            declared_report(&problem, &template, args.seed)
-                .map_err(|problem| format!("--template: {problem}"))?
+            let report = declared_report(&problem, &template, args.seed)
+                .map_err(|problem| format!("--template: {problem}"))?;
+            (report, problem)
         }
-        None => searched(args, begun(args, problem.clone())?)?,
+        None => {
+            let mut job = begun(args, problem)?;
+            (searched(args, &mut job)?, job.into_problem())
+        }
     };
     if let Some(path) = &args.out {
         let text = model_text(args, &problem, &report);
@@ -124,9 +128,12 @@ fn on_the_way(standing: &GpStanding) -> String {
 }
 
 /// Searches to the end, and keeps the search where that is wished.
-fn searched(args: &IdentifyGpArgs, mut job: GpJob) -> Result<GpReport, Box<dyn std::error::Error>> {
+fn searched(
+    args: &IdentifyGpArgs,
+    job: &mut GpJob,
+) -> Result<GpReport, Box<dyn std::error::Error>> {
     let worked =
-        progress::work_telling(&mut job, "search", args.json, |job| on_the_way(&job.standing()));
+        progress::work_telling(job, "search", args.json, |job| on_the_way(&job.standing()));
     if let Some(path) = &args.state {
         path.write(&job.state_text())?;
     }

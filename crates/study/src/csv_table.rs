@@ -58,13 +58,189 @@ fn has_comma(cell: &str) -> bool {
     cell.contains(',') && cell.chars().all(|c| c.is_ascii_digit() || ",.+-eE".contains(c))
 }
 
+/// The cells of a table as they stand in its text, read one after the other: what is kept of them is up to the reader.
+#[derive(Clone, Debug)]
+pub struct CsvCells<'a> {
+    text: &'a str,
+    separator: u8,
+    places: Vec<usize>,
+    names: Vec<String>,
+    commas: bool,
+}
+
+impl<'a> CsvCells<'a> {
+    /// Looks through a table for some columns; `#` begins a comment line, rows without any value are left out.
+    ///
+    /// # Errors
+    /// Names the columns found and those that are missing, or the line that does not fit them.
+    pub fn of(text: &'a str, columns: &[ColumnNames<'_>]) -> Result<Self, String> {
+        Self::read(text, |header| places(header, columns))
+    }
+
+    /// Looks through a table for all of its columns.
+    ///
+    /// # Errors
+    /// There is no header, or a line does not fit it.
+    pub fn whole(text: &'a str) -> Result<Self, String> {
+        Self::read(text, |header| {
+            // Spreadsheets end a line with separators of columns that are not there.
+            let last = (0..header.len()).rfind(|place| !header[*place].is_empty());
+            let last = last.ok_or("there is no line with the names of the columns")?;
+            Ok((0..=last).collect())
+        })
+    }
+
+    fn read(
+        text: &'a str,
+        places: impl Fn(&csv::StringRecord) -> Result<Vec<usize>, String>,
+    ) -> Result<Self, String> {
+        let (separator, text) = separated(text);
+        let header = reader(separator, text).headers().map_err(|error| error.to_string())?.clone();
+        let places = places(&header)?;
+        let names = places.iter().map(|place| header[*place].to_owned()).collect();
+        let mut cells = Self { text, separator, places, names, commas: false };
+        let mut signs = Signs::default();
+        cells.each(|line, _, cell| {
+            signs.see(line, cell);
+            Ok(())
+        })?;
+        cells.commas = signs.commas(separator)?;
+        Ok(cells)
+    }
+
+    /// Names of the columns, as the header has them.
+    #[must_use]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// Hands out every cell, row by row, with its line in the file and the number of its column.
+    ///
+    /// # Errors
+    /// What `see` refuses, or a line does not fit the header.
+    pub fn each(
+        &self,
+        mut see: impl FnMut(u64, usize, &str) -> Result<(), String>,
+    ) -> Result<(), String> {
+        let mut reader = reader(self.separator, self.text);
+        let columns = reader.headers().map_err(|error| error.to_string())?.len();
+        let mut record = csv::StringRecord::new();
+        while reader.read_record(&mut record).map_err(|error| error.to_string())? {
+            let line = record.position().map_or(0, csv::Position::line);
+            if record.iter().all(str::is_empty) {
+                continue;
+            }
+            self.fits(line, &record, columns)?;
+            for (column, place) in self.places.iter().enumerate() {
+                see(line, column, &record[*place])?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Spreadsheets fill rows up with empty cells; any other cell needs its column.
+    fn fits(&self, line: u64, record: &csv::StringRecord, columns: usize) -> Result<(), String> {
+        let values = record.len();
+        if values == columns || values > columns && record.iter().skip(columns).all(str::is_empty) {
+            return Ok(());
+        }
+        let advice = match self.separator {
+            b',' if values > columns => {
+                "; numbers with decimal commas need semicolons between them, as in `0,5;1,2`"
+            }
+            _ => "",
+        };
+        Err(format!("line {line} has {values} values for {columns} columns{advice}"))
+    }
+
+    /// The number in a cell.
+    #[must_use]
+    pub fn number(&self, cell: &str) -> Option<f64> {
+        number(cell, self.commas)
+    }
+
+    /// The columns as numbers.
+    ///
+    /// # Errors
+    /// Names the line, column and cell that is no finite number.
+    pub fn numbers(&self) -> Result<Vec<Vec<f64>>, String> {
+        let mut columns = vec![Vec::new(); self.places.len()];
+        self.each(|line, column, cell| {
+            let value = self.number(cell).filter(|value| value.is_finite()).ok_or_else(|| {
+                let name = &self.names[column];
+                format!("line {line}: `{name}` is `{cell}`: allowed is a finite number")
+            })?;
+            columns[column].push(value);
+            Ok(())
+        })?;
+        columns.iter_mut().for_each(Vec::shrink_to_fit);
+        Ok(columns)
+    }
+}
+
+fn reader(separator: u8, text: &str) -> csv::Reader<&[u8]> {
+    csv::ReaderBuilder::new()
+        .delimiter(separator)
+        .comment(Some(b'#'))
+        .trim(csv::Trim::All)
+        .flexible(true)
+        .from_reader(text.as_bytes())
+}
+
+fn number(cell: &str, commas: bool) -> Option<f64> {
+    if commas { cell.replace(',', ".").parse().ok() } else { cell.parse().ok() }
+}
+
+/// Decimal signs seen, each with its line.
+#[derive(Default)]
+struct Signs {
+    comma: Option<(u64, String)>,
+    point: Option<(u64, String)>,
+    /// Several commas in one cell.
+    twice: Option<(u64, String)>,
+}
+
+impl Signs {
+    fn see(&mut self, line: u64, cell: &str) {
+        let comma = has_comma(cell);
+        let here = || (line, shown(cell, MAX_SHOWN));
+        if comma {
+            self.comma.get_or_insert_with(here);
+            if cell.matches(',').count() > 1 {
+                self.twice.get_or_insert_with(here);
+            }
+        }
+        if self.point.is_none() && cell.contains('.') && (comma || cell.parse::<f64>().is_ok()) {
+            self.point = Some(here());
+        }
+    }
+
+    /// Whether the table has decimal commas; it has points or commas: with both, one of them may mean thousands.
+    fn commas(self, separator: u8) -> Result<bool, String> {
+        let Some((line, comma)) = self.comma else { return Ok(false) };
+        if separator == b',' {
+            return Err(format!(
+                "line {line}: `{comma}` has a comma, which separates the values of this table: write a decimal \
+                 point, or separate the values by semicolons"
+            ));
+        }
+        match self.point.or(self.twice) {
+            None => Ok(true),
+            Some((other, cell)) => Err(format!(
+                "line {line} has `{comma}`, line {other} `{cell}`: write all numbers with the same decimal \
+                 sign, and nothing between thousands"
+            )),
+        }
+    }
+}
+
 impl CsvTable {
     /// Reads the table; `#` begins a comment line, rows without any value are left out.
     ///
     /// # Errors
     /// Names the columns found and those that are missing, or the line that does not fit them.
     pub fn parse(text: &str, columns: &[ColumnNames<'_>]) -> Result<Self, String> {
-        Self::read(text, |header| places(header, columns)).map(|(_, table)| table)
+        Self::kept(&CsvCells::of(text, columns)?)
     }
 
     /// Reads all of its columns, with the names in its header.
@@ -72,41 +248,22 @@ impl CsvTable {
     /// # Errors
     /// There is no header, or a line does not fit it.
     pub fn whole(text: &str) -> Result<(Vec<String>, Self), String> {
-        let all = |header: &csv::StringRecord| {
-            // Spreadsheets end a line with separators of columns that are not there.
-            let last = (0..header.len()).rfind(|place| !header[*place].is_empty());
-            let last = last.ok_or("there is no line with the names of the columns")?;
-            Ok((0..=last).collect())
-        };
-        Self::read(text, all)
+        let cells = CsvCells::whole(text)?;
+        Ok((cells.names.clone(), Self::kept(&cells)?))
     }
 
-    fn read(
-        text: &str,
-        places: impl Fn(&csv::StringRecord) -> Result<Vec<usize>, String>,
-    ) -> Result<(Vec<String>, Self), String> {
-        let (separator, text) = separated(text);
-        let mut reader = csv::ReaderBuilder::new()
-            .delimiter(separator)
-            .comment(Some(b'#'))
-            .trim(csv::Trim::All)
-            .flexible(true)
-            .from_reader(text.as_bytes());
-        let header = reader.headers().map_err(|error| error.to_string())?.clone();
-        let places = places(&header)?;
-        let mut table = Self { rows: Vec::new(), separator, commas: false };
-        for record in reader.records() {
-            let record = record.map_err(|error| error.to_string())?;
-            let line = record.position().map_or(0, csv::Position::line);
-            if record.iter().all(str::is_empty) {
-                continue;
+    fn kept(cells: &CsvCells<'_>) -> Result<Self, String> {
+        let mut rows: Vec<CsvRow> = Vec::new();
+        cells.each(|line, column, cell| {
+            if column == 0 {
+                rows.push(CsvRow { line, cells: Vec::with_capacity(cells.places.len()) });
             }
-            table.fits(line, &record, &header)?;
-            let cells = places.iter().map(|place| record[*place].to_owned()).collect();
-            table.rows.push(CsvRow { line, cells });
-        }
-        table.one_decimal_sign()?;
-        Ok((places.iter().map(|place| header[*place].to_owned()).collect(), table))
+            if let Some(row) = rows.last_mut() {
+                row.cells.push(cell.to_owned());
+            }
+            Ok(())
+        })?;
+        Ok(Self { rows, separator: cells.separator, commas: cells.commas })
     }
 
     /// What separates its values.
@@ -122,62 +279,10 @@ impl CsvTable {
         if self.commas { text.replace('.', ",") } else { text }
     }
 
-    /// Spreadsheets fill rows up with empty cells; any other cell needs its column.
-    fn fits(
-        &self,
-        line: u64,
-        record: &csv::StringRecord,
-        header: &csv::StringRecord,
-    ) -> Result<(), String> {
-        let (values, columns) = (record.len(), header.len());
-        if values == columns || values > columns && record.iter().skip(columns).all(str::is_empty) {
-            return Ok(());
-        }
-        let advice = match self.separator {
-            b',' if values > columns => {
-                "; numbers with decimal commas need semicolons between them, as in `0,5;1,2`"
-            }
-            _ => "",
-        };
-        Err(format!("line {line} has {values} values for {columns} columns{advice}"))
-    }
-
-    /// A table has decimal points or decimal commas; with both, one of them may mean thousands.
-    fn one_decimal_sign(&mut self) -> Result<(), String> {
-        let cells =
-            || self.rows.iter().flat_map(|row| row.cells.iter().map(|cell| (row.line, cell)));
-        let Some((line, comma)) = cells().find(|(_, cell)| has_comma(cell)) else {
-            return Ok(());
-        };
-        let comma = shown(comma, MAX_SHOWN);
-        if self.separator == b',' {
-            return Err(format!(
-                "line {line}: `{comma}` has a comma, which separates the values of this table: write a decimal \
-                 point, or separate the values by semicolons"
-            ));
-        }
-        let number = |cell: &str| cell.parse::<f64>().is_ok();
-        let both = |cell: &str| cell.contains('.') && (number(cell) || has_comma(cell));
-        let point = cells().find(|(_, cell)| both(cell));
-        let twice = cells().find(|(_, cell)| has_comma(cell) && cell.matches(',').count() > 1);
-        if let Some((other, cell)) = point.or(twice) {
-            let cell = shown(cell, MAX_SHOWN);
-            return Err(format!(
-                "line {line} has `{comma}`, line {other} `{cell}`: write all numbers with the same decimal \
-                 sign, and nothing between thousands"
-            ));
-        }
-        self.commas = true;
-        Ok(())
-    }
-
     /// The number in a cell.
     #[must_use]
     pub fn number(&self, cell: &str) -> Option<f64> {
-        match self.commas {
-            true => cell.replace(',', ".").parse().ok(),
-            false => cell.parse().ok(),
-        }
+        number(cell, self.commas)
     }
 }
 

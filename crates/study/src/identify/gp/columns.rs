@@ -1,8 +1,7 @@
 //! What columns a table offers to a search: their names, units and ranges.
 
 use super::units::by_name;
-use crate::base::math;
-use crate::csv_table::CsvTable;
+use crate::csv_table::CsvCells;
 
 /// A column of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,32 +30,33 @@ impl OfferedTable {
     /// There is no line with names, no row, fewer than two columns of numbers, or a line does not fit; names the
     /// line and what is allowed.
     pub fn read(text: &str) -> Result<Self, String> {
-        let (names, table) = CsvTable::whole(text)?;
-        if table.rows.is_empty() {
-            return Err("no rows below the names of the columns".to_owned());
-        }
-        let offered = |(place, name): (usize, &String)| {
-            let mut values = Vec::with_capacity(table.rows.len());
-            let mut fault = None;
-            for row in &table.rows {
-                let cell = &row.cells[place];
-                match table.number(cell).filter(|value| value.is_finite()) {
-                    Some(value) => values.push(value),
-                    None => {
-                        let line = row.line;
-                        fault = Some(format!(
-                            "line {line}: `{name}` is `{cell}`: allowed is a finite number"
-                        ));
-                        break;
-                    }
+        let cells = CsvCells::whole(text)?;
+        let mut rows = 0;
+        let mut ranges: Vec<Result<[f64; 2], String>> =
+            vec![Ok([f64::INFINITY, f64::NEG_INFINITY]); cells.names().len()];
+        cells.each(|line, column, cell| {
+            rows += usize::from(column == 0);
+            let Ok([low, high]) = &mut ranges[column] else { return Ok(()) };
+            match cells.number(cell).filter(|value| value.is_finite()) {
+                Some(value) => [*low, *high] = [low.min(value), high.max(value)],
+                None => {
+                    let name = &cells.names()[column];
+                    let fault =
+                        format!("line {line}: `{name}` is `{cell}`: allowed is a finite number");
+                    ranges[column] = Err(fault);
                 }
             }
-            let range = fault.map_or_else(|| Ok(math::extent(values.into_iter())), Err);
+            Ok(())
+        })?;
+        if rows == 0 {
+            return Err("no rows below the names of the columns".to_owned());
+        }
+        let offered = |(name, range): (&String, Result<[f64; 2], String>)| {
             let unit = by_name(name).map_or_else(String::new, |unit| unit.to_string());
             OfferedColumn { name: name.clone(), unit, range }
         };
-        let named = names.iter().enumerate().filter(|(_, name)| !name.is_empty());
-        let offered = Self { columns: named.map(offered).collect(), rows: table.rows.len() };
+        let named = cells.names().iter().zip(ranges).filter(|(name, _)| !name.is_empty());
+        let offered = Self { columns: named.map(offered).collect(), rows };
         let numbers = offered.columns.iter().filter(|column| column.range.is_ok()).count();
         if numbers < 2 {
             let faults = offered.columns.iter().filter_map(|column| column.range.as_ref().err());

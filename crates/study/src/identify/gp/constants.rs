@@ -48,6 +48,25 @@ pub struct FittedFormula {
 }
 
 impl FittedFormula {
+    /// The same without what it has for each row.
+    #[must_use]
+    pub fn without_rows(self) -> Self {
+        Self { residuals: Vec::new(), leverages: Vec::new(), ..self }
+    }
+
+    /// The same with its residuals and leverages on these rows, to which it was fitted.
+    #[must_use]
+    pub fn with_rows(self, rows: &DataRows) -> Self {
+        let values: Vec<f64> = self.constants.iter().map(|constant| constant.value).collect();
+        let target = &rows.target;
+        let residuals = column(&self.formula.compile(), rows, &[]);
+        let residuals = target.iter().zip(residuals).map(|(y, value)| y - value).collect();
+        let jacobian: Vec<Vec<f64>> =
+            self.slopes.iter().map(|slope| column(slope, rows, &values)).collect();
+        let leverages = leverages(&jacobian, rows.len());
+        Self { residuals, leverages, ..self }
+    }
+
     /// Root mean square of the residuals.
     #[must_use]
     pub fn rms(&self) -> f64 {
@@ -354,7 +373,6 @@ fn with_intervals(
     let freedom = n - p;
     let variance = dot(&residuals, &residuals) / freedom as f64;
     let quantile = t_quantile(freedom);
-    let mut leverages = vec![0.0; n];
     // Orthonormal columns; a constant's variance is that of 1 over what of its column the others leave.
     let norms: Vec<f64> = jacobian.iter().map(|column| dot(column, column)).collect();
     let mut constants = Vec::with_capacity(p);
@@ -375,11 +393,18 @@ fn with_intervals(
         let interval = determined.then_some([value - half, value + half]);
         constants.push(FittedConstant { value, interval });
     }
+    let leverages = leverages(&jacobian, n);
+    let spread = covariance(&jacobian);
+    FittedFormula { formula, constants, residuals, leverages, fitted: p, slopes, spread }
+}
+
+/// Leverage of each row.
+fn leverages(jacobian: &[Vec<f64>], rows: usize) -> Vec<f64> {
+    let mut leverages = vec![0.0; rows];
     for q in orthonormal(jacobian.iter()) {
         leverages.iter_mut().zip(&q).for_each(|(leverage, q)| *leverage += q * q);
     }
-    let spread = covariance(&jacobian);
-    FittedFormula { formula, constants, residuals, leverages, fitted: p, slopes, spread }
+    leverages
 }
 
 /// The inverse of the columns' products; none where they all but depend on each other.

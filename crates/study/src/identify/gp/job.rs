@@ -90,6 +90,12 @@ impl GpJob {
         &self.problem
     }
 
+    /// What was asked, without the search.
+    #[must_use]
+    pub fn into_problem(self) -> GpProblem {
+        self.problem
+    }
+
     /// How it searches.
     #[must_use]
     pub fn settings(&self) -> &GpSettings {

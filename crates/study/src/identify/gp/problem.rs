@@ -8,7 +8,7 @@ use crate::base::formula::Unit;
 use crate::base::math;
 use crate::base::rng::Stream;
 use crate::base::stats;
-use crate::csv_table::CsvTable;
+use crate::csv_table::CsvCells;
 
 /// Fewest rows.
 const FEWEST: usize = 5;
@@ -64,17 +64,8 @@ impl GpProblem {
         let names: Vec<[&str; 1]> =
             inputs.iter().map(|input| [input.as_str()]).chain([[target]]).collect();
         let columns: Vec<&[&str]> = names.iter().map(<[&str; 1]>::as_slice).collect();
-        let table = CsvTable::parse(text, &columns)?;
-        let mut values = vec![Vec::with_capacity(table.rows.len()); columns.len()];
-        for row in &table.rows {
-            for ((cell, values), [name]) in row.cells.iter().zip(&mut values).zip(&names) {
-                let value = table.number(cell).filter(|value| value.is_finite());
-                values.push(value.ok_or_else(|| {
-                    let line = row.line;
-                    format!("line {line}: `{name}` is `{cell}`: allowed is a finite number")
-                })?);
-            }
-        }
+        // Straight into columns of numbers: a table may have a million rows.
+        let mut values = CsvCells::of(text, &columns)?.numbers()?;
         let last = values.pop().unwrap_or_default();
         let problem = Self {
             target: target.to_owned(),
@@ -191,13 +182,13 @@ impl GpProblem {
     /// The rows that the search goes over: all, or a sample drawn with the seed.
     #[must_use]
     pub fn searched(&self, seed: u64) -> DataRows {
-        let rows = match &self.template {
-            Some(template) => template.extended(&self.rows).unwrap_or_else(|_| self.rows.clone()),
-            None => self.rows.clone(),
+        let extended = |rows: DataRows| match &self.template {
+            Some(template) => template.extended(&rows).unwrap_or(rows),
+            None => rows,
         };
-        let count = rows.len();
+        let count = self.rows.len();
         if count <= MOST_SEARCHED {
-            return rows;
+            return extended(self.rows.clone());
         }
         let stream = Stream::new(seed, "identify.gp.sample");
         let mut order: Vec<(u64, usize)> =
@@ -205,7 +196,7 @@ impl GpProblem {
         order.sort_unstable();
         let mut keep = vec![false; count];
         order[..MOST_SEARCHED].iter().for_each(|(_, row)| keep[*row] = true);
-        rows.only(|row| keep[row])
+        extended(self.rows.only(|row| keep[row]))
     }
 }
 

@@ -11,7 +11,7 @@ use super::families::declared;
 use super::folds::{LeftOut, refitted};
 use super::outliers::without;
 use super::paper::PaperResult;
-use super::problem::{GpProblem, SMALL};
+use super::problem::{GpProblem, MOST_SEARCHED, SMALL};
 use super::range::RangeReport;
 use super::search::GpSearch;
 use super::written::formula;
@@ -161,7 +161,10 @@ impl GpReport {
 
 /// A formula of the front, finished.
 struct Entry {
+    /// Without what it has for each row, where the rows are very many.
     fit: FittedFormula,
+    /// Root mean square of its residuals.
+    rms: f64,
     /// Estimated error of prediction.
     error: f64,
     exact: bool,
@@ -246,9 +249,11 @@ fn finished(
         fit = fitted(&simpler, &problem.rows).ok()?;
     }
     let certificate = fit.formula.certify(&ranges(problem, 0.0)).ok()?;
+    let rms = fit.rms();
     Some(Entry {
         certified: certificate.is_finite(),
-        fit,
+        fit: if problem.rows.len() > MOST_SEARCHED { fit.without_rows() } else { fit },
+        rms,
         error: candidate.error,
         exact,
         periodic: candidate.sum.periodic(),
@@ -298,12 +303,12 @@ fn with_families(problem: &GpProblem, search: &GpSearch, mut entries: Vec<Entry>
     let (mut loo, mut error) = (f64::INFINITY, f64::INFINITY);
     let mut size = 0;
     entries.retain(|entry| {
-        let better = entry.loo() < 0.999 * loo || entry.fit.rms() < 0.999 * error;
+        let better = entry.loo() < 0.999 * loo || entry.rms < 0.999 * error;
         let keeps = entry.size() > size && better;
         if keeps {
             size = entry.size();
             loo = loo.min(entry.loo());
-            error = error.min(entry.fit.rms());
+            error = error.min(entry.rms);
         }
         keeps
     });
@@ -348,6 +353,7 @@ pub fn only(problem: &GpProblem, fit: FittedFormula, left_out: LeftOut) -> GpRep
     let entry = Entry {
         certified: certificate.is_ok_and(|certificate| certificate.is_finite()),
         error: fit.rms(),
+        rms: fit.rms(),
         exact: false,
         periodic: 0,
         left_out: Some(left_out),
@@ -386,7 +392,7 @@ fn told(
         .map(|(number, entry)| FrontFormula {
             formula: entry.fit.formula.to_string(),
             size: entry.size(),
-            error: entry.fit.rms(),
+            error: entry.rms,
             loo_error: entry.left_out.as_ref().map(LeftOut::rms),
             loo_worst_share: entry.left_out.as_ref().map(|left_out| worst(problem, left_out)),
             chosen: chosen == Some(number),
@@ -397,7 +403,12 @@ fn told(
             constants: entry.fit.constants.iter().map(ReportedConstant::from).collect(),
         })
         .collect();
-    let chosen = chosen.map(|chosen| &entries[chosen]);
+    let exact = chosen.is_some_and(|chosen| entries[chosen].exact);
+    let chosen = chosen.map(|chosen| {
+        let fit = entries[chosen].fit.clone();
+        if fit.residuals.is_empty() { fit.with_rows(&problem.rows) } else { fit }
+    });
+    let chosen = chosen.as_ref();
     let digest = digest(&front);
     GpReport {
         target: problem.target.clone(),
@@ -405,15 +416,12 @@ fn told(
         searched_rows: searched.rows,
         front,
         left_out: searched.left_out,
-        ranges: chosen.map(|entry| RangeReport::of(problem, &entry.fit.formula)),
-        residual_deviation: chosen.map(|entry| entry.fit.deviation()),
-        residuals: chosen.map(|entry| entry.fit.residuals.clone()).unwrap_or_default(),
-        bands: chosen.map(|entry| bands(problem, &entry.fit)).unwrap_or_default(),
+        ranges: chosen.map(|fit| RangeReport::of(problem, &fit.formula)),
+        residual_deviation: chosen.map(FittedFormula::deviation),
+        residuals: chosen.map(|fit| fit.residuals.clone()).unwrap_or_default(),
+        bands: chosen.map(|fit| bands(problem, fit)).unwrap_or_default(),
         // Where nothing is left over, no row stands out.
-        outliers: chosen
-            .filter(|chosen| !chosen.exact)
-            .map(|chosen| outliers(problem, &chosen.fit))
-            .unwrap_or_default(),
+        outliers: chosen.filter(|_| !exact).map(|fit| outliers(problem, fit)).unwrap_or_default(),
         paper: None,
         found_by: "default",
         batches: searched.batches,
