@@ -217,6 +217,52 @@ fn machine_and_tool_life() {
     check("LifeMonteCarlo", &LifeMonteCarlo::new(tools, 12), 1);
 }
 
+/// The search for K4 in three batches.
+fn search_for_k4() -> GpJob {
+    let text = include_str!("../data/gp/k4_clean.csv");
+    let inputs = ["feed_mm_min", "speed_rpm"].map(str::to_owned);
+    let problem = GpProblem::read(text, "force_n", &inputs).unwrap();
+    GpJob::new(problem, &GpSettings { seed: 1, batches: 3, paper: None }).unwrap()
+}
+
+#[test]
+fn a_search_has_the_same_bits_on_any_number_of_threads_in_slices_of_any_size() {
+    let gone = |threads: usize, slice: u64| {
+        let mut job = search_for_k4();
+        while !job.advance(&Budget::steps(slice).on(&Several(threads), NEVER)) {}
+        job.report().digest
+    };
+    let whole = gone(1, u64::MAX);
+    // A step is one formula, 128 of them a batch.
+    let batches = 128 * 1000;
+    for (threads, slice) in [(1, 1), (1, batches), (2, batches), (3, batches), (8, 1), (8, batches)]
+    {
+        assert_eq!(gone(threads, slice), whole, "{threads} threads, slices of {slice}");
+    }
+}
+
+/// Within 100 ms, and what was found until then is kept: gone on with, it comes to the same end.
+#[test]
+#[expect(clippy::disallowed_methods, reason = "the test is a front end")]
+fn a_search_stops_soon_and_keeps_what_it_has_found() {
+    let mut whole = search_for_k4();
+    whole.to_end();
+    let mut least_s = f64::INFINITY;
+    // The best of some tries: the machine may have other work.
+    for _ in 0..8 {
+        let mut job = search_for_k4();
+        let begin = std::time::Instant::now();
+        let asked_s = 0.005;
+        let stopped = || begin.elapsed().as_secs_f64() > asked_s;
+        assert!(!job.advance(&Budget::all().on(&Several(2), &stopped)));
+        least_s = f64::min(least_s, begin.elapsed().as_secs_f64() - asked_s);
+        assert!(!job.standing().front.is_empty());
+        job.to_end();
+        assert_eq!(job.report().digest, whole.report().digest);
+    }
+    assert!(least_s < 0.1, "{least_s} s");
+}
+
 #[test]
 fn searches_for_formulas() {
     let rows = (0..12).map(|i| 0.5 * f64::from(i) + 1.0);
