@@ -8,7 +8,7 @@
 //! outside is answered by the feed, later and the other way round.
 //!
 //! In few periods noise stays in step by chance. So the swing has to be larger than what the noise drives:
-//! through loops of SDNRP up to nine tenths of their critical gain the amplitude is at most 1.5 times the
+//! through loops of SDNRP up to eight tenths of their critical gain the amplitude is at most 1.5 times the
 //! root mean square of what the sensor adds (measured over gains, dead times, seeds and noise levels), and
 //! a limit cycle is bounded by limits and models, not by the noise.
 
