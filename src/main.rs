@@ -33,6 +33,27 @@ mod web_exports {
         steadycut::study::golden::to_json()
     }
 
+    /// The digest of a search for a formula, for the test of the bits: the table's text, its target and inputs.
+    #[wasm_bindgen]
+    pub fn search_digest(
+        table: &str,
+        target: &str,
+        inputs: Vec<String>,
+        seed: u32,
+        batches: u32,
+    ) -> Result<String, JsValue> {
+        use steadycut::run::job::Job;
+        use steadycut::study::identify::gp::job::{GpJob, GpSettings};
+        use steadycut::study::identify::gp::problem::GpProblem;
+
+        let told = |error: String| JsValue::from_str(&error);
+        let problem = GpProblem::read(table, target, &inputs).map_err(|e| told(e.to_string()))?;
+        let settings = GpSettings { seed: seed.into(), batches: batches.into(), paper: None };
+        let mut job = GpJob::new(problem, &settings).map_err(|e| told(e.to_string()))?;
+        job.to_end();
+        Ok(job.report().digest)
+    }
+
     /// Shows the console on a canvas.
     #[cfg(feature = "app")]
     #[wasm_bindgen]

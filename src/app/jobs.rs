@@ -24,10 +24,11 @@ const OF_THE_FRAME: f64 = 0.5;
 /// Time of a slice on the pool, s: partial results are as old as that at most.
 #[cfg(not(target_arch = "wasm32"))]
 const POOL_SLICE_S: f64 = 0.03;
-/// A slice that takes so many times as long as it is to take is ended; the clock is looked at once in so many steps.
-const LATE: f64 = 1.5;
+/// A slice is ended after this share of its time; the clock is looked at once in so many steps. What is begun by then
+/// takes its own time, and all of it is to be within the slice's as a rule.
+const LATE: f64 = 0.75;
 /// See [`LATE`].
-const LOOKS: u32 = 16;
+const LOOKS: u32 = 4;
 /// Time of work up to which a brief job is not listed, s.
 const BRIEF_S: f64 = 0.4;
 /// Time between two frames while nothing else moves, s.
@@ -121,7 +122,7 @@ impl<J: Job> Shared<J> {
             found = (Arc::new(job.partial()), job.progress());
             over = found.1.done >= found.1.total;
         }
-        if took_s > 1.5 * slice_s {
+        if took_s > slice_s {
             slot.steps = (steps / 2).max(1);
         } else if took_s < 0.5 * slice_s {
             slot.steps = steps.saturating_mul(2);

@@ -1,5 +1,5 @@
 // The program in WebAssembly gives the same bits as natively: every preset's digest, metrics and
-// variants against tests/golden.json, in Node, without a browser. Needs web/dist (web/build).
+// variants against tests/golden.json, and two searches for a formula, in Node, without a browser. Needs web/dist (web/build).
 
 import assert from "node:assert/strict";
 import { cpSync, readFileSync, rmSync } from "node:fs";
@@ -24,5 +24,16 @@ test("the presets are those of tests/golden.json", () => {
 });
 for (const preset of presets) {
   test(`${preset}: the same digest in WebAssembly`, () => assertGolden(json, preset));
+}
+const gp = new URL("../../crates/study/tests/data/gp/", import.meta.url);
+const digests = JSON.parse(readFileSync(new URL("digests.json", gp)));
+for (const [table, target, inputs] of [
+  ["k4_clean", "force_n", ["feed_mm_min", "speed_rpm"]],
+  ["nguyen05", "y", ["x1"]],
+]) {
+  test(`${table}: the search for a formula gives the same digest in WebAssembly`, () => {
+    const text = readFileSync(new URL(`${table}.csv`, gp), "utf8");
+    assert.equal(program.search_digest(text, target, inputs, 1, 15), digests[table]);
+  });
 }
 test("twice gives the same", () => assert.equal(program.preset_digests(), json));

@@ -12,7 +12,8 @@ use steadycut_core::blocks::cutting::process::ForceModel;
 use steadycut_core::models::genetic::Calibration;
 use steadycut_core::models::plan::PlannedSection;
 use steadycut_core::models::tool_life::Growth;
-use steadycut_core::run::edits::Edits;
+use steadycut_core::run::constant_feed_twin::BesideRun;
+use steadycut_core::run::edits::{Edit, Edits};
 use steadycut_core::run::job::{Budget, Job, OneThread, Threads};
 use steadycut_core::run::one_run::Run;
 use steadycut_core::run::presets::load;
@@ -157,6 +158,11 @@ fn recipe(hidden: usize) -> TrainingRecipe {
 #[test]
 fn runs_and_what_is_made_of_one() {
     check("Run", &Run::new(&scenario("table3-5-noise", &[]), &Edits::none()), 500);
+    let changed = Edit { at_s: 3.0, path: "target.ra_um".to_owned(), value: Value::Float(1.2) };
+    let mut edits = Edits::none();
+    let cut = scenario("table3-5-noise", &[]);
+    edits.push(&cut, changed).unwrap();
+    check("BesideRun", &BesideRun::new(&Run::complete(&cut, &edits)), 5000);
     let run = Run::complete(&milled(), &Edits::none());
     check("RunTo", &RunTo::new(&milled(), &Edits::none(), 20_000), 777);
     check("RevolutionJob", &RevolutionJob::new(&run, 2.0, 2, None), 777);
@@ -332,7 +338,8 @@ fn every_job_is_checked_here() {
                 } else if path.extension().is_some_and(|extension| extension == "rs") {
                     let text = std::fs::read_to_string(&path).unwrap();
                     let jobs = text.split("impl Job for ").skip(1);
-                    found.extend(jobs.map(|rest| rest.split(' ').next().unwrap().to_owned()));
+                    found
+                        .extend(jobs.map(|rest| rest.split([' ', '<']).next().unwrap().to_owned()));
                 }
             }
         }
