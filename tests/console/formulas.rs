@@ -7,7 +7,9 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{SnapshotOptions, SnapshotResults};
 use steadycut::app::Console;
 use steadycut::app::command::{Command, SessionCommand};
+use steadycut::base::settings::Value;
 use steadycut::models::genetic::Calibration;
+use steadycut::models::tool::ShippedTool;
 use steadycut::run::scenario::Scenario;
 
 use crate::drawn;
@@ -111,6 +113,24 @@ fn a_formula_is_typed_told_what_is_wrong_used_in_the_cut_and_taken_back() {
         assert_eq!(current(&screen).belief.calibration, Calibration::Identified);
         assert!(console(&screen).messages().next().is_none(), "nothing was refused");
     }
+}
+
+#[test]
+fn a_formula_typed_for_another_cutter_holds_for_that_one() {
+    let square = Value::Text("square-12-4".to_owned());
+    let mut screen = open("table3-5", SIZES[0], "Block diagram", &[("tool.name", square)]);
+    screen.get_by_role_and_label(Role::Button, "Cutting process K4").click_accesskit();
+    screen.run_steps(3);
+    assert!(texts(&screen).contains("of the papers' cutter alone"), "{}", texts(&screen));
+    press(&mut screen, &format!("Type: {FORCE}"));
+    press(&mut screen, &format!("Use: {FORCE}"));
+    let own = current(&screen).formula.force.get().expect("the formula").clone();
+    assert_eq!(own.tool(), Some(ShippedTool::Square12));
+    assert!(!texts(&screen).contains("cutter alone"), "{}", texts(&screen));
+    let ball = Value::Text("ball-10-2".to_owned());
+    console(&screen).push(Command::set("tool.name", ball));
+    screen.run_steps(3);
+    assert!(texts(&screen).contains("of the cutter square-12-4 alone"), "{}", texts(&screen));
 }
 
 #[test]

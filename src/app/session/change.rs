@@ -77,7 +77,7 @@ impl Session {
                 }
             }
             SessionCommand::SetFormula { path, value } => {
-                if let Err(error) = self.set_formula(&path, value) {
+                if let Err(error) = self.set_formula(&path, self.for_this_cutter(value)) {
                     self.notify(error.to_string());
                 }
             }
@@ -236,6 +236,19 @@ impl Session {
         }
         self.gesture = None;
         Ok(())
+    }
+
+    /// A formula that is typed or found here, and names no cutter, is taken for one of the present cutter; a file that
+    /// names none is of the papers'.
+    fn for_this_cutter(&self, value: Value) -> Value {
+        let tool = &self.current.tool;
+        let Value::Text(text) = &value else { return value };
+        match FormulaModel::parse(text) {
+            Ok(model) if model.tool().is_none() && !tool.cuts_as_in_the_papers() => {
+                Value::Text(model.found_on(tool.shipped_alike()).write_line())
+            }
+            Ok(_) | Err(_) => value,
+        }
     }
 
     /// Takes the formula of a file.

@@ -19,6 +19,7 @@ use crate::models::genetic::sdnrp_2007;
 use crate::models::genetic::{
     FeedLaw, ForceRoughness, GeneticModels, ModelSet, OwnModels, SpeedLaw,
 };
+use crate::models::tool::ShippedTool;
 use crate::published::TableRow;
 
 /// Least-squares quadratic through points, on their range.
@@ -74,7 +75,7 @@ pub(super) fn identify(rows: &[TableRow]) -> Result<Identified, String> {
         feed: FeedLaw::Curve(k2),
         speed: SpeedLaw::Curve(k3),
         force: sdnrp_2007::K4_RESTORED,
-        of_tool: true,
+        cuts_as: Some(ShippedTool::R21616B20),
         own: OwnModels::default(),
     };
     let at_final = |row: &TableRow| models.force(row.feed_final_mm_min, row.spindle_final_rpm);

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{FormulaInput, FormulaModel, FormulaOutput};
 use crate::base::files::{JsonLayout, from_json, from_toml, to_json};
 use crate::base::formula::{Formula, Interval, NamedConstant, Unit};
+use crate::models::tool::ShippedTool;
 
 /// Version of the format.
 pub const FORMULA_MODEL_VERSION: u64 = 1;
@@ -28,6 +29,8 @@ pub(in crate::models) struct ModelText {
     formula: String,
     #[serde(default, skip_serializing_if = "String::is_empty")]
     source: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    tool: Option<String>,
     output: OutputText,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     constants: Vec<ConstantText>,
@@ -63,6 +66,13 @@ fn from_text<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, String> {
 
 fn unit(path: &str, text: &str) -> Result<Unit, String> {
     Unit::parse(text).map_err(|problem| format!("`{path}`: {problem}"))
+}
+
+fn tool(id: &str) -> Result<ShippedTool, String> {
+    ShippedTool::from_id(id).ok_or_else(|| {
+        let all: Vec<&str> = ShippedTool::ALL.iter().map(|tool| tool.id()).collect();
+        format!("`tool` cannot be `{id}`: allowed is one of {}", all.join(", "))
+    })
 }
 
 impl ModelText {
@@ -101,7 +111,8 @@ impl ModelText {
         }
         let unit = unit("output.unit", &self.output.unit)?;
         let output = FormulaOutput { name: self.output.name, unit };
-        FormulaModel::new(formula, inputs, output, self.source)
+        let tool = self.tool.map(|id| tool(&id)).transpose()?;
+        Ok(FormulaModel::new(formula, inputs, output, self.source)?.found_on(tool))
     }
 
     pub(in crate::models) fn of(model: &FormulaModel) -> Self {
@@ -117,6 +128,7 @@ impl ModelText {
             version: FORMULA_MODEL_VERSION,
             formula: model.formula().to_string(),
             source: model.source().to_owned(),
+            tool: model.tool().map(|tool| tool.id().to_owned()),
             output: OutputText { name: output.name.clone(), unit: output.unit.to_string() },
             constants: constants
                 .map(|NamedConstant { name, value }| ConstantText { name, value })

@@ -9,6 +9,7 @@ mod setting;
 
 pub(super) use self::file::ModelText;
 use super::Valued;
+use super::tool::ShippedTool;
 use crate::base::equation::number;
 use crate::base::formula::{
     CompiledFormula, Formula, FormulaError, Interval, NumberUnits, Unit, UnitReport,
@@ -45,6 +46,7 @@ pub struct FormulaModel {
     inputs: Vec<FormulaInput>,
     output: FormulaOutput,
     source: String,
+    tool: Option<ShippedTool>,
     compiled: CompiledFormula,
     slopes: Vec<CompiledFormula>,
     bounds: Interval,
@@ -77,7 +79,7 @@ impl FormulaModel {
             slopes.push(slope.compile());
         }
         let compiled = formula.compile();
-        Ok(Self { formula, inputs, output, source, compiled, slopes, bounds })
+        Ok(Self { formula, inputs, output, source, tool: None, compiled, slopes, bounds })
     }
 
     /// Reads a model file: TOML, or JSON where it begins with a brace.
@@ -122,6 +124,26 @@ impl FormulaModel {
     #[must_use]
     pub fn source(&self) -> &str {
         &self.source
+    }
+
+    /// The same as one that was found on a shipped cutter.
+    #[must_use]
+    pub fn found_on(self, tool: Option<ShippedTool>) -> Self {
+        Self { tool, ..self }
+    }
+
+    /// The shipped cutter that it was found on, where it says so.
+    #[must_use]
+    pub fn tool(&self) -> Option<ShippedTool> {
+        self.tool
+    }
+
+    /// Whether it holds for a cutter that cuts as this shipped one; a model that names none is taken for one of
+    /// the papers' cutter.
+    #[must_use]
+    #[inline]
+    pub fn holds_for(&self, cuts_as: Option<ShippedTool>) -> bool {
+        cuts_as == Some(self.tool.unwrap_or(ShippedTool::R21616B20))
     }
 
     /// Bounds of its values on its ranges.
@@ -181,7 +203,7 @@ impl FormulaModel {
         let constants = self.formula.own_constants();
         let formula = Formula::parse_with(&self.formula.to_string(), &names, &constants)
             .map_err(|error| error.to_string())?;
-        Self::new(formula, inputs, self.output, self.source)
+        Ok(Self::new(formula, inputs, self.output, self.source)?.found_on(self.tool))
     }
 
     /// The formula with its inputs called by other names, and with values in their place, as an equation is shown;
@@ -268,6 +290,12 @@ high = 4000
         assert_eq!(FormulaModel::parse(&model.write_line()).unwrap(), model);
         assert!(!model.write_line().contains('\n'));
         assert_eq!(model.source(), "K4 of 2007, restored");
+        assert_eq!(model.tool(), None);
+        let square = MODEL.replacen("[output]", "tool = \"square-12-4\"\n[output]", 1);
+        let square = FormulaModel::parse(&square).unwrap();
+        assert_eq!(square.tool(), Some(ShippedTool::Square12));
+        assert_eq!(FormulaModel::parse(&square.write()).unwrap(), square);
+        assert_eq!(FormulaModel::parse(&square.write_line()).unwrap(), square);
         assert_eq!(model.units().unwrap().constants[0].unit, "N");
     }
 
@@ -304,6 +332,7 @@ high = 4000
             ("unit = \"N\"", "unit = \"newton\"", ["`output.unit`", "`newton` is no unit"]),
             ("name = \"F\"", "nam = \"F\"", ["unknown field `nam`", "line"]),
             ("source =", "origin =", ["unknown field `origin`", "line"]),
+            ("source =", "tool = \"saw\"\nsource =", ["`tool` cannot be `saw`", "square-12-4"]),
             ("name = \"n\"", "name = \"f\"", ["`formula`", "two inputs have the name `f`"]),
             ("8973*ln(0.039*f)/f", "1/(f-100)", ["a division by 0", "`1 / (f - 100)`"]),
             ("8973*ln(0.039*f)/f", "sqrt(f-69.7)", ["its slope by `f`", "finite"]),

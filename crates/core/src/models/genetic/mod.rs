@@ -19,7 +19,7 @@ mod ranges;
 pub mod sdnrp_2007;
 pub mod strategy_2013;
 
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use self::curve::Curve;
 use self::exponential::Exponential;
@@ -30,7 +30,8 @@ pub use self::own::{
 };
 use self::quartic::Quartic;
 use super::Valued;
-use super::tool::Tool;
+use super::formula_model::FormulaModel;
+use super::tool::{ShippedTool, Tool};
 use crate::base::math;
 
 crate::choice! {
@@ -165,9 +166,9 @@ pub struct GeneticModels {
     pub speed: SpeedLaw,
     /// Model 4.
     pub force: ForceFormula,
-    /// Whether the cutter is the papers' one, for which they hold; with another one every answer is
-    /// marked as outside the range.
-    pub of_tool: bool,
+    /// The shipped cutter that the cutter cuts as. The set's own models hold for the papers' one, a formula for
+    /// that which it was found on; with another one an answer is marked as outside the range.
+    pub cuts_as: Option<ShippedTool>,
     /// Formulas in the place of the set's models.
     pub own: OwnModels,
 }
@@ -176,11 +177,23 @@ impl GeneticModels {
     /// The same for a cutter: the forces and roughness that they were fitted to are the papers' cutter's.
     #[must_use]
     pub fn for_tool(self, tool: &Tool) -> Self {
-        Self { of_tool: tool.cuts_as_in_the_papers(), ..self }
+        Self { cuts_as: tool.shipped_alike(), ..self }
     }
 
-    fn within(&self, found: Valued) -> Valued {
-        Valued { valid: found.valid && self.of_tool, ..found }
+    /// Whether a model holds for the cutter: a formula of one's own, or one of the set.
+    #[must_use]
+    #[inline]
+    pub fn of_tool(&self, own: Option<&FormulaModel>) -> bool {
+        match own {
+            Some(own) => own.holds_for(self.cuts_as),
+            None => self.cuts_as == Some(ShippedTool::R21616B20),
+        }
+    }
+
+    #[inline]
+    fn within(&self, own: Option<&Arc<FormulaModel>>, found: Valued) -> Valued {
+        let of_tool = self.of_tool(own.map(Arc::as_ref));
+        Valued { valid: found.valid && of_tool, ..found }
     }
 
     /// The models of a set in a calibration, for the papers' cutter.
@@ -216,7 +229,7 @@ impl GeneticModels {
                 } else {
                     sdnrp_2007::K4_RESTORED
                 },
-                of_tool: true,
+                cuts_as: Some(ShippedTool::R21616B20),
                 own: OwnModels::default(),
             },
             (ModelSet::Strategy2013, Calibration::Printed) => Self {
@@ -225,7 +238,7 @@ impl GeneticModels {
                 feed: FeedLaw::M2,
                 speed: SpeedLaw::Exponential(strategy_2013::M3, strategy_2013::FORCE_RANGE_N),
                 force: strategy_2013::M4,
-                of_tool: true,
+                cuts_as: Some(ShippedTool::R21616B20),
                 own: OwnModels::default(),
             },
             (ModelSet::Strategy2013, Calibration::Restored) => Self {
@@ -237,7 +250,7 @@ impl GeneticModels {
                     strategy_2013::FORCE_RANGE_N,
                 ),
                 force: strategy_2013::M4,
-                of_tool: true,
+                cuts_as: Some(ShippedTool::R21616B20),
                 own: OwnModels::default(),
             },
         }
@@ -254,7 +267,8 @@ impl GeneticModels {
             (None, ForceRoughness::Curve(curve)) => curve.at(ra_um),
         };
         let low = Valued::new(FORCE_REF_MIN_N, false);
-        self.within(if force.value >= FORCE_REF_MIN_N { force } else { low })
+        let own = self.own.force_of_ra.as_ref();
+        self.within(own, if force.value >= FORCE_REF_MIN_N { force } else { low })
     }
 
     /// Model 5 = 6 (2007 eq. 8; 2013 eq. 6): the produced Ra in um of a cut with the force in N. Never negative.
@@ -267,7 +281,8 @@ impl GeneticModels {
             (None, ForceRoughness::M1M5 { leading }) => strategy_2013::m5(force_n, leading),
             (None, ForceRoughness::Curve(curve)) => curve.inverse(force_n),
         };
-        self.within(if ra.value >= 0.0 { ra } else { Valued::new(0.0, false) })
+        let own = self.own.ra.as_ref();
+        self.within(own, if ra.value >= 0.0 { ra } else { Valued::new(0.0, false) })
     }
 
     /// Model 2 (2007 eq. 5; 2013 eq. 3): the feed command in mm/min for a force in N. May be negative outside its range, as
@@ -275,18 +290,21 @@ impl GeneticModels {
     #[must_use]
     pub fn feed_from_force(&self, force_n: f64) -> Valued {
         if let Some(own) = &self.own.feed {
-            return self.within(own.at(&[force_n]));
+            return self.within(Some(own), own.at(&[force_n]));
         }
-        self.within(match self.feed {
-            FeedLaw::K2 => sdnrp_2007::k2(force_n),
-            FeedLaw::M2 => {
-                let feed = strategy_2013::M2.at(force_n);
-                let rising = strategy_2013::M2.slope(force_n) > 0.0;
-                Valued::new(feed, feed > 0.0 && rising)
-            }
-            FeedLaw::M2Restored(quartic) => quartic.continued(force_n, M2_RESTORED_RANGE_N),
-            FeedLaw::Curve(curve) => curve.at(force_n),
-        })
+        self.within(
+            None,
+            match self.feed {
+                FeedLaw::K2 => sdnrp_2007::k2(force_n),
+                FeedLaw::M2 => {
+                    let feed = strategy_2013::M2.at(force_n);
+                    let rising = strategy_2013::M2.slope(force_n) > 0.0;
+                    Valued::new(feed, feed > 0.0 && rising)
+                }
+                FeedLaw::M2Restored(quartic) => quartic.continued(force_n, M2_RESTORED_RANGE_N),
+                FeedLaw::Curve(curve) => curve.at(force_n),
+            },
+        )
     }
 
     /// Model 3 (2007 eq. 6; 2013 eq. 4): the spindle speed command in 1/min for a force in N; 0 where the radicand of the
@@ -294,29 +312,36 @@ impl GeneticModels {
     #[must_use]
     pub fn speed_from_force(&self, force_n: f64) -> Valued {
         if let Some(own) = &self.own.speed {
-            return self.within(own.at(&[force_n]));
+            return self.within(Some(own), own.at(&[force_n]));
         }
-        self.within(match self.speed {
-            SpeedLaw::K3 => sdnrp_2007::k3(force_n),
-            SpeedLaw::Exponential(law, [low, high]) => {
-                Valued::new(law.at(force_n), math::limit(force_n, low, high) == force_n)
-            }
-            SpeedLaw::Curve(curve) => curve.at(force_n),
-        })
+        self.within(
+            None,
+            match self.speed {
+                SpeedLaw::K3 => sdnrp_2007::k3(force_n),
+                SpeedLaw::Exponential(law, [low, high]) => {
+                    Valued::new(law.at(force_n), math::limit(force_n, low, high) == force_n)
+                }
+                SpeedLaw::Curve(curve) => curve.at(force_n),
+            },
+        )
     }
 
     /// Model 4 (2007 eq. 7; 2013 eq. 5): see [`ForceFormula::at`].
     #[must_use]
     #[inline]
     pub fn force(&self, feed_mm_min: f64, speed_rpm: f64) -> Valued {
-        self.within(match &self.own.force {
-            None => self.force.at(feed_mm_min, speed_rpm),
-            Some(own) => {
-                let found = own.at(&[feed_mm_min, speed_rpm]);
-                let force = found.value + self.own.force_offset_n;
-                Valued::new(math::positive(force), found.valid && force >= 0.0)
-            }
-        })
+        let own = self.own.force.as_ref();
+        self.within(
+            own,
+            match own {
+                None => self.force.at(feed_mm_min, speed_rpm),
+                Some(own) => {
+                    let found = own.at(&[feed_mm_min, speed_rpm]);
+                    let force = found.value + self.own.force_offset_n;
+                    Valued::new(math::positive(force), found.valid && force >= 0.0)
+                }
+            },
+        )
     }
 }
 

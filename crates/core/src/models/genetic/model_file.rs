@@ -7,6 +7,7 @@ use super::exponential::Exponential;
 use super::force_formula::ForceFormula;
 use super::{Calibration, FeedLaw, ForceRoughness, GeneticModels, ModelSet, OwnModels, SpeedLaw};
 use crate::base::files::from_toml;
+use crate::models::tool::ShippedTool;
 
 /// K1..K4 of 2007.
 #[derive(Deserialize)]
@@ -139,7 +140,7 @@ pub fn parse(set: ModelSet, text: &str) -> Result<GeneticModels, String> {
         feed: FeedLaw::Curve(feed),
         speed,
         force,
-        of_tool: true,
+        cuts_as: Some(ShippedTool::R21616B20),
         own,
     })
 }

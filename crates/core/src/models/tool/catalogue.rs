@@ -1,6 +1,8 @@
 //! The shipped cutters. A new one is a file in `assets/tools` and an entry here.
 
-use super::ToolFile;
+use std::sync::LazyLock;
+
+use super::{Tool, ToolFile};
 
 macro_rules! tools {
     ($( $(#[doc = $doc:literal])+ $variant:ident = $id:literal, $label:literal; )+) => {
@@ -40,7 +42,16 @@ tools! {
     Square20 = "square-20-3", "Square 20 mm, 3 flutes";
 }
 
+static TOOLS: LazyLock<Vec<Tool>> =
+    LazyLock::new(|| ShippedTool::ALL.iter().map(|shipped| shipped.load().tool).collect());
+
 impl ShippedTool {
+    /// The cutter, read once.
+    #[must_use]
+    pub fn tool(self) -> &'static Tool {
+        &TOOLS[Self::ALL.iter().position(|other| *other == self).unwrap_or_default()]
+    }
+
     /// The cutter with its title and source.
     #[must_use]
     pub fn load(self) -> ToolFile {
@@ -51,7 +62,6 @@ impl ShippedTool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::tool::Tool;
 
     #[test]
     fn the_default_is_the_papers_cutter_and_every_file_is_its_own() {
@@ -62,6 +72,7 @@ mod tests {
             assert!(!file.source.is_empty() && file.title.len() > 5, "{shipped:?}");
             let same = ShippedTool::ALL.iter().filter(|other| other.load() == file).count();
             assert_eq!(same, 1, "{shipped:?}");
+            assert_eq!(shipped.tool().shipped_alike(), Some(*shipped), "no two cut alike");
         }
     }
 }

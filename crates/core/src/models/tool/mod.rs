@@ -138,10 +138,23 @@ impl Tool {
     /// teeth, helix and rake.
     #[must_use]
     pub fn cuts_as_in_the_papers(&self) -> bool {
-        let papers = Self::default();
-        self.outline() == papers.outline()
-            && self.rake_deg == papers.rake_deg
-            && self.teeth_as_in_the_papers()
+        self.cuts_as(&Self::default())
+    }
+
+    /// Whether it cuts as another one does: shape, diameter, teeth, helix and rake. Overhang, run-out and
+    /// material may differ.
+    #[must_use]
+    pub fn cuts_as(&self, other: &Self) -> bool {
+        self.outline() == other.outline()
+            && self.rake_deg == other.rake_deg
+            && self.teeth == other.teeth
+            && self.helix_deg == other.helix_deg
+    }
+
+    /// The shipped cutter that it cuts as, if there is one.
+    #[must_use]
+    pub fn shipped_alike(&self) -> Option<ShippedTool> {
+        ShippedTool::ALL.iter().copied().find(|shipped| self.cuts_as(shipped.tool()))
     }
 
     /// Whether shape, number and helix of its teeth are those of the networks' training data; diameter

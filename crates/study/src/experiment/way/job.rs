@@ -242,7 +242,9 @@ impl WayJob {
         let source = self.source();
         let found = FoundRole::ALL.iter().zip(&self.problems).zip(self.searches.done());
         let models: Vec<FoundModel> = found
-            .map(|((role, problem), report)| pick(*role, problem, report, &source))
+            .map(|((role, problem), report)| {
+                pick(*role, problem, report, (&source, self.settings.tool))
+            })
             .collect::<Result<_, String>>()?;
         let formulas = settings(&models)?;
         let start = planned.cut_box.map(|[low, high]| (0.5 * (low + high)).round());

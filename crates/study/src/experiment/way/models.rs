@@ -14,6 +14,7 @@ use crate::identify::gp::report::{FrontFormula, GpReport};
 use crate::identify::gp::units::by_name;
 use crate::models::formula_model::{FormulaInput, FormulaModel, FormulaOutput, OwnFormula};
 use crate::models::genetic::FormulaSettings;
+use crate::models::tool::ShippedTool;
 use crate::run::digest::Digest;
 
 steadycut_core::choice! {
@@ -141,7 +142,7 @@ pub fn pick(
     role: FoundRole,
     problem: &GpProblem,
     report: &GpReport,
-    source: &str,
+    (source, tool): (&str, ShippedTool),
 ) -> Result<FoundModel, String> {
     let mut front: Vec<&FrontFormula> = report.front.iter().collect();
     let error = |formula: &FrontFormula| formula.loo_error.unwrap_or(formula.error);
@@ -150,6 +151,7 @@ pub fn pick(
     for found in front {
         match taken(role, problem, found, source) {
             Ok(model) => {
+                let model = model.found_on(Some(tool));
                 let ranges = model.inputs().iter();
                 let ranges = ranges.map(|i| (i.name.clone(), [i.range.low, i.range.high]));
                 return Ok(FoundModel {

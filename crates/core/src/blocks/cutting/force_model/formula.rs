@@ -171,9 +171,18 @@ fn printed_card(models: &GeneticModels, name: &str, [feed, speed]: [f64; 2]) -> 
             "f from {} mm/min on (its least force), n from {} 1/min on{}",
             number(FEED_MIN_MM_MIN),
             number(SPEED_MIN_RPM),
-            if models.of_tool { "" } else { "; of the papers' cutter alone" }
+            of_another(models, None)
         ),
         valid: k4.valid,
+    }
+}
+
+/// What is said of a model that does not belong to the cutter.
+fn of_another(models: &GeneticModels, own: Option<&FormulaModel>) -> String {
+    match (models.of_tool(own), own.and_then(FormulaModel::tool)) {
+        (true, _) => String::new(),
+        (false, None) => "; of the papers' cutter alone".to_owned(),
+        (false, Some(tool)) => format!("; of the cutter {} alone", tool.id()),
     }
 }
 
@@ -200,7 +209,7 @@ fn own_card(
             f[1],
             n[0],
             n[1],
-            if models.of_tool { "" } else { "; of the papers' cutter alone" }
+            of_another(models, Some(own))
         ),
         valid: force.valid,
     }
