@@ -390,3 +390,26 @@ fn depths_entered_behind_the_tool_say_from_where_they_act() {
         assert!(shown.contains("act from there and from now on"), "{shown}");
     }
 }
+
+/// What if I change the depth of what is cut already? It cannot be: the change would act where the tool is now.
+#[test]
+fn the_depth_of_what_is_cut_stays() {
+    let mut screen = at("first-cut", DESKTOP, None, 12);
+    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit depths\u{2026}");
+    let workpiece = |screen: &Screen| session(screen).current().workpiece.clone();
+    let before = workpiece(&screen);
+    let [first_mm, _] = before.depth_steps[0];
+    assert!(session(&screen).row().position_mm > first_mm, "the tool is in the second stretch");
+    let is_disabled =
+        |screen: &Screen, name: &str| screen.get_by_label(name).accesskit_node().is_disabled();
+    assert!(is_disabled(&screen, "Axial depth of stretch 1"));
+    assert!(!is_disabled(&screen, "Axial depth of stretch 2"));
+    let from = in_side_view(&screen, true, 0.5 * first_mm, before.axial_depth_mm);
+    drag(&mut screen, from, from + vec2(0.0, 30.0));
+    assert_eq!(workpiece(&screen), before);
+    let said = session(&screen).notices().last().expect("a message").text.clone();
+    assert!(said.contains("Stretch 1: it is cut"), "{said}");
+    screen.get_by_label("Axial depth of stretch 2").set_value_accesskit(2.5);
+    screen.run_steps(3);
+    assert_eq!(workpiece(&screen).depth_steps[0], [first_mm, 2.5]);
+}

@@ -129,7 +129,7 @@ impl PapersPanel {
         let over = work.is_over();
         let table = &*work.partial();
         ui.add_space(4.0);
-        summary(ui, table, over);
+        summary(ui, shown.calibration, table, over);
         if !over {
             on_the_way(ui, work);
         }
@@ -237,7 +237,7 @@ fn on_the_way(ui: &mut Ui, work: &Work<TableJob>) {
 }
 
 /// How many cells are met, and what that means.
-fn summary(ui: &mut Ui, table: &PaperTable, over: bool) {
+fn summary(ui: &mut Ui, calibration: Calibration, table: &PaperTable, over: bool) {
     let palette = Palette::at(ui);
     let judged = || {
         let cells = table.rows.iter().flat_map(|row| row.compared());
@@ -252,7 +252,16 @@ fn summary(ui: &mut Ui, table: &PaperTable, over: bool) {
                     force model of the plant gives others by nature";
         (text.to_owned(), Standing::Plain)
     } else {
-        let text = format!("{met} of {all} final values met{}", if over { "" } else { " so far" });
+        let so_far = if over { "" } else { " so far" };
+        // A tick beside a fit is no proof of what was fitted.
+        let fitted = match calibration {
+            Calibration::Printed | Calibration::Restored => "",
+            Calibration::Identified | Calibration::Genetic => {
+                ", by models fitted to these very rows"
+            }
+            Calibration::Formula => ", by formulas of one's own",
+        };
+        let text = format!("{met} of {all} final values met{so_far}{fitted}");
         (text, Standing::either(met == all))
     };
     standing.label(ui, &text, RichText::strong);

@@ -57,6 +57,9 @@ fn holds(one: &Compared) -> bool {
     one.get(Measure::InTolerance).is_some_and(|spread| spread.mean >= HELD_PERCENT)
 }
 
+/// The deviation of fewer seeds says next to nothing (chosen).
+const LEAST_SEEDS: usize = 3;
+
 /// Who is best in a measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Leader {
@@ -68,7 +71,7 @@ struct Leader {
 }
 
 /// Who leads in a measure, where there is anything to compare; in what is no gain outside the tolerance, among
-/// those that hold it. None while a spread is not known, with one run.
+/// those that hold it. None while a spread is not known, with less than [`LEAST_SEEDS`] runs.
 fn leader(compared: &[Compared], measure: Measure) -> Option<Leader> {
     let ranked = compared.iter().enumerate();
     let ranked = ranked.filter(|(_, one)| !measure.needs_tolerance() || holds(one));
@@ -77,7 +80,7 @@ fn leader(compared: &[Compared], measure: Measure) -> Option<Leader> {
     let sign = if measure.more_is_better() { -1.0 } else { 1.0 };
     means.sort_by(|(_, a), (_, b)| (sign * a.mean).total_cmp(&(sign * b.mean)));
     let [(index, first), (_, second), ..] = means[..] else { return None };
-    let known = means.iter().all(|(_, spread)| spread.runs > 1);
+    let known = means.iter().all(|(_, spread)| spread.runs >= LEAST_SEEDS);
     let lead = (second.mean - first.mean).abs();
     known.then_some(Leader { index, clear: lead > first.deviation + second.deviation })
 }
@@ -206,7 +209,8 @@ pub fn table(ui: &mut Ui, contest: &Contest, belongs: bool, commands: &mut Vec<C
 fn notes(ui: &mut Ui, contest: &Contest) {
     let weak = Palette::at(ui).weak;
     let text = "Mean and standard deviation over the seeds. A star marks the best of a column where it leads \
-                by more than both deviations together; with one seed no spread is known, and nobody leads.";
+                by more than both deviations together; with less than three seeds no spread is known, and nobody \
+                leads.";
     let ranking = ranking(contest.table(), contest.reference());
     for text in [text, ranking.as_str()] {
         ui.label(RichText::new(text).small().color(weak));
@@ -311,7 +315,9 @@ mod tests {
         let two = [several[0].clone(), several[2].clone()];
         assert_eq!(leader(&two, Measure::Nsn), Some(Leader { index: 0, clear: true }));
         assert!(figure((0, &two[0]), &two, Measure::Nsn, None).is_best);
-        assert_eq!(leader(&table(1), Measure::Nsn), None, "one seed has no spread");
+        for seeds in [1, 2] {
+            assert_eq!(leader(&table(seeds), Measure::Nsn), None, "{seeds} have no spread");
+        }
         assert_eq!(leader(&several[..1], Measure::Nsn), None);
     }
 }

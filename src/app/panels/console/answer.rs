@@ -4,13 +4,14 @@
 use crate::app::format;
 use crate::app::panels::View;
 use crate::app::widgets::standing::Standing;
+use crate::blocks::reference::Reference;
 use crate::run::story::{EventKind, ResponseEnd, StepResponse, Story};
 
 /// What is held is said to swing about its mean from this amplitude on, percent.
 const SWINGS_PERCENT: f64 = 2.0;
 
 /// What its card says.
-pub struct Answer {
+pub struct LoopAnswer {
     /// The number.
     pub value: String,
     /// How it stands.
@@ -19,7 +20,7 @@ pub struct Answer {
     pub below: [String; 2],
 }
 
-impl Answer {
+impl LoopAnswer {
     /// The answer at the playhead.
     pub fn of(view: &View<'_>) -> Self {
         let session = view.session;
@@ -29,7 +30,11 @@ impl Answer {
             let below = [String::new(), String::new()];
             return Self { value: "-".to_owned(), standing: Standing::Plain, below };
         };
-        let found = Self::after(response, tolerance, view.narrow);
+        let held = match session.current().target.reference {
+            Reference::Ra => "Ra",
+            Reference::Force => "force",
+        };
+        let found = Self::after(response, (held, tolerance), view.narrow);
         let Some([word, stretch]) = was(session.story(), response, now_s) else { return found };
         // The last step alone is no verdict on a cut that swung or chattered.
         let standing = match found.standing {
@@ -44,8 +49,8 @@ impl Answer {
         Self { value: found.value, standing, below }
     }
 
-    /// The answer to one change.
-    fn after(response: &StepResponse, tolerance: f64, narrow: bool) -> Self {
+    /// The answer to one change; what is held, and its tolerance in percent.
+    fn after(response: &StepResponse, held: (&str, f64), narrow: bool) -> Self {
         let words = |value: &str, below: [&str; 2]| Self {
             value: value.to_owned(),
             standing: Standing::Plain,
@@ -67,25 +72,25 @@ impl Answer {
                 let below = [of(swing.map(|swing| swing.force_percent), "force"), period];
                 Self { value: "unstable".to_owned(), standing: Standing::Bad, below }
             }
-            ResponseEnd::AtRest => Self::at_rest(response, tolerance, narrow),
+            ResponseEnd::AtRest => Self::at_rest(response, held, narrow),
         }
     }
 
-    fn at_rest(response: &StepResponse, tolerance: f64, narrow: bool) -> Self {
+    fn at_rest(response: &StepResponse, (held, tolerance): (&str, f64), narrow: bool) -> Self {
         let below = transient(response, narrow);
         let Some(error) = response.remaining_error_percent else {
             let value = if narrow { "no Ra" } else { "not judged" }.to_owned();
             let [settled, _] = below;
-            let below = ["outside the model".to_owned(), format!("force: {settled}")];
+            let below = ["outside the model".to_owned(), settled];
             return Self { value, standing: Standing::Plain, below };
         };
         let swing = response.swing_percent.unwrap_or_default();
         let inside = error.abs() <= tolerance;
         let word = match (inside, narrow) {
             (true, false) => " within",
-            (false, false) => " outside",
-            // The sign says it.
-            (_, true) => "",
+            (false, false) if error.abs() < 100.0 => " outside",
+            // The sign says it, and so much is outside anyway.
+            (false, false) | (_, true) => "",
         };
         let standing = match (inside, error.abs() + swing <= tolerance) {
             (true, true) => Standing::Good,
@@ -94,7 +99,14 @@ impl Answer {
         };
         let [settled, overshoot] = below;
         let below = if swing >= SWINGS_PERCENT {
-            [settled, format!("swings by ±{}", format::quantity(swing, "%"))]
+            [
+                settled,
+                format!(
+                    "{held}{}{}",
+                    if narrow { " ±" } else { " swings by ±" },
+                    format::quantity(swing, "%")
+                ),
+            ]
         } else {
             [settled, overshoot]
         };
@@ -119,15 +131,18 @@ fn was(story: &Story, response: &StepResponse, now_s: f64) -> Option<[String; 2]
 fn transient(response: &StepResponse, narrow: bool) -> [String; 2] {
     let settling = match response.settling_time_s {
         Some(settling_s) if !response.is_without_transient() => {
-            format!("settles in {}", format::quantity(settling_s, "s"))
+            let word = if narrow { "force rests" } else { "force settles in" };
+            format!("{word} {}", format::quantity(settling_s, "s"))
         }
-        Some(_) | None => "settles at once".to_owned(),
+        Some(_) | None if narrow => "force steady".to_owned(),
+        Some(_) | None => "force settles at once".to_owned(),
     };
     let band = format::quantity(response.settling_band_percent.unwrap_or_default(), "%");
     let settled = if narrow { settling } else { format!("{settling} (±{band})") };
     let overshoot = response.overshoot_percent.filter(|_| !response.is_without_transient());
     let overshoot = overshoot.map_or("no transient".to_owned(), |overshoot| {
-        format!("overshoot {}", format::quantity(overshoot, "%"))
+        let word = if narrow { "over" } else { "its overshoot" };
+        format!("{word} {}", format::quantity(overshoot, "%"))
     });
     [settled, overshoot]
 }

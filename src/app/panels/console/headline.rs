@@ -2,7 +2,7 @@
 
 use egui::{RichText, Role, TextWrapMode, Ui, WidgetInfo};
 
-use super::answer::Answer;
+use super::answer::LoopAnswer;
 use crate::app::format;
 use crate::app::panels::View;
 use crate::app::theme::{self, Palette};
@@ -116,7 +116,7 @@ fn side(value: f64, target: f64, tolerance: f64) -> &'static str {
 }
 
 fn answer(view: &View<'_>) -> Item {
-    let Answer { value, standing, below } = Answer::of(view);
+    let LoopAnswer { value, standing, below } = LoopAnswer::of(view);
     Item {
         title: "Remaining error",
         help: "The steady-state error: how far Ra, or the force where a force is held, comes to rest \

@@ -181,12 +181,14 @@ impl WorkpieceWindow {
         let outline = scenario.tool.outline();
         let sections = sections(&scenario.workpiece, &outline);
         let part = PicturePart { sections, open: true, walls: false, tool_mm, outline };
-        if let Some(moved) = self.pictures(ui, view, &part, 0.0) {
-            table::move_stretch(&scenario.workpiece, moved, commands);
-        }
-        table::profile(ui, scenario, commands, &mut self.said);
         let playback = view.session.playback();
-        if playback.playhead_s > 0.0 && !playback.at_end {
+        let under_way = playback.playhead_s > 0.0 && !playback.at_end;
+        let cut_to_mm = if under_way { tool_mm } else { f64::NEG_INFINITY };
+        if let Some(moved) = self.pictures(ui, view, &part, 0.0) {
+            table::move_stretch(&scenario.workpiece, cut_to_mm, moved, commands);
+        }
+        table::profile(ui, scenario, cut_to_mm, commands, &mut self.said);
+        if under_way {
             let at = format::quantity(tool_mm, "mm");
             let text = format!(
                 "The tool is at {at}: changed depths act from there and from now on. A stretch that \

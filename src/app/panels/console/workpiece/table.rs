@@ -171,7 +171,17 @@ pub fn move_section(sections: &mut [Section], moved: Moved) {
 }
 
 /// Takes over what was dragged in the picture of the one path, within what its table allows.
-pub fn move_stretch(workpiece: &Workpiece, moved: Moved, commands: &mut Vec<Command>) {
+pub fn move_stretch(
+    workpiece: &Workpiece,
+    cut_to_mm: f64,
+    moved: Moved,
+    commands: &mut Vec<Command>,
+) {
+    if let EdgeKind::Depth(i) = moved.kind
+        && is_cut(&workpiece.depth_steps, i, cut_to_mm)
+    {
+        return commands.push(Command::notify(format!("Stretch {}: {IS_CUT}.", i + 1)));
+    }
     let mut set = |path: &str, value| commands.push(Command::set(path, value));
     let deepest_mm = bound(STEPS, "max_depth_mm");
     let mut steps = workpiece.depth_steps.clone();
@@ -200,10 +210,21 @@ pub fn move_stretch(workpiece: &Workpiece, moved: Moved, commands: &mut Vec<Comm
     }
 }
 
-/// The depth profile of the one path: its first row is the axial depth at the start.
+/// What is said of a stretch that the tool has left behind.
+const IS_CUT: &str =
+    "it is cut, and its depth stays; a change of it would act where the tool is now";
+
+/// Whether stretch number `i`, from 0, is cut by a tool that has come to a place of the path.
+fn is_cut(steps: &[DepthStep], i: usize, cut_to_mm: f64) -> bool {
+    steps.get(i).is_some_and(|next| next[0] <= cut_to_mm)
+}
+
+/// The depth profile of the one path: its first row is the axial depth at the start. What the tool has left behind by
+/// `cut_to_mm` cannot be changed.
 pub fn profile(
     ui: &mut Ui,
     scenario: &Scenario,
+    cut_to_mm: f64,
     commands: &mut Vec<Command>,
     said: &mut Option<String>,
 ) {
@@ -230,7 +251,14 @@ pub fn profile(
     table(ui, "profile", &[NUMBER, "From mm", "Axial mm", "R_D mm"], |ui| {
         ui.label("1");
         ui.label("0");
-        cell(ui, "Axial depth of stretch 1", &mut first_mm, [0.0, deepest_mm], said);
+        let set = steps.clone();
+        let still = |ui: &mut Ui, i: usize, add: &mut dyn FnMut(&mut Ui)| {
+            let part = ui.add_enabled_ui(!is_cut(&set, i, cut_to_mm), add);
+            part.response.on_disabled_hover_text(IS_CUT);
+        };
+        still(ui, 0, &mut |ui| {
+            cell(ui, "Axial depth of stretch 1", &mut first_mm, [0.0, deepest_mm], said);
+        });
         radial(ui, first_mm, radial_at(first_mm));
         ui.end_row();
         for i in 0..steps.len() {
@@ -240,11 +268,16 @@ pub fn profile(
             let high = steps.get(i + 1).map_or(most_mm, |next| next[0] - STEP_GAP_MM);
             let [from, axial] = &mut steps[i];
             ui.label(n.to_string());
-            cell(ui, &format!("Start of stretch {n}"), from, [low, high], said);
-            cell(ui, &format!("Axial depth of stretch {n}"), axial, [0.0, deepest_mm], said);
+            still(ui, i + 1, &mut |ui| {
+                cell(ui, &format!("Start of stretch {n}"), from, [low, high], said);
+            });
+            still(ui, i + 1, &mut |ui| {
+                cell(ui, &format!("Axial depth of stretch {n}"), axial, [0.0, deepest_mm], said);
+            });
             radial(ui, *axial, radial_at(*axial));
             let name = format!("Remove stretch {n}");
-            if icon::button(ui, Icon::Close, &name, &name, true).clicked() {
+            let left = !is_cut(&set, i + 1, cut_to_mm);
+            if icon::button(ui, Icon::Close, &name, &name, left).clicked() {
                 act = Some(i);
             }
             ui.end_row();
