@@ -127,7 +127,8 @@ pub(super) fn lines(
             let end = places.rows_of_twin(playhead_s);
             let there = range.map(|time_s| places.of_twin(time_s));
             let points = visible(session.twin(), curve.signal, there, end, width);
-            let points = places.at_the_cut(points);
+            // Levels, as feed and speed of the twin are, have few points to look the places up of.
+            let points = places.at_the_cut(without_flats(points, span));
             lines.extend(line(&format!("{label}, {TWIN}"), Look::Twin, points));
         }
         if curve.compared
