@@ -18,7 +18,7 @@ for (const file of execFileSync("git", ["ls-files"], { cwd: root, encoding: "utf
 
 const guide = readFileSync(join(copy, "CONTRIBUTING.md"), "utf8");
 const section = guide.split("\n## ").find((text) => text.startsWith("Add a screen\n"));
-const named = (start) => section.match(new RegExp(`${start}[^`]*\`([^\`]*\\.rs)\``))[1];
+const named = (start) => section.split(start)[1].split("`")[1];
 const [text, line] = [...section.matchAll(/```rust\n([^]*?)```/g)].map((block) => block[1]);
 if (line.trim().split("\n").length !== 1) throw new Error(`not one line: ${line}`);
 
