@@ -24,11 +24,11 @@ use crate::base::math;
 use crate::models::genetic::exponential::Exponential;
 use crate::models::genetic::force_formula::{ForceFormula, INCH};
 use crate::models::genetic::{
-    Calibration, FeedLaw, GeneticModels, MILLING_AXIAL_DEPTH_MM, MILLING_RADIAL_DEPTH_MM, ModelSet,
-    OwnModels, SpeedLaw,
+    Calibration, CutsAs, FeedLaw, GeneticModels, MILLING_AXIAL_DEPTH_MM, MILLING_RADIAL_DEPTH_MM,
+    ModelSet, OwnModels, SpeedLaw,
 };
 use crate::models::mechanistic::{CK45, Cutter, Kienzle, StaticCut, static_peak};
-use crate::models::tool::{ShippedTool, Tool};
+use crate::models::tool::Tool;
 
 /// The programmed cut of both experiments: cutting speed in m/min and feed per tooth in mm.
 const PROGRAMMED: [f64; 2] = [80.0, 0.08];
@@ -110,7 +110,7 @@ pub fn identify_milling(tool: &Tool) -> Result<Identified, String> {
         feed: FeedLaw::Curve(k2),
         speed: SpeedLaw::Exponential(k3, [k2.low, k2.high]),
         force,
-        cuts_as: Some(ShippedTool::R21616B20),
+        cuts_as: CutsAs::PAPERS,
         own: OwnModels::default(),
     };
     Ok(Identified { models, fits: vec![k2_fit, k4_fit] })

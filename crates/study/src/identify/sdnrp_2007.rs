@@ -17,9 +17,8 @@ use crate::blocks::control::sdnrp::KP_DEFAULT;
 use crate::models::genetic::curve::Curve;
 use crate::models::genetic::sdnrp_2007;
 use crate::models::genetic::{
-    FeedLaw, ForceRoughness, GeneticModels, ModelSet, OwnModels, SpeedLaw,
+    CutsAs, FeedLaw, ForceRoughness, GeneticModels, ModelSet, OwnModels, SpeedLaw,
 };
-use crate::models::tool::ShippedTool;
 use crate::published::TableRow;
 
 /// Least-squares quadratic through points, on their range.
@@ -75,7 +74,7 @@ pub(super) fn identify(rows: &[TableRow]) -> Result<Identified, String> {
         feed: FeedLaw::Curve(k2),
         speed: SpeedLaw::Curve(k3),
         force: sdnrp_2007::K4_RESTORED,
-        cuts_as: Some(ShippedTool::R21616B20),
+        cuts_as: CutsAs::PAPERS,
         own: OwnModels::default(),
     };
     let at_final = |row: &TableRow| models.force(row.feed_final_mm_min, row.spindle_final_rpm);

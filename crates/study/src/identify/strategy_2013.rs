@@ -25,9 +25,8 @@ use crate::models::genetic::exponential::Exponential;
 use crate::models::genetic::force_formula::ForceFormula;
 use crate::models::genetic::strategy_2013;
 use crate::models::genetic::{
-    FeedLaw, ForceRoughness, GeneticModels, ModelSet, OwnModels, SpeedLaw,
+    CutsAs, FeedLaw, ForceRoughness, GeneticModels, ModelSet, OwnModels, SpeedLaw,
 };
-use crate::models::tool::ShippedTool;
 use crate::published::{PaperId, TableRow};
 
 /// Middle of the desired roughnesses, um, and of the force setpoints, N: with them the parameters
@@ -59,7 +58,7 @@ fn models(parameters: &SVector<f64, 9>) -> GeneticModels {
             [-1e6, 1e6],
         ),
         force: ForceFormula { intercept_n: p[7], speed: strategy_2013::M4.speed, feed: p[8] },
-        cuts_as: Some(ShippedTool::R21616B20),
+        cuts_as: CutsAs::PAPERS,
         own: OwnModels::default(),
     }
 }

@@ -19,7 +19,7 @@ mod ranges;
 pub mod sdnrp_2007;
 pub mod strategy_2013;
 
-use std::sync::{Arc, LazyLock};
+use std::sync::LazyLock;
 
 use self::curve::Curve;
 use self::exponential::Exponential;
@@ -153,6 +153,26 @@ pub enum SpeedLaw {
     Curve(Curve),
 }
 
+/// The shipped cutter that a cutter cuts as.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CutsAs {
+    shipped: Option<ShippedTool>,
+    /// Whether that is the papers': asked for in every step.
+    papers: bool,
+}
+
+impl CutsAs {
+    /// The papers' cutter.
+    pub const PAPERS: Self = Self { shipped: Some(ShippedTool::R21616B20), papers: true };
+
+    /// Of a cutter.
+    #[must_use]
+    pub fn of(tool: &Tool) -> Self {
+        let shipped = tool.shipped_alike();
+        Self { shipped, papers: shipped == Self::PAPERS.shipped }
+    }
+}
+
 /// Models 1..6 of one set in one calibration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GeneticModels {
@@ -168,7 +188,7 @@ pub struct GeneticModels {
     pub force: ForceFormula,
     /// The shipped cutter that the cutter cuts as. The set's own models hold for the papers' one, a formula for
     /// that which it was found on; with another one an answer is marked as outside the range.
-    pub cuts_as: Option<ShippedTool>,
+    pub cuts_as: CutsAs,
     /// Formulas in the place of the set's models.
     pub own: OwnModels,
 }
@@ -177,7 +197,7 @@ impl GeneticModels {
     /// The same for a cutter: the forces and roughness that they were fitted to are the papers' cutter's.
     #[must_use]
     pub fn for_tool(self, tool: &Tool) -> Self {
-        Self { cuts_as: tool.shipped_alike(), ..self }
+        Self { cuts_as: CutsAs::of(tool), ..self }
     }
 
     /// Whether a model holds for the cutter: a formula of one's own, or one of the set.
@@ -185,15 +205,19 @@ impl GeneticModels {
     #[inline]
     pub fn of_tool(&self, own: Option<&FormulaModel>) -> bool {
         match own {
-            Some(own) => own.holds_for(self.cuts_as),
-            None => self.cuts_as == Some(ShippedTool::R21616B20),
+            Some(own) => own.holds_for(self.cuts_as.shipped),
+            None => self.cuts_as.papers,
         }
     }
 
     #[inline]
-    fn within(&self, own: Option<&Arc<FormulaModel>>, found: Valued) -> Valued {
-        let of_tool = self.of_tool(own.map(Arc::as_ref));
-        Valued { valid: found.valid && of_tool, ..found }
+    fn within(&self, found: Valued) -> Valued {
+        Valued { valid: found.valid && self.cuts_as.papers, ..found }
+    }
+
+    /// The same of a formula of one's own.
+    fn of_own(&self, own: &FormulaModel, found: Valued) -> Valued {
+        Valued { valid: found.valid && self.of_tool(Some(own)), ..found }
     }
 
     /// The models of a set in a calibration, for the papers' cutter.
@@ -229,7 +253,7 @@ impl GeneticModels {
                 } else {
                     sdnrp_2007::K4_RESTORED
                 },
-                cuts_as: Some(ShippedTool::R21616B20),
+                cuts_as: CutsAs::PAPERS,
                 own: OwnModels::default(),
             },
             (ModelSet::Strategy2013, Calibration::Printed) => Self {
@@ -238,7 +262,7 @@ impl GeneticModels {
                 feed: FeedLaw::M2,
                 speed: SpeedLaw::Exponential(strategy_2013::M3, strategy_2013::FORCE_RANGE_N),
                 force: strategy_2013::M4,
-                cuts_as: Some(ShippedTool::R21616B20),
+                cuts_as: CutsAs::PAPERS,
                 own: OwnModels::default(),
             },
             (ModelSet::Strategy2013, Calibration::Restored) => Self {
@@ -250,7 +274,7 @@ impl GeneticModels {
                     strategy_2013::FORCE_RANGE_N,
                 ),
                 force: strategy_2013::M4,
-                cuts_as: Some(ShippedTool::R21616B20),
+                cuts_as: CutsAs::PAPERS,
                 own: OwnModels::default(),
             },
         }
@@ -260,29 +284,33 @@ impl GeneticModels {
     /// [`FORCE_REF_MIN_N`]; invalid where that floor or a continuation was used.
     #[must_use]
     pub fn force_from_ra(&self, ra_um: f64) -> Valued {
-        let force = match (&self.own.force_of_ra, self.roughness) {
-            (Some(own), _) => own.at(&[ra_um]),
-            (None, ForceRoughness::K1K5) => sdnrp_2007::k1(ra_um),
-            (None, ForceRoughness::M1M5 { .. }) => strategy_2013::m1(ra_um),
-            (None, ForceRoughness::Curve(curve)) => curve.at(ra_um),
+        let least = |force: Valued| {
+            let low = Valued::new(FORCE_REF_MIN_N, false);
+            if force.value >= FORCE_REF_MIN_N { force } else { low }
         };
-        let low = Valued::new(FORCE_REF_MIN_N, false);
-        let own = self.own.force_of_ra.as_ref();
-        self.within(own, if force.value >= FORCE_REF_MIN_N { force } else { low })
+        if let Some(own) = &self.own.force_of_ra {
+            return self.of_own(own, least(own.at(&[ra_um])));
+        }
+        self.within(least(match self.roughness {
+            ForceRoughness::K1K5 => sdnrp_2007::k1(ra_um),
+            ForceRoughness::M1M5 { .. } => strategy_2013::m1(ra_um),
+            ForceRoughness::Curve(curve) => curve.at(ra_um),
+        }))
     }
 
     /// Model 5 = 6 (2007 eq. 8; 2013 eq. 6): the produced Ra in um of a cut with the force in N. Never negative.
     #[must_use]
     #[inline]
     pub fn ra_from_force(&self, force_n: f64) -> Valued {
-        let ra = match (&self.own.ra, self.roughness) {
-            (Some(own), _) => own.at(&[force_n]),
-            (None, ForceRoughness::K1K5) => sdnrp_2007::k5(force_n),
-            (None, ForceRoughness::M1M5 { leading }) => strategy_2013::m5(force_n, leading),
-            (None, ForceRoughness::Curve(curve)) => curve.inverse(force_n),
-        };
-        let own = self.own.ra.as_ref();
-        self.within(own, if ra.value >= 0.0 { ra } else { Valued::new(0.0, false) })
+        let positive = |ra: Valued| if ra.value >= 0.0 { ra } else { Valued::new(0.0, false) };
+        if let Some(own) = &self.own.ra {
+            return self.of_own(own, positive(own.at(&[force_n])));
+        }
+        self.within(positive(match self.roughness {
+            ForceRoughness::K1K5 => sdnrp_2007::k5(force_n),
+            ForceRoughness::M1M5 { leading } => strategy_2013::m5(force_n, leading),
+            ForceRoughness::Curve(curve) => curve.inverse(force_n),
+        }))
     }
 
     /// Model 2 (2007 eq. 5; 2013 eq. 3): the feed command in mm/min for a force in N. May be negative outside its range, as
@@ -290,21 +318,18 @@ impl GeneticModels {
     #[must_use]
     pub fn feed_from_force(&self, force_n: f64) -> Valued {
         if let Some(own) = &self.own.feed {
-            return self.within(Some(own), own.at(&[force_n]));
+            return self.of_own(own, own.at(&[force_n]));
         }
-        self.within(
-            None,
-            match self.feed {
-                FeedLaw::K2 => sdnrp_2007::k2(force_n),
-                FeedLaw::M2 => {
-                    let feed = strategy_2013::M2.at(force_n);
-                    let rising = strategy_2013::M2.slope(force_n) > 0.0;
-                    Valued::new(feed, feed > 0.0 && rising)
-                }
-                FeedLaw::M2Restored(quartic) => quartic.continued(force_n, M2_RESTORED_RANGE_N),
-                FeedLaw::Curve(curve) => curve.at(force_n),
-            },
-        )
+        self.within(match self.feed {
+            FeedLaw::K2 => sdnrp_2007::k2(force_n),
+            FeedLaw::M2 => {
+                let feed = strategy_2013::M2.at(force_n);
+                let rising = strategy_2013::M2.slope(force_n) > 0.0;
+                Valued::new(feed, feed > 0.0 && rising)
+            }
+            FeedLaw::M2Restored(quartic) => quartic.continued(force_n, M2_RESTORED_RANGE_N),
+            FeedLaw::Curve(curve) => curve.at(force_n),
+        })
     }
 
     /// Model 3 (2007 eq. 6; 2013 eq. 4): the spindle speed command in 1/min for a force in N; 0 where the radicand of the
@@ -312,36 +337,27 @@ impl GeneticModels {
     #[must_use]
     pub fn speed_from_force(&self, force_n: f64) -> Valued {
         if let Some(own) = &self.own.speed {
-            return self.within(Some(own), own.at(&[force_n]));
+            return self.of_own(own, own.at(&[force_n]));
         }
-        self.within(
-            None,
-            match self.speed {
-                SpeedLaw::K3 => sdnrp_2007::k3(force_n),
-                SpeedLaw::Exponential(law, [low, high]) => {
-                    Valued::new(law.at(force_n), math::limit(force_n, low, high) == force_n)
-                }
-                SpeedLaw::Curve(curve) => curve.at(force_n),
-            },
-        )
+        self.within(match self.speed {
+            SpeedLaw::K3 => sdnrp_2007::k3(force_n),
+            SpeedLaw::Exponential(law, [low, high]) => {
+                Valued::new(law.at(force_n), math::limit(force_n, low, high) == force_n)
+            }
+            SpeedLaw::Curve(curve) => curve.at(force_n),
+        })
     }
 
     /// Model 4 (2007 eq. 7; 2013 eq. 5): see [`ForceFormula::at`].
     #[must_use]
     #[inline]
     pub fn force(&self, feed_mm_min: f64, speed_rpm: f64) -> Valued {
-        let own = self.own.force.as_ref();
-        self.within(
-            own,
-            match own {
-                None => self.force.at(feed_mm_min, speed_rpm),
-                Some(own) => {
-                    let found = own.at(&[feed_mm_min, speed_rpm]);
-                    let force = found.value + self.own.force_offset_n;
-                    Valued::new(math::positive(force), found.valid && force >= 0.0)
-                }
-            },
-        )
+        let Some(own) = &self.own.force else {
+            return self.within(self.force.at(feed_mm_min, speed_rpm));
+        };
+        let found = own.at(&[feed_mm_min, speed_rpm]);
+        let force = found.value + self.own.force_offset_n;
+        self.of_own(own, Valued::new(math::positive(force), found.valid && force >= 0.0))
     }
 }
 

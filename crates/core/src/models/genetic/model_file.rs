@@ -5,9 +5,10 @@ use serde::Deserialize;
 use super::curve::Curve;
 use super::exponential::Exponential;
 use super::force_formula::ForceFormula;
-use super::{Calibration, FeedLaw, ForceRoughness, GeneticModels, ModelSet, OwnModels, SpeedLaw};
+use super::{
+    Calibration, CutsAs, FeedLaw, ForceRoughness, GeneticModels, ModelSet, OwnModels, SpeedLaw,
+};
 use crate::base::files::from_toml;
-use crate::models::tool::ShippedTool;
 
 /// K1..K4 of 2007.
 #[derive(Deserialize)]
@@ -140,7 +141,7 @@ pub fn parse(set: ModelSet, text: &str) -> Result<GeneticModels, String> {
         feed: FeedLaw::Curve(feed),
         speed,
         force,
-        cuts_as: Some(ShippedTool::R21616B20),
+        cuts_as: CutsAs::PAPERS,
         own,
     })
 }
