@@ -7,9 +7,6 @@ use crate::app::widgets::standing::Standing;
 use crate::blocks::reference::Reference;
 use crate::run::story::{EventKind, ResponseEnd, StepResponse, Story};
 
-/// What is held is said to swing about its mean from this amplitude on, percent.
-const SWINGS_PERCENT: f64 = 2.0;
-
 /// What its card says.
 pub struct LoopAnswer {
     /// The number.
@@ -98,18 +95,11 @@ impl LoopAnswer {
             (false, _) => Standing::Bad,
         };
         let [settled, overshoot] = below;
-        let below = if swing >= SWINGS_PERCENT {
-            [
-                settled,
-                format!(
-                    "{held}{}{}",
-                    if narrow { " ±" } else { " swings by ±" },
-                    format::quantity(swing, "%")
-                ),
-            ]
-        } else {
-            [settled, overshoot]
-        };
+        let swings = if narrow { "±" } else { "swings by ±" };
+        let second = response
+            .told_swing_percent()
+            .map_or(overshoot, |swing| format!("{held} {swings}{}", format::quantity(swing, "%")));
+        let below = [settled, second];
         Self { value: format!("{}{word}", format::deviation(error)), standing, below }
     }
 }

@@ -22,6 +22,8 @@ use crate::base::stats;
 use crate::base::units::percent_from_ratio;
 use crate::blocks::reference::Reference;
 
+/// What is held is said to swing about its mean from this amplitude on, percent (chosen).
+const SWINGS_PERCENT: f64 = 2.0;
 /// Force counts as settled within this fraction of its value at rest.
 const SETTLED: f64 = 0.02;
 /// Excursions up to so many times the largest one at rest are the noise's (chosen).
@@ -152,6 +154,12 @@ impl StepResponse {
     #[must_use]
     pub fn is_unstable(&self) -> bool {
         self.ends == ResponseEnd::Unstable
+    }
+
+    /// The amplitude of what is to be held about its mean, where it is large enough to be told, percent.
+    #[must_use]
+    pub fn told_swing_percent(&self) -> Option<f64> {
+        self.swing_percent.filter(|swing| *swing >= SWINGS_PERCENT)
     }
 
     /// Whether the change makes no transient: the force never leaves the band around its value at rest.

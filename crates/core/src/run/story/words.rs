@@ -17,8 +17,6 @@ use crate::run::scenario::{Scenario, param};
 const KEPT_PERCENT: f64 = 0.5;
 /// A remaining error below this is none, percent.
 const NO_ERROR_PERCENT: f64 = 0.05;
-/// What is held is said to swing about its mean from this amplitude on, percent.
-const SWINGS_PERCENT: f64 = 2.0;
 /// Most stretches of time that are told one by one.
 const MOST_STRETCHES: usize = 3;
 /// A spindle speed that changes by less than this is not spoken of, percent.
@@ -185,8 +183,7 @@ fn moved(before: &StretchMeans, after: &StretchMeans) -> String {
 /// The error that remains, named and signed, or that the loop does not come to rest.
 fn remains(effect: &ChangeEffect, reference: Reference) -> String {
     let Some(response) = effect.response else { return String::new() };
-    let swing = response.swing_percent.filter(|swing| *swing >= SWINGS_PERCENT);
-    let swings = swing.map_or(String::new(), |swing| {
+    let swings = response.told_swing_percent().map_or(String::new(), |swing| {
         format!(", about which {} still moves by ±{}", held_name(reference), percent(swing))
     });
     match (response.ends, response.remaining_error_percent) {
@@ -234,10 +231,10 @@ fn own(effect: &ChangeEffect, after: &StretchMeans, scenario: &Scenario) -> Stri
     let contact = effect.causes.contains(&Cause::Contact);
     let settled = before.filter(|_| !contact);
     let verb = tolerance(settled.and_then(|before| before.in_tolerance), after.in_tolerance);
-    let swing = effect.response.and_then(|response| response.swing_percent).unwrap_or_default();
+    let swing = effect.response.and_then(|response| response.told_swing_percent());
     // A mean within the tolerance says nothing of how far the swings about it go.
     let off = after.deviation_percent.map_or(0.0, f64::abs);
-    let leaves = swing >= SWINGS_PERCENT && off + swing > scenario.target.tolerance_percent;
+    let leaves = swing.is_some_and(|swing| off + swing > scenario.target.tolerance_percent);
     let in_the_mean = if leaves && after.in_tolerance == Some(true) { "in the mean " } else { "" };
     let held = format!("{in_the_mean}{}", from_to(settled, after, reference));
     if scenario.controller.kind == ControllerKind::ConstantFeed {
