@@ -24,6 +24,8 @@ const LOOP_LIMIT: f64 = 1.5;
 /// An update of UNKS costs at most this many steps of the plant, one of another controller less.
 const UNKS_LIMIT: f64 = 20.0;
 const UPDATE_LIMIT: f64 = 5.0;
+/// The same of a script, which is interpreted.
+const SCRIPT_LIMIT: f64 = 25.0;
 
 mod baseline {
     #![expect(clippy::disallowed_methods, reason = "the baseline uses std's math on purpose")]
@@ -304,12 +306,19 @@ fn updates(kind: ControllerKind, adapted: Adapted, step_s: f64, repeats: u32) {
                     models: &models,
                     cut: *cut,
                     x_mm: *x_mm,
+                    by_hand: 1.0,
                 }));
             }
         }));
     }
     let steps = best / rows.len() as f64 / step_s;
-    let limit = if kind == ControllerKind::Unks { UNKS_LIMIT } else { UPDATE_LIMIT };
+    let limit = if kind == ControllerKind::Unks {
+        UNKS_LIMIT
+    } else if kind == ControllerKind::Script {
+        SCRIPT_LIMIT
+    } else {
+        UPDATE_LIMIT
+    };
     let form = if kind == ControllerKind::Mrac { adapted.label() } else { "" };
     println!("{} {form}: {steps:.2} plant steps (limit {limit})", kind.label());
     assert!(steps <= limit, "an update of {} costs {steps:.2} plant steps", kind.label());

@@ -2,6 +2,8 @@
 //!
 //! Formulas are plain text; `_d` or `_{dyn}` marks a subscript and `^2` a superscript.
 
+use crate::base::language::decimal;
+
 /// One equation with its live values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Live {
@@ -23,7 +25,7 @@ impl Live {
     }
 }
 
-/// A number with four digits that count and no useless zeros after the point.
+/// A number with four digits that count and no useless zeros after the point, as the chosen language writes it.
 #[must_use]
 pub fn number(x: f64) -> String {
     let magnitude = x.abs();
@@ -33,11 +35,11 @@ pub fn number(x: f64) -> String {
         m if m >= 10.0 => 2,
         m if m >= 0.01 || m == 0.0 => 3,
         m if m >= 1e-4 => 5,
-        _ => return format!("{x:.2e}"),
+        _ => return decimal(format!("{x:.2e}")),
     };
     let text = format!("{x:.decimals$}");
     if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        decimal(text.trim_end_matches('0').trim_end_matches('.').to_owned())
     } else {
         text
     }

@@ -8,29 +8,102 @@ use serde::de::DeserializeOwned;
 use serde_json::error::Category;
 use serde_json::ser::{Formatter, Serializer};
 
+use crate::base::language::{text, tr};
+
 /// serde's words for what it expected, and those of people who know no Rust.
 const WORDS: [(&str, &str); 7] = [
-    ("f64", "a number"),
-    ("u32", "a whole number from 0 to 4294967295"),
-    ("u64", "a whole number from 0 on"),
-    ("usize", "a whole number from 0 on"),
-    ("a sequence", "a list"),
-    ("an array of length 3", "a list of 3 numbers"),
-    ("a map", "a table"),
+    ("f64", text!("a number")),
+    ("u32", text!("a whole number from 0 to 4294967295")),
+    ("u64", text!("a whole number from 0 on")),
+    ("usize", text!("a whole number from 0 on")),
+    ("a sequence", text!("a list")),
+    ("an array of length 3", text!("a list of 3 numbers")),
+    ("a map", text!("a table")),
 ];
+
+/// One of serde's messages; what it has no words for here stays as it is.
+fn plain(message: &str) -> String {
+    let named = |start: &str| message.strip_prefix(start)?.rsplit_once(", expected ");
+    if let Some(field) = message.strip_prefix("missing field ") {
+        return tr!("missing field {field}", field = field);
+    }
+    if let Some((field, known)) = named("unknown field ") {
+        return match known.strip_prefix("one of ") {
+            Some(known) => {
+                tr!("unknown field {field}, expected one of {known}", field = field, known = known)
+            }
+            None => tr!("unknown field {field}, expected {known}", field = field, known = known),
+        };
+    }
+    let in_words = |expected: &str| WORDS.iter().find(|(word, _)| *word == expected);
+    if let Some((found, expected)) = named("invalid type: ") {
+        return match in_words(expected) {
+            Some((_, allowed)) => tr!(
+                "invalid type: {found}, allowed is {allowed}",
+                found = found,
+                allowed = tr(allowed)
+            ),
+            None => tr!(
+                "invalid type: {found}, expected {expected}",
+                found = found,
+                expected = expected
+            ),
+        };
+    }
+    if let Some((found, expected)) = named("invalid value: ") {
+        return match in_words(expected) {
+            Some((_, allowed)) => tr!(
+                "invalid value: {found}, allowed is {allowed}",
+                found = found,
+                allowed = tr(allowed)
+            ),
+            None => tr!(
+                "invalid value: {found}, expected {expected}",
+                found = found,
+                expected = expected
+            ),
+        };
+    }
+    if let Some((found, expected)) = named("invalid length ") {
+        return match in_words(expected) {
+            Some((_, allowed)) => tr!(
+                "invalid length {found}, allowed is {allowed}",
+                found = found,
+                allowed = tr(allowed)
+            ),
+            None => tr!(
+                "invalid length {found}, expected {expected}",
+                found = found,
+                expected = expected
+            ),
+        };
+    }
+    message.to_owned()
+}
 
 /// The text of an error at a path; `.` is the whole file.
 fn explain(path: &str, message: &str) -> String {
-    let mut message = message.trim_end().to_owned();
-    for (word, plain) in WORDS {
-        for end in ["", " at line"] {
-            let (from, to) = (format!("expected {word}{end}"), format!("allowed is {plain}{end}"));
-            if end.is_empty() && message.ends_with(&from) || !end.is_empty() {
-                message = message.replace(&from, &to);
-            }
-        }
-    }
+    let message = message.trim_end();
+    // JSON's messages end with their place; a value with such words in it has more behind them.
+    let placed = message.rsplit_once(" at line ").and_then(|(problem, place)| {
+        let (line, column) = place.split_once(" column ")?;
+        let [line, column] = [line, column].map(|x| x.parse::<usize>().ok());
+        Some((problem, line?, column?))
+    });
+    let message = match placed {
+        Some((problem, line, column)) => tr!(
+            "{problem} at line {line} column {column}",
+            problem = plain(problem),
+            line = line,
+            column = column
+        ),
+        None => plain(message),
+    };
     if path == "." { message } else { format!("`{path}`: {message}") }
+}
+
+fn not_json(error: &serde_json::Error) -> String {
+    tr!("not JSON: {problem}", problem = error.to_string())
 }
 
 /// Reads a structure from the text of a JSON file.
@@ -44,10 +117,10 @@ pub fn from_json<T: DeserializeOwned>(text: &str) -> Result<T, String> {
         let error = error.into_inner();
         match error.classify() {
             Category::Data => explain(&path, &error.to_string()),
-            Category::Io | Category::Syntax | Category::Eof => format!("not JSON: {error}"),
+            Category::Io | Category::Syntax | Category::Eof => not_json(&error),
         }
     })?;
-    reader.end().map_err(|error| format!("not JSON: {error}"))?;
+    reader.end().map_err(|error| not_json(&error))?;
     Ok(found)
 }
 
@@ -56,19 +129,24 @@ pub fn from_json<T: DeserializeOwned>(text: &str) -> Result<T, String> {
 /// # Errors
 /// See the head of the module.
 pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, String> {
-    let line = |error: &toml::de::Error| {
+    let placed = |message: String, error: &toml::de::Error| {
         let at = error.span().map(|span| span.start.min(text.len()));
-        at.map_or(String::new(), |at| {
-            let lines = text.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count();
-            format!(" at line {}", lines + 1)
-        })
+        match at {
+            None => message,
+            Some(at) => {
+                let lines = text.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count();
+                tr!("{problem} at line {line}", problem = message, line = lines + 1)
+            }
+        }
     };
-    let whole = |error: toml::de::Error| format!("not TOML: {}{}", error.message(), line(&error));
+    let whole = |error: toml::de::Error| {
+        placed(tr!("not TOML: {problem}", problem = error.message()), &error)
+    };
     let reader = toml::Deserializer::parse(text).map_err(whole)?;
     serde_path_to_error::deserialize(reader).map_err(|error| {
         let path = error.path().to_string();
         let error = error.into_inner();
-        format!("{}{}", explain(&path, error.message()), line(&error))
+        placed(explain(&path, error.message()), &error)
     })
 }
 

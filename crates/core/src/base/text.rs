@@ -1,8 +1,8 @@
 //! The text of a file: UTF-8, with or without a byte order mark, or UTF-16 with one. Any other encoding is
-//! named, with what to do; nothing is guessed.
+//! named, with what to do; nothing is guessed. And which known name a mistyped one is most like.
 
-/// What is said of text in another encoding.
-const SAVE: &str = "save it as UTF-8";
+use crate::base::language::{text, tr};
+
 /// Bytes from the start in which UTF-16 without its mark is looked for.
 const LOOKED_AT: usize = 512;
 
@@ -20,7 +20,9 @@ const LOOKED_AT: usize = 512;
 /// Names the encoding that the bytes seem to have, or says that they are no text.
 pub fn decode(bytes: &[u8]) -> Result<String, String> {
     match bytes {
-        [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => Err(format!("it is UTF-32: {SAVE}")),
+        [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => {
+            Err(tr("it is UTF-32: save it as UTF-8").to_owned())
+        }
         [0xff, 0xfe, rest @ ..] => utf_16(rest, u16::from_le_bytes),
         [0xfe, 0xff, rest @ ..] => utf_16(rest, u16::from_be_bytes),
         [0xef, 0xbb, 0xbf, rest @ ..] | rest => utf_8(rest),
@@ -31,37 +33,49 @@ fn utf_16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, String> {
     let (pairs, rest) = bytes.as_chunks();
     let units: Vec<u16> = pairs.iter().map(|pair| unit(*pair)).collect();
     let whole = String::from_utf16(&units).ok().filter(|_| rest.is_empty());
-    whole.ok_or_else(|| format!("it is UTF-16 with half a character in it: {SAVE}"))
+    whole.ok_or_else(|| tr("it is UTF-16 with half a character in it: save it as UTF-8").to_owned())
 }
 
 fn utf_8(bytes: &[u8]) -> Result<String, String> {
-    if let Some(order) = unmarked_utf_16(bytes) {
-        return Err(format!("it is UTF-16 ({order} endian) without a byte order mark: {SAVE}"));
+    if let Some(problem) = unmarked_utf_16(bytes) {
+        return Err(tr(problem).to_owned());
     }
     // An archive, which the files of spreadsheets are too.
     if bytes.starts_with(b"PK\x03\x04") {
-        return Err(
-            "it is no text but an archive or a spreadsheet: save its table as CSV".to_owned()
-        );
+        let problem = tr("it is no text but an archive or a spreadsheet: save its table as CSV");
+        return Err(problem.to_owned());
     }
     // Other control characters than those that move on stand in no text of any encoding.
     let control = |byte: &u8| *byte < b' ' && !b"\t\n\r\x0c\x1b".contains(byte);
     if let Some(at) = bytes.iter().position(control) {
-        return Err(format!("it is no text: byte 0x{:02x} in line {}", bytes[at], line(bytes, at)));
+        let byte = format!("{:02x}", bytes[at]);
+        let line = line(bytes, at);
+        return Err(tr!("it is no text: byte 0x{byte} in line {line}", byte = byte, line = line));
     }
     std::str::from_utf8(bytes).map(str::to_owned).map_err(|error| {
         let at = error.valid_up_to();
         let (byte, line) = (bytes[at], line(bytes, at));
+        let shown = format!("{byte:02x}");
         // Where Latin-1 has no letters, Windows has some of its own.
-        let named = match byte {
-            0xa0.. => format!("Latin-1 or Windows-1252, where it is {:?}", char::from(byte)),
-            _ => "Windows-1252".to_owned(),
-        };
-        format!("it is not UTF-8 (byte 0x{byte:02x} in line {line}) but perhaps {named}: {SAVE}")
+        match byte {
+            0xa0.. => tr!(
+                "it is not UTF-8 (byte 0x{byte} in line {line}) but perhaps Latin-1 or \
+                 Windows-1252, where it is {letter}: save it as UTF-8",
+                byte = shown,
+                line = line,
+                letter = format!("{:?}", char::from(byte))
+            ),
+            _ => tr!(
+                "it is not UTF-8 (byte 0x{byte} in line {line}) but perhaps Windows-1252: save it \
+                 as UTF-8",
+                byte = shown,
+                line = line
+            ),
+        }
     })
 }
 
-/// The byte order of UTF-16 without its mark: most characters of settings and tables are ASCII, so every
+/// What is said of UTF-16 without its mark: most characters of settings and tables are ASCII, so every
 /// second byte is zero.
 fn unmarked_utf_16(bytes: &[u8]) -> Option<&'static str> {
     let looked_at = &bytes[..bytes.len().min(LOOKED_AT) / 2 * 2];
@@ -69,8 +83,12 @@ fn unmarked_utf_16(bytes: &[u8]) -> Option<&'static str> {
     // Of the bytes at every second place, most.
     let many = looked_at.len() / 4 + 1;
     match [zeros(0), zeros(1)] {
-        [0, odd] if odd >= many => Some("little"),
-        [even, 0] if even >= many => Some("big"),
+        [0, odd] if odd >= many => {
+            Some(text!("it is UTF-16 (little endian) without a byte order mark: save it as UTF-8"))
+        }
+        [even, 0] if even >= many => {
+            Some(text!("it is UTF-16 (big endian) without a byte order mark: save it as UTF-8"))
+        }
         _ => None,
     }
 }
@@ -78,6 +96,30 @@ fn unmarked_utf_16(bytes: &[u8]) -> Option<&'static str> {
 /// The number of the line of a byte.
 fn line(bytes: &[u8], at: usize) -> usize {
     1 + bytes[..at].iter().filter(|byte| **byte == b'\n').count()
+}
+
+/// The name among `names` that is most like `name`, if it is at least so like it: 0 for nothing in common, 1 for
+/// the same, by Jaro and Winkler, whatever the case.
+///
+/// ```
+/// use steadycut_core::base::text::nearest;
+///
+/// assert_eq!(nearest("feed_mm", ["feed_mm_min", "force_n"], 0.8), Some("feed_mm_min"));
+/// assert_eq!(nearest("xyz", ["feed_mm_min", "force_n"], 0.8), None);
+/// ```
+#[must_use]
+pub fn nearest<'a>(
+    name: &str,
+    names: impl IntoIterator<Item = &'a str>,
+    least_likeness: f64,
+) -> Option<&'a str> {
+    let name = name.to_lowercase();
+    names
+        .into_iter()
+        .map(|known| (strsim::jaro_winkler(&name, &known.to_lowercase()), known))
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .filter(|(likeness, _)| *likeness > least_likeness)
+        .map(|(_, known)| known)
 }
 
 #[cfg(test)]

@@ -54,3 +54,9 @@ pub fn cm3_from_mm3(volume_mm3: f64) -> f64 {
 pub fn s_from_min(time_min: f64) -> f64 {
     time_min * 60.0
 }
+
+/// Minutes from seconds.
+#[must_use]
+pub fn min_from_s(s: f64) -> f64 {
+    s / 60.0
+}

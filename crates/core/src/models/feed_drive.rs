@@ -107,6 +107,14 @@ impl ExactDrive {
     #[must_use]
     pub fn new(kind: FeedDriveKind, dt_s: f64) -> Self {
         let (a, order) = kind.denominator();
+        Self::of(a, order, dt_s)
+    }
+
+    /// Discretises a drive of its own denominator, as [`FeedDriveKind::denominator`] gives one: unit gain, no zeros, order
+    /// 1 to 3.
+    #[must_use]
+    pub fn of(a: [f64; 3], order: usize, dt_s: f64) -> Self {
+        let order = order.clamp(1, 3);
         let mut matrix = Matrix4::<f64>::zeros();
         for i in 1..order {
             matrix[(i - 1, i)] = SCALE;

@@ -1,5 +1,8 @@
 //! Pure model functions that both the plant (truth) and the controllers (belief) need.
 
+pub mod disturbances;
+pub mod drive_curve;
+pub mod economics;
 pub mod feed_drive;
 pub mod feed_speed;
 pub mod formula_model;

@@ -63,6 +63,24 @@ impl CutPath {
         Self { from_mm: f64::NEG_INFINITY, ..Self::new(sections) }
     }
 
+    /// The same with other axial depths: `depth_mm` gives that of the part between two of the `borders`, from
+    /// where it begins and the depth that is there now, all in mm.
+    #[must_use]
+    pub fn with_depths(&self, borders: &[f64], depth_mm: impl Fn(f64, f64) -> f64) -> Self {
+        let mut stretches = Vec::with_capacity(self.stretches.len() + borders.len());
+        let mut from_mm = self.from_mm;
+        for stretch in &self.stretches {
+            let inside = |border: &&f64| **border > from_mm && **border < stretch.to_mm;
+            let within: Vec<f64> = borders.iter().filter(inside).copied().collect();
+            for to_mm in within.into_iter().chain([stretch.to_mm]) {
+                let axial_depth_mm = depth_mm(from_mm, stretch.axial_depth_mm);
+                stretches.push(Stretch { to_mm, axial_depth_mm, ..*stretch });
+                from_mm = to_mm;
+            }
+        }
+        Self { stretches, from_mm: self.from_mm }
+    }
+
     /// Length L of the part along this cut, mm.
     #[must_use]
     pub fn length_mm(&self) -> f64 {
@@ -134,6 +152,22 @@ impl CutPath {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn depths_change_between_borders_and_nothing_else_does() {
+        let cut = CutPath::new(&[[30.0, 2.0, 2.0], [10.0, 3.0, 1.5]]);
+        let gap = |from_mm: f64, depth_mm: f64| {
+            if (25.0..32.0).contains(&from_mm) { 0.0 } else { depth_mm }
+        };
+        let other = cut.with_depths(&[-5.0, 25.0, 32.0, 90.0], gap);
+        assert_eq!(other.length_mm(), 40.0);
+        let depths = [24.9, 25.1, 29.9, 30.1, 31.9, 32.1, 41.0].map(|x| other.section_at(x)[0]);
+        assert_eq!(depths, [2.0, 0.0, 0.0, 0.0, 0.0, 3.0, 0.0]);
+        assert_eq!(other.section_at(35.0), [3.0, 1.5], "the wall stays");
+        assert_eq!(cut.with_depths(&[], |_, depth_mm| depth_mm), cut);
+        let open = CutPath::open(&[[30.0, 2.0, 2.0]]).with_depths(&[10.0], gap);
+        assert!(open.is_open() && open.section_at(-3.0)[0] == 2.0);
+    }
 
     #[test]
     fn sections_are_cut_to_what_is_asked_for() {

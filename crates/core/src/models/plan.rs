@@ -41,15 +41,16 @@ crate::settings! {
         /// Cutting speed where it is not searched.
         cutting_speed_m_min: f64 = 80.0, [40.0, 150.0], "m/min", setup, "Cutting speed";
         /// Weight of the force, relative to its limit: the paper's objective is the largest force
-        /// that is still allowed. A tenth of it goes to the removal rate, to break ties.
-        weight_force: f64 = 1.0, [0.0, 1.0], "", setup, "Weight of force";
+        /// that is still allowed, so a heavier one takes the cut nearer to the limit. A tenth of it goes to the
+        /// removal rate, to break ties.
+        weight_force: f64 = 1.0, [0.0, 1.0], "", setup, "Weight of a large force";
         /// Weight of the metal removal rate, relative to the reference cut (80 m/min, 0.08 mm).
-        weight_removal_rate: f64 = 0.0, [0.0, 1.0], "", setup, "Weight of removal rate";
+        weight_removal_rate: f64 = 0.0, [0.0, 1.0], "", setup, "Weight of a large removal rate";
         /// Weight of a short production time (the cut with its share of tool changes), relative to
         /// the reference cut.
-        weight_time: f64 = 0.0, [0.0, 1.0], "", setup, "Weight of time";
+        weight_time: f64 = 0.0, [0.0, 1.0], "", setup, "Weight of a short time";
         /// Weight of a low cost, relative to the reference cut.
-        weight_cost: f64 = 0.0, [0.0, 1.0], "", setup, "Weight of cost";
+        weight_cost: f64 = 0.0, [0.0, 1.0], "", setup, "Weight of a low cost";
         /// Cost of machine and operator, C_m (chosen).
         machine_cost_per_min: f64 = 1.0, [0.0, 1000.0], "1/min", setup, "Machine cost";
         /// Cost of a tool life: one set of cutting edges, C_t (chosen).

@@ -21,6 +21,7 @@ pub use stored::{Stored, StoredNetworks};
 
 use std::sync::LazyLock;
 
+use crate::base::language::tr;
 use crate::base::math;
 use crate::base::network::{Activation, Network, ScaledNetwork, Scaling, parse};
 use crate::base::rng::Stream;
@@ -102,7 +103,12 @@ impl UnksNetworks {
             if sizes == SIZES[i] {
                 Ok(scaled)
             } else {
-                Err(format!("{name}: `sizes` cannot be {sizes:?}: allowed is {:?}", SIZES[i]))
+                Err(tr!(
+                    "{name}: `sizes` cannot be {sizes}: allowed is {allowed}",
+                    name = name,
+                    sizes = format!("{sizes:?}"),
+                    allowed = format!("{:?}", SIZES[i])
+                ))
             }
         };
         Ok(Self { reference: read(0)?, forward: read(1)?, inverse: read(2)? })

@@ -26,6 +26,11 @@ impl Digest {
         self.0.update(&word.to_le_bytes());
     }
 
+    /// Takes in the bytes of a text.
+    pub fn text(&mut self, text: &str) {
+        self.0.update(text.as_bytes());
+    }
+
     /// Takes in one row.
     pub fn row(&mut self, row: &Row) {
         let mut bytes = [0; 8 * Row::LEN];

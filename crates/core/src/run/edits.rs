@@ -2,6 +2,7 @@
 //! and edits, so a live session replays exactly.
 
 use super::scenario::{Scenario, companion, joins, param};
+use crate::base::language::tr;
 use crate::base::settings::{SettingError, Value};
 
 /// One change during a run.
@@ -21,12 +22,20 @@ pub struct Edits(Vec<Edit>);
 
 /// An edit that does not fit a base.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("the change at {} s does not fit any more: {reason}", edit.at_s)]
+#[error("{}", unfit(edit.at_s, reason))]
 pub struct Unfit {
     /// The edit.
     pub edit: Edit,
     /// Why it is refused.
     pub reason: SettingError,
+}
+
+fn unfit(at_s: f64, reason: &SettingError) -> String {
+    tr!(
+        "the change at {at} s does not fit any more: {reason}",
+        at = at_s,
+        reason = reason.to_string()
+    )
 }
 
 /// Most edits in one run.
@@ -70,7 +79,7 @@ impl Edits {
         edit.path.clone_from(&param(&edit.path)?.path);
         fits_alone(base, &edit)?;
         if self.0.len() >= MAX_EDITS {
-            let (value, allowed) = ("changed again", "at most 100000 changes in a run");
+            let (value, allowed) = (tr("changed again"), tr("at most 100000 changes in a run"));
             let [value, allowed] = [value, allowed].map(str::to_owned);
             return Err(SettingError::Refused { path: edit.path, value, allowed });
         }
@@ -161,12 +170,12 @@ fn fits_alone(base: &Scenario, edit: &Edit) -> Result<(), SettingError> {
         Err(SettingError::Refused { path: edit.path.clone(), value, allowed })
     };
     if !param(&edit.path)?.spec.live {
-        let allowed = "a change of the scenario itself: it belongs to the set-up";
-        return refused("changed during the run".to_owned(), allowed.to_owned());
+        let allowed = tr("a change of the scenario itself: it belongs to the set-up");
+        return refused(tr("changed during the run").to_owned(), allowed.to_owned());
     }
     if !(edit.at_s >= 0.0 && edit.at_s < base.run.duration_s) {
-        let allowed = format!("a time from 0 to before {} s", base.run.duration_s);
-        return refused(format!("changed at {} s", edit.at_s), allowed);
+        let allowed = tr!("a time from 0 to before {end} s", end = base.run.duration_s);
+        return refused(tr!("changed at {at} s", at = edit.at_s), allowed);
     }
     Ok(())
 }

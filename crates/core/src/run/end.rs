@@ -2,9 +2,11 @@
 
 use serde::Serialize;
 
-use super::closed_loop::Fault;
+use super::closed_loop::{Fault, ScriptFault};
+use crate::base::language::tr;
 use crate::base::settings::SettingError;
 use crate::blocks::cnc::overload::Overload;
+use crate::blocks::cutting::breakage::Breakage;
 use crate::blocks::cutting::crash::Crash;
 
 crate::choice! {
@@ -13,16 +15,22 @@ crate::choice! {
         /// The whole path is cut.
         PathDone = "path_done", "Cut finished";
         /// The time limit came first.
-        TimeLimit = "time_limit", "Cut finished: time limit";
-        /// Too large a force stopped the feed; its details are force_n, limit_n, position_mm, time_s.
+        TimeLimit = "time_limit", "Ended by the time limit";
+        /// Too large a force stopped the feed; its details are force_n, limit_n, position_mm,
+        /// time_s, retracted.
         Overload = "overload", "Stopped by an overload";
         /// The tool was fed into the work without cutting its way; its details are feed_mm_min, speed_rpm,
         /// radius_mm, position_mm, time_s.
         Crash = "crash", "Ended by a crash";
+        /// The last tooth broke, or the first one in a machine that counts them; its details are by, load, stands,
+        /// broken, position_mm, time_s.
+        Breakage = "breakage", "Ended by a broken tool";
         /// A signal stopped being finite; its details are signal, tick.
         Fault = "fault", "Ended by a fault";
         /// An edit does not fit the scenario; its details are path, value, allowed.
         Refused = "refused", "An edit was refused";
+        /// The controller's script failed; its details are line, what, time_s.
+        Script = "script", "Ended by a fault of the script";
     }
 }
 
@@ -39,10 +47,14 @@ pub enum End {
     Overload(Overload),
     /// The tool was fed into the work without cutting its way.
     Crash(Crash),
+    /// The tool broke.
+    Breakage(Breakage),
     /// A signal stopped being finite.
     Fault(Fault),
     /// An edit does not fit the scenario: it was pushed to the edits of another one.
     Refused(SettingError),
+    /// The controller's script failed.
+    Script(ScriptFault),
 }
 
 impl End {
@@ -54,8 +66,10 @@ impl End {
             Self::TimeLimit => EndId::TimeLimit,
             Self::Overload(_) => EndId::Overload,
             Self::Crash(_) => EndId::Crash,
+            Self::Breakage(_) => EndId::Breakage,
             Self::Fault(_) => EndId::Fault,
             Self::Refused(_) => EndId::Refused,
+            Self::Script(_) => EndId::Script,
         }
     }
 
@@ -63,8 +77,12 @@ impl End {
     #[must_use]
     pub fn failed(&self) -> bool {
         match self {
-            Self::PathDone | Self::TimeLimit | Self::Overload(_) | Self::Crash(_) => false,
-            Self::Fault(_) | Self::Refused(_) => true,
+            Self::PathDone
+            | Self::TimeLimit
+            | Self::Overload(_)
+            | Self::Crash(_)
+            | Self::Breakage(_) => false,
+            Self::Fault(_) | Self::Refused(_) | Self::Script(_) => true,
         }
     }
 }
@@ -73,11 +91,13 @@ impl End {
 impl std::fmt::Display for End {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::PathDone | Self::TimeLimit => f.write_str(self.id().label()),
-            Self::Overload(stop) => write!(f, "The machine {stop}"),
-            Self::Crash(crash) => write!(f, "The tool {crash}"),
+            Self::PathDone | Self::TimeLimit => f.write_str(tr(self.id().label())),
+            Self::Overload(stop) => stop.fmt(f),
+            Self::Crash(crash) => crash.fmt(f),
+            Self::Breakage(broke) => broke.fmt(f),
             Self::Fault(fault) => fault.fmt(f),
             Self::Refused(refused) => refused.fmt(f),
+            Self::Script(fault) => fault.fmt(f),
         }
     }
 }
@@ -85,11 +105,18 @@ impl std::fmt::Display for End {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::blocks::control::script::ScriptProblem;
+    use crate::blocks::cutting::breakage::BreaksBy;
 
     #[test]
     fn every_end_is_an_id_with_its_details_in_fields_of_their_own() {
-        let overload =
-            Overload { force_n: 2100.0, limit_n: 2000.0, position_mm: 12.0, time_s: 1.5 };
+        let overload = Overload {
+            force_n: 2100.0,
+            limit_n: 2000.0,
+            position_mm: 12.0,
+            time_s: 1.5,
+            retracted: false,
+        };
         let [path, value, allowed] = ["target.ra_um", "9 um", "less"].map(str::to_owned);
         let crash = Crash {
             feed_mm_min: 430.0,
@@ -98,17 +125,33 @@ mod tests {
             position_mm: 12.0,
             time_s: 1.5,
         };
+        let of_overload = ["force_n", "limit_n", "position_mm", "retracted", "time_s"];
         let of_crash = ["feed_mm_min", "position_mm", "radius_mm", "speed_rpm", "time_s"];
-        let all: [(End, &[&str]); 6] = [
+        let breakage = Breakage {
+            by: BreaksBy::Chip,
+            load: 0.7,
+            stands: 0.6,
+            broken: 2,
+            position_mm: 12.0,
+            time_s: 1.5,
+        };
+        let of_breakage = ["broken", "by", "load", "position_mm", "stands", "time_s"];
+        let script = ScriptFault {
+            problem: ScriptProblem { line: Some(3), what: "no".to_owned() },
+            time_s: 1.5,
+        };
+        let all: [(End, &[&str]); 8] = [
             (End::PathDone, &[]),
             (End::TimeLimit, &[]),
-            (End::Overload(overload), &["force_n", "limit_n", "position_mm", "time_s"]),
+            (End::Overload(overload), &of_overload),
             (End::Crash(crash), &of_crash),
+            (End::Breakage(breakage), &of_breakage),
             (End::Fault(Fault { signal: "force_n", tick: 7 }), &["signal", "tick"]),
             (
                 End::Refused(SettingError::Refused { path, value, allowed }),
                 &["allowed", "error", "path", "value"],
             ),
+            (End::Script(script), &["line", "time_s", "what"]),
         ];
         assert_eq!(EndId::ALL, all.each_ref().map(|(end, _)| end.id()), "every id is tried here");
         for (end, details) in all {

@@ -6,6 +6,7 @@ use super::closed_loop::limits;
 use super::scenario::Scenario;
 use super::signals::{Row, flag};
 use crate::base::equation::{Live, number};
+use crate::base::language::tr;
 use crate::blocks::control::FeedSpeed;
 use crate::blocks::control::law::{ControlMoment, Explained};
 use crate::blocks::cutting::force_model::law::ForceMoment;
@@ -22,6 +23,7 @@ pub fn explain_controller(scenario: &Scenario, row: &Row) -> Explained {
     scenario.controller.explain(&ControlMoment {
         force_ref_n: row.force_ref_n,
         force_measured_n: row.force_measured_n,
+        cut,
         gain_estimate: row.gain_estimate,
         command: FeedSpeed {
             feed_mm_min: row.feed_command_mm_min,
@@ -56,31 +58,40 @@ pub fn explain_force(scenario: &Scenario, row: &Row) -> Vec<Live> {
     lines
 }
 
+/// A formula of one's own with its live values: the symbol of what it gives, its inputs by name with their values, and
+/// what it gives.
+#[must_use]
+pub fn of_own(model: &FormulaModel, symbol: &str, inputs: &[(&str, f64)], found: Valued) -> Live {
+    let names: Vec<&str> = inputs.iter().map(|(name, _)| *name).collect();
+    let values: Vec<f64> = inputs.iter().map(|(_, value)| *value).collect();
+    let [formula, with] = model.shown(&names, &values);
+    let ranges: Vec<String> = names
+        .iter()
+        .zip(model.inputs())
+        .map(|(name, input)| {
+            let [low, high] = [input.range.low, input.range.high].map(number);
+            let unit = input.unit.to_string();
+            tr!("{name} {low} to {high} {unit}", name = *name, low = low, high = high, unit = unit)
+                .trim_end()
+                .to_owned()
+        })
+        .collect();
+    let unit = format!(" {}", model.output().unit);
+    Live {
+        formula: format!("{symbol} = {formula}"),
+        values: format!("{symbol} = {with} = {}{}", number(found.value), unit.trim_end()),
+        range: format!("{}; {}", ranges.join(", "), tr("straight on beyond")),
+        valid: found.valid,
+    }
+}
+
 /// The formulas of one's own for material and wear that the run computes with.
 fn curves(scenario: &Scenario, row: &Row) -> Vec<Live> {
     let (wear, tool) = (&scenario.wear, &scenario.tool);
     let mut lines = Vec::new();
     let mut line =
         |model: Option<&Arc<FormulaModel>>, symbol: &str, inputs: &[(&str, f64)], found: Valued| {
-            let Some(model) = model else { return };
-            let names: Vec<&str> = inputs.iter().map(|(name, _)| *name).collect();
-            let values: Vec<f64> = inputs.iter().map(|(_, value)| *value).collect();
-            let [formula, with] = model.shown(&names, &values);
-            let ranges: Vec<String> = names
-                .iter()
-                .zip(model.inputs())
-                .map(|(name, input)| {
-                    let [low, high] = [input.range.low, input.range.high].map(number);
-                    format!("{name} {low} to {high} {}", input.unit).trim_end().to_owned()
-                })
-                .collect();
-            let unit = format!(" {}", model.output().unit);
-            lines.push(Live {
-                formula: format!("{symbol} = {formula}"),
-                values: format!("{symbol} = {with} = {}{}", number(found.value), unit.trim_end()),
-                range: format!("{}; straight on beyond", ranges.join(", ")),
-                valid: found.valid,
-            });
+            lines.extend(model.map(|model| of_own(model, symbol, inputs, found)));
         };
     let hardness_hb = scenario.plant.hardness_hb;
     if let Some(material) = scenario.formula.material_factor(hardness_hb) {

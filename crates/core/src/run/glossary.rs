@@ -1,5 +1,9 @@
 //! The words and symbols that stand on the screen and in tables, in the papers' sense: one table, from which
 //! the console explains what is pointed at and `steadycut list` prints them.
+//!
+//! Symbols and names are the same in every language; a term of words is found by those of the chosen one.
+
+use crate::base::language::catalogue;
 
 /// A word or symbol with its meaning.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,10 +13,52 @@ pub struct Term {
     pub spellings: &'static [&'static str],
     /// What it is.
     pub meaning: &'static str,
+    /// Whether it is of words, which another language has others for, rather than a symbol or a name.
+    pub of_words: bool,
 }
 
 const fn term(spellings: &'static [&'static str], meaning: &'static str) -> Term {
-    Term { spellings, meaning }
+    Term { spellings, meaning, of_words: false }
+}
+
+const fn words(spellings: &'static [&'static str], meaning: &'static str) -> Term {
+    Term { spellings, meaning, of_words: true }
+}
+
+/// What parts the spellings of a term in the catalogue.
+const APART: &str = ", ";
+/// Stands in the catalogue for the letters that a word may go on with: its cases, and what it is put together with.
+const ENDING: char = '*';
+
+impl Term {
+    /// The key of its spellings in the catalogue, for a term of words. The catalogue has them in the same form: the one
+    /// that is shown first, and `*` where a word may go on.
+    #[must_use]
+    pub fn key(&self) -> Option<String> {
+        self.of_words.then(|| format!("term: {}", self.spellings.join(APART)))
+    }
+
+    /// How the chosen language writes it, if it has words of its own for it.
+    fn translated(&self) -> Option<&'static str> {
+        catalogue()?.plain(&self.key()?)
+    }
+
+    /// How it is written in the chosen language, the usual way first; `*` stands for more letters.
+    fn forms(&self) -> impl Iterator<Item = &'static str> {
+        let (own, english) = match self.translated() {
+            Some(forms) => (Some(forms.split(APART)), &[][..]),
+            None => (None, self.spellings),
+        };
+        own.into_iter().flatten().chain(english.iter().copied())
+    }
+
+    /// How it is written in the chosen language, as people read it: forms that differ in their endings alone are not
+    /// listed.
+    #[must_use]
+    pub fn written(&self) -> String {
+        let shown: Vec<&str> = self.forms().filter(|form| !form.contains(ENDING)).collect();
+        shown.join(APART)
+    }
 }
 
 /// All of them: roughness and force, models, controllers, cutting, machine, judging.
@@ -50,7 +96,7 @@ pub const GLOSSARY: &[Term] = &[
         &["M1", "M2", "M3", "M4", "M5", "M6"],
         "Models of the 2013 paper, in the places of K1 to K6: M1 Ra to force, M2 force to feed, M3 force to speed, M4 feed, speed and depths to force, M5 and M6 force to Ra.",
     ),
-    term(
+    words(
         &["outside model", "outside its range", "outside"],
         "A model is asked for what it was not identified on: its answer is a guess there, and is marked.",
     ),
@@ -58,7 +104,7 @@ pub const GLOSSARY: &[Term] = &[
         &["SDNRP"],
         "Model-based system for the dynamic adjustment of cutting parameters (2007): proportional force feedback into K2 and K3, which give feed and speed.",
     ),
-    term(
+    words(
         &["Tracking"],
         "The controller of 2013 made whole: the model's inverse with integral action, anti-windup and a Smith predictor.",
     ),
@@ -75,6 +121,16 @@ pub const GLOSSARY: &[Term] = &[
         "Networks of UNKS: NM-1 and NM-2 recognise the process and its inverse, NM-R steers.",
     ),
     term(
+        &["AFC"],
+        "Adaptive feed control, as the control of a machine tool has it: the feed follows the force that the first part has taught it.",
+    ),
+    term(&["FMIN"], "Least feed of AFC, in percent of the programmed one; never below 30 %."),
+    term(&["FMAX"], "Largest feed of AFC, in percent of the programmed one."),
+    words(
+        &["teach-in", "taught in"],
+        "First cut under AFC, at the programmed feed: the peak force of each cut becomes its reference.",
+    ),
+    term(
         &["MRAC"],
         "Model reference adaptive control (2005): the gains change until the force answers as a reference model does.",
     ),
@@ -84,21 +140,21 @@ pub const GLOSSARY: &[Term] = &[
     ),
     term(&["Kp"], "Proportional gain: how much of the force error is added to what is asked for."),
     term(&["Ki"], "Integral gain: how fast the sum of the force error is acted on."),
-    term(
+    words(
         &["Smith predictor"],
         "Part of a controller that reckons with the dead time: it compares with what the command sent so far will do.",
     ),
-    term(
+    words(
         &["anti-windup"],
         "Keeps the integral part from growing while a command stands at a limit.",
     ),
-    term(
+    words(
         &["dead time"],
         "Time that passes before a command begins to act: the machine's control reads an override only now and then.",
     ),
-    term(
-        &["limit cycle"],
-        "The loop swings without end: with this gain and dead time it is not stable.",
+    words(
+        &["unstable", "limit cycle"],
+        "A loop is unstable where feed and force swing without dying down, in a limit cycle: its gain is too large for its dead time.",
     ),
     term(
         &["DNCFRO"],
@@ -110,8 +166,16 @@ pub const GLOSSARY: &[Term] = &[
     ),
     term(&["CNC"], "Computer numerical control: the machine's control, here a FAGOR 8040-M."),
     term(&["NC"], "Numerical control: the program that gives path, feed and speed."),
-    term(&["programmed"], "Feed and speed as the NC program gives them, at an override of 100 %."),
-    term(
+    words(&["programmed"], "Feed and speed as the NC program gives them, at an override of 100 %."),
+    words(
+        &["override"],
+        "Share of the programmed feed or speed that is sent to the machine, in percent: by a controller, or by the knob of its panel.",
+    ),
+    words(
+        &["by hand", "operator"],
+        "The feed override is turned by a person at the machine, who sees the force and hears the cut; no controller has the feed.",
+    ),
+    words(
         &["constant feed"],
         "Conventional milling: feed and speed stay as programmed, whatever the cut does.",
     ),
@@ -119,7 +183,7 @@ pub const GLOSSARY: &[Term] = &[
     term(&["R_D", "RD"], "Radial depth of cut, in mm: across the tool."),
     term(&["HB"], "Brinell hardness of the workpiece."),
     term(&["VB"], "Width of the wear land at the tool's flank, in mm (ISO 8688)."),
-    term(
+    words(
         &["tool life", "remaining life"],
         "Time in the cut until the tool is worn out, by Taylor's law and the wear curve.",
     ),
@@ -137,82 +201,104 @@ pub const GLOSSARY: &[Term] = &[
         "Quality of the spindle's spring: how often it swings before it comes to rest; 5 is well damped, 17 lightly.",
     ),
     term(&["K_s", "Ks"], "Specific cutting force, in N/mm²: force over the chip's cross-section."),
-    term(
+    words(
         &["chatter"],
         "Vibration that feeds itself: each tooth cuts the waves that the last one has left, and they grow.",
     ),
-    term(
+    words(
         &["lost contact"],
         "A tooth that should cut has jumped out of the work: a sign of chatter.",
     ),
-    term(&["run-out"], "The tool turns off its axis, so that the teeth cut unevenly deep."),
+    words(&["run-out"], "The tool turns off its axis, so that the teeth cut unevenly deep."),
     term(
         &["Nsn"],
         "Normalised standard error of the force (2005): root mean square of the error over the desired force, in contact; 0 is perfect.",
     ),
-    term(&["Nsn of 20", "Nsn20"], "Nsn over 20 samples, the form that the 2005 paper prints."),
-    term(
+    words(
+        &["20 samples", "Nsn20", "Nsn of 20"],
+        "Nsn over 20 samples, the form that the 2005 paper prints.",
+    ),
+    words(
         &["in tolerance"],
         "Share of the length cut on which Ra stands within the tolerance of its target.",
     ),
-    term(
+    words(
         &["held within 10 %", "held"],
         "Share of the samples in contact with the force within 10 % of its reference.",
     ),
-    term(
+    words(
         &["remaining error", "steady-state error"],
         "What is left between the value and its target when nothing moves any more; proportional control alone leaves one.",
     ),
-    term(
+    words(
         &["overshoot"],
-        "How far the force goes beyond its reference after a change, in percent of it.",
+        "How far the force swings beyond where it comes to rest, to the side away from the jump that the change itself makes, in percent of the force at rest.",
     ),
-    term(
+    words(
         &["settling", "settling time"],
-        "Time after a change until the force stays within 2 % of its reference.",
+        "Time after a change until the force stays for good within 2 %, and what noise adds, of where it comes to rest.",
     ),
-    term(
+    words(
         &["saturated", "at a limit"],
         "A command stands at the most or least that the machine allows: the controller cannot do what it wants.",
     ),
-    term(&["as printed", "printed"], "Exactly as it stands in the paper."),
-    term(
+    words(&["as printed", "printed"], "Exactly as it stands in the paper."),
+    words(
         &["restored"],
         "The printed form with the fewest coefficients corrected, where it cannot give the paper's own table.",
     ),
-    term(&["identified"], "Fitted anew to the paper's own table."),
+    words(&["identified"], "Fitted anew to the paper's own table."),
     term(&["CSV"], "Table as text, a line per row, that spreadsheets and programs read."),
     term(&["TOML"], "Form of a scenario file: text with a line per setting."),
-    term(
+    words(
         &["PSO", "swarm"],
         "Particle swarm optimisation (2013): points that fly over the map of feed and speed and draw each other to the best place.",
     ),
     term(&["1/min"], "Turns per minute of the spindle."),
-    term(
+    words(
         &["gain estimate"],
         "The controller's estimate of the true force over the one that its model expects: it grows with wear and harder material.",
     ),
 ];
-
-fn matches(spelling: &str, found: &str) -> bool {
-    let as_written = spelling.chars().any(|c| c.is_uppercase() || c.is_ascii_digit());
-    found == spelling || (!as_written && found.eq_ignore_ascii_case(spelling))
-}
 
 /// Whether a character belongs to a word, so that no word begins or ends beside it.
 fn in_word(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 
-/// Places of a spelling in a text, as whole words: first byte and the byte behind the last.
-fn places<'a>(text: &'a str, spelling: &'a str) -> impl Iterator<Item = (usize, usize)> + 'a {
+/// Where a form that begins at the head of a text ends there, in bytes; none where it does not stand there.
+fn end_of(form: &str, text: &str) -> Option<usize> {
+    let as_written = form.chars().any(|c| c.is_uppercase() || c.is_ascii_digit());
+    let alike = |wanted: char, found: char| {
+        let is_space = wanted == ' ' && found == '\u{a0}';
+        let small = || wanted.to_lowercase().eq(found.to_lowercase());
+        wanted == found || is_space || (!as_written && small())
+    };
+    let mut end = 0;
+    for wanted in form.chars() {
+        if wanted == ENDING {
+            let rest = &text[end..];
+            end += rest.find(|c| !in_word(c)).unwrap_or(rest.len());
+        } else {
+            let found = text[end..].chars().next().filter(|found| alike(wanted, *found))?;
+            end += found.len_utf8();
+        }
+    }
+    Some(end)
+}
+
+/// Places of a form in a text, as whole words: first byte and the byte behind the last.
+fn places<'a>(text: &'a str, form: &'a str) -> impl Iterator<Item = (usize, usize)> + 'a {
     let starts = text.char_indices().map(|(at, _)| at);
     starts.filter_map(move |at| {
-        let found = text.get(at..at + spelling.len())?;
         let before = text[..at].chars().next_back().is_some_and(in_word);
-        let after = text[at + spelling.len()..].chars().next().is_some_and(in_word);
-        let ends_free = !after || !spelling.chars().next_back().is_some_and(in_word);
-        (matches(spelling, found) && !before && ends_free).then_some((at, at + spelling.len()))
+        if before {
+            return None;
+        }
+        let end = at + end_of(form, &text[at..])?;
+        let after = text[end..].chars().next().is_some_and(in_word);
+        let ends_free = !after || !text[..end].chars().next_back().is_some_and(in_word);
+        ends_free.then_some((at, end))
     })
 }
 
@@ -228,8 +314,8 @@ fn places<'a>(text: &'a str, spelling: &'a str) -> impl Iterator<Item = (usize, 
 pub fn terms_in(text: &str) -> impl Iterator<Item = &'static Term> {
     let mut found: Vec<(usize, usize, usize)> = Vec::new();
     for (which, term) in GLOSSARY.iter().enumerate() {
-        for spelling in term.spellings {
-            found.extend(places(text, spelling).map(|(from, to)| (from, to, which)));
+        for form in term.forms() {
+            found.extend(places(text, form).map(|(from, to)| (from, to, which)));
         }
     }
     found.sort_by_key(|&(from, to, _)| (from, std::cmp::Reverse(to)));
@@ -260,7 +346,8 @@ mod tests {
 
     #[test]
     fn whole_words_are_found_and_the_longest_counts() {
-        assert_eq!(found("Nsn of 20"), ["Nsn of 20"]);
+        assert_eq!(found("Nsn of 20"), ["20 samples"]);
+        assert_eq!(found("Nsn, 20 samples"), ["Nsn", "20 samples"]);
         assert_eq!(found("Nsn / s / kN"), ["Nsn"]);
         assert_eq!(found("Ra with dynamics, Radial"), ["Ra"]);
         assert_eq!(found("Outside model: K1, K2 now"), ["outside model", "K1"]);
@@ -269,6 +356,37 @@ mod tests {
         assert_eq!(found("CNCs, nsn, RADIAL, K7"), [""; 0]);
         assert_eq!(found("µm Ra µ"), ["Ra"]);
         assert_eq!(found(""), [""; 0]);
+    }
+
+    #[test]
+    fn terms_are_found_by_the_words_of_the_chosen_language() {
+        use crate::base::language::{Language, choose};
+        for (language, text, wanted) in [
+            (
+                Language::German,
+                "Mit der Totzeit wächst das Überschwingen; Vorschub-Override, Kp, Rattern im Schnitt",
+                ["dead time", "overshoot", "override", "Kp", "chatter"],
+            ),
+            (
+                Language::Slovenian,
+                "Zaradi mrtvega časa raste prenihaj; korekcija podajanja, Kp, drdranje med rezom",
+                ["dead time", "overshoot", "override", "Kp", "chatter"],
+            ),
+        ] {
+            choose(language);
+            assert_eq!(found(text), wanted, "{language:?}");
+            // English words are no terms there, unless the language uses them.
+            assert_eq!(found("settling, dead time"), [""; 0], "{language:?}");
+            for term in GLOSSARY.iter().filter(|term| term.of_words) {
+                let written = term.written();
+                assert!(!written.is_empty() && !written.contains('*'), "{:?}", term.spellings);
+                assert!(term.translated().is_some(), "{language:?}: {:?}", term.spellings);
+                let first = term.forms().next().unwrap();
+                let names = found(first);
+                assert!(names.contains(&term.spellings[0]), "{language:?}: {first} is {names:?}");
+            }
+        }
+        choose(Language::English);
     }
 
     #[test]

@@ -20,6 +20,8 @@
 
 use std::cell::Cell;
 
+use crate::base::language::tr;
+
 /// Long work of one kind or another.
 pub trait Job: Send {
     /// What can be read of it at any time, finished or not.
@@ -80,7 +82,12 @@ impl Progress {
 
 impl std::fmt::Display for Progress {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{:.0} of {:.0} {}", self.done.floor(), self.total, self.unit)
+        f.write_str(&tr!(
+            "{done:.0} of {total:.0} {unit}",
+            done = self.done.floor(),
+            total = self.total,
+            unit = tr(self.unit)
+        ))
     }
 }
 

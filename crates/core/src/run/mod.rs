@@ -4,6 +4,7 @@
 //! [`one_run`] advances the [`closed_loop`] and keeps a [`recording`], from which [`metrics`] and the
 //! [`digest`] come.
 
+pub mod against_twin;
 pub mod closed_loop;
 pub mod constant_feed_twin;
 pub mod diagram;
@@ -13,9 +14,10 @@ pub mod end;
 pub mod explanation;
 pub mod glossary;
 pub mod job;
+pub mod met_disturbances;
 pub mod metrics;
 pub mod one_run;
-mod packed;
+pub mod packed;
 pub mod parts;
 pub mod presets;
 pub mod recording;

@@ -7,8 +7,10 @@ use super::job::{Budget, Job, Progress};
 use super::metrics::{self, Judged, Metrics, Tally};
 use super::recording::Recording;
 use super::scenario::Scenario;
+use crate::base::language::text;
 use crate::base::math::limit;
 use crate::base::settings::SettingError;
+use crate::blocks::cutting::breakage::Breakage;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::models::feed_speed::STANDSTILL_MM_MIN;
 
@@ -38,7 +40,9 @@ impl State {
         }
         self.closed_loop.step().map_err(|halt| match halt {
             Halt::Crash(crash) => End::Crash(crash),
+            Halt::Breakage(broke) => End::Breakage(broke),
             Halt::Fault(fault) => End::Fault(fault),
+            Halt::Script(fault) => End::Script(fault),
         })?;
         if let Some(tally) = &mut self.tally {
             tally.add(self.closed_loop.row(), edited);
@@ -191,8 +195,13 @@ impl Run {
             let State { closed_loop, tally, .. } = &self.state;
             match &end {
                 // The row is still that of the step before.
-                End::Crash(_) => self.recording.finish(tick - 1, closed_loop.row(), tally.as_ref()),
-                End::Refused(_) => self.recording.finish(tick, closed_loop.row(), tally.as_ref()),
+                End::Crash(_) | End::Breakage(_) => {
+                    self.recording.finish(tick - 1, closed_loop.row(), tally.as_ref());
+                }
+                // Nothing was done in this step.
+                End::Refused(_) | End::Script(_) => {
+                    self.recording.finish(tick, closed_loop.row(), tally.as_ref());
+                }
                 End::Fault(_) | End::PathDone | End::TimeLimit | End::Overload(_) => {}
             }
             self.end = Some(end);
@@ -206,7 +215,7 @@ impl Run {
         if row.position_mm >= self.path_mm {
             self.end = Some(End::PathDone);
         } else if let Some(overload) = self.state.closed_loop.overload()
-            && row.feed_mm_min < STANDSTILL_MM_MIN
+            && (overload.retracted || row.feed_mm_min < STANDSTILL_MM_MIN)
         {
             self.end = Some(End::Overload(overload));
         } else if tick >= self.last_tick {
@@ -319,6 +328,12 @@ impl Run {
         &self.recording
     }
 
+    /// The teeth that broke under their load so far, in order.
+    #[must_use]
+    pub fn breakages(&self) -> &[Breakage] {
+        self.state.closed_loop.breakages()
+    }
+
     /// The loop as it stands after the last step.
     #[must_use]
     pub fn closed_loop(&self) -> &ClosedLoop {
@@ -355,7 +370,7 @@ impl Job for Run {
 
     fn progress(&self) -> Progress {
         let total = self.last_tick as f64;
-        Progress { done: self.share_done() * total, total, unit: "steps" }
+        Progress { done: self.share_done() * total, total, unit: text!("steps") }
     }
 
     fn partial(&self) -> Metrics {

@@ -6,11 +6,14 @@ use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_zlib_with_limit};
 
+use crate::base::language::tr;
+
 /// Level of deflation: the best one, texts are short.
 const LEVEL: u8 = 10;
 
 /// The text, packed.
-pub(super) fn pack(text: &str) -> String {
+#[must_use]
+pub fn pack(text: &str) -> String {
     URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(text.as_bytes(), LEVEL))
 }
 
@@ -18,20 +21,21 @@ pub(super) fn pack(text: &str) -> String {
 ///
 /// # Errors
 /// What is wrong: another alphabet, a link that is not whole, text that is too long or not UTF-8.
-pub(super) fn unpack(packed: &str, most_bytes: usize) -> Result<String, String> {
-    let bytes = URL_SAFE_NO_PAD
-        .decode(packed)
-        .map_err(|error| format!("its packed part is not URL-safe Base64: {error}"))?;
+pub fn unpack(packed: &str, most_bytes: usize) -> Result<String, String> {
+    let bytes = URL_SAFE_NO_PAD.decode(packed).map_err(|error| {
+        tr!("its packed part is not URL-safe Base64: {problem}", problem = error.to_string())
+    })?;
     let text = decompress_to_vec_zlib_with_limit(&bytes, most_bytes).map_err(|error| {
         if error.status == TINFLStatus::HasMoreOutput {
-            format!(
-                "its packed part unpacks to more than {most_bytes} bytes, the most that are read"
+            tr!(
+                "its packed part unpacks to more than {n} bytes, the most that are read",
+                n = most_bytes
             )
         } else {
-            "its packed part is not whole".to_owned()
+            tr("its packed part is not whole").to_owned()
         }
     })?;
-    String::from_utf8(text).map_err(|_| "text that is not UTF-8".to_owned())
+    String::from_utf8(text).map_err(|_| tr("text that is not UTF-8").to_owned())
 }
 
 #[cfg(test)]

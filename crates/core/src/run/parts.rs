@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
 use super::job::{Budget, Job, Progress};
+use crate::base::language::text;
 
 /// Parts, each a job `J` that ends in an outcome `O`.
 #[derive(Clone, Debug)]
@@ -159,6 +160,13 @@ impl<J, O> Parts<J, O> {
         self.under_way.get(&self.done.len())
     }
 
+    /// The outcome of a part that is over, or the part where it is under way.
+    #[must_use]
+    pub fn part(&self, index: usize) -> Option<Result<&O, &J>> {
+        let over = self.done.get(index).or_else(|| self.ahead.get(&index)).map(Ok);
+        over.or_else(|| self.under_way.get(&index).map(Err))
+    }
+
     /// Number of parts that have been begun.
     #[must_use]
     pub fn begun(&self) -> usize {
@@ -188,7 +196,7 @@ impl Job for OneStep {
 
     fn progress(&self) -> Progress {
         let done = if self.done { 1.0 } else { 0.0 };
-        Progress { done, total: 1.0, unit: "steps" }
+        Progress { done, total: 1.0, unit: text!("steps") }
     }
 
     fn partial(&self) {}

@@ -1,8 +1,11 @@
 //! The shipped scenarios. A new one is a file in `assets/scenarios` and a line here, with its
 //! group and title.
 
+use std::sync::LazyLock;
+
 use super::scenario::Scenario;
 use super::scenario_file;
+use crate::base::language::tr;
 use crate::base::settings::SettingError;
 
 crate::choice! {
@@ -10,14 +13,18 @@ crate::choice! {
     pub enum PresetGroup {
         /// The first ones to open.
         Start = "start", "Start here";
+        /// For lessons: what goes wrong in a cut, and how a control of the trade meets it.
+        Training = "training", "Training";
+        /// Models, cutters and materials of one's own.
+        Own = "own", "Own models, cutters, materials";
+        /// The machine, its vibration and its tool's life.
+        Machine2019 = "machine_2019", "Machine: vibration, chatter, tool life";
         /// Table 3 of the 2007 paper.
-        Sdnrp2007 = "sdnrp_2007", "SDNRP 2007";
+        Sdnrp2007 = "sdnrp_2007", "Papers: SDNRP 2007";
         /// The 2013 control strategy.
-        Strategy2013 = "strategy_2013", "Control strategy 2013";
+        Strategy2013 = "strategy_2013", "Papers: control strategy 2013";
         /// The 2005 combined system.
-        Combined2005 = "combined_2005", "Combined system 2005";
-        /// The 2019 machine model.
-        Machine2019 = "machine_2019", "Machine model 2019";
+        Combined2005 = "combined_2005", "Papers: combined system 2005";
     }
 }
 
@@ -49,6 +56,7 @@ macro_rules! presets {
 }
 
 presets! {
+    "depth-step", Start, "A deeper stretch: what control buys";
     "first-cut", Start, "Drag the target roughness";
     "table3-1", Sdnrp2007, "Table 3, simulation 1";
     "table3-2", Sdnrp2007, "Table 3, simulation 2";
@@ -72,16 +80,18 @@ presets! {
     "experiment-1", Combined2005, "Experiment 1: two depth steps";
     "experiment-2", Combined2005, "Experiment 2: five cuts";
     "table3-5-noise", Start, "Noise in the force and in the sensor";
-    "depth-step", Start, "A deeper stretch of the part";
-    "material-change", Start, "Another material than the model knows";
-    "own-formula", Start, "A formula of one's own for the force";
-    "square-12-4-42crmo4", Start, "Models found for another cutter and steel";
-    "own-curves", Start, "Material and wear as formulas";
+    "disturbed-cut", Training, "One disturbance after the other";
+    "material-change", Own, "Another material than the model knows";
+    "afc", Training, "Adaptive feed control, taught in";
+    "own-formula", Own, "A formula of one's own for the force";
+    "square-12-4-42crmo4", Own, "Models found for another cutter and steel";
+    "own-controller", Own, "A controller of one's own, as a script";
+    "own-curves", Own, "Material and wear as formulas";
     "experiment-2-per-cut", Combined2005, "Experiment 2, a planned feed for every cut";
     "combined-2005", Combined2005, "Recommended, planned, controlled";
     "experiment-2-neural", Combined2005, "Experiment 2, force from the neural model";
     "experiment-1-sl", Combined2005, "Experiment 1 with the Slovene text's figures";
-    "tool-life", Start, "A tool wears through its life";
+    "tool-life", Machine2019, "A tool wears through its life";
     "machine-dynamics", Machine2019, "The cut shakes the machine";
     "chatter", Machine2019, "A deeper stretch brings chatter";
     "machine-life", Machine2019, "Wear, sound and roughness over a tool's life";
@@ -96,6 +106,16 @@ pub fn of_group(group: PresetGroup) -> impl Iterator<Item = &'static Preset> {
 #[must_use]
 pub fn title(name: &str) -> Option<&'static str> {
     PRESETS.iter().find(|preset| preset.name == name).map(|preset| preset.title)
+}
+
+/// Whether a scenario that has a preset's name is not what that preset is.
+#[must_use]
+pub fn is_changed(scenario: &Scenario) -> bool {
+    static SHIPPED: LazyLock<Vec<(&'static str, Scenario)>> = LazyLock::new(|| {
+        PRESETS.iter().filter_map(|one| Some((one.name, load(one.name).ok()?))).collect()
+    });
+    let name = &scenario.info.name;
+    SHIPPED.iter().any(|(shipped, its)| shipped == name && its != scenario)
 }
 
 /// The scenario of a preset.
@@ -114,8 +134,8 @@ pub fn load(name: &str) -> Result<Scenario, SettingError> {
     let preset = PRESETS.iter().find(|preset| preset.name == name).ok_or_else(|| {
         let names: Vec<&str> = PRESETS.iter().map(|preset| preset.name).collect();
         SettingError::Format {
-            what: format!("preset `{}`", name.chars().take(60).collect::<String>()),
-            problem: format!("there is none of this name; there are {}", names.join(", ")),
+            what: tr!("preset `{name}`", name = name.chars().take(60).collect::<String>()),
+            problem: tr!("there is none of this name; there are {names}", names = names.join(", ")),
         }
     })?;
     scenario_file::parse(preset.text).map(|(scenario, _)| scenario)

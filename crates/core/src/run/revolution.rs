@@ -5,6 +5,7 @@
 use super::closed_loop::ClosedLoop;
 use super::job::{Budget, Job, Progress};
 use super::one_run::{Repeat, Run};
+use crate::base::language::text;
 use crate::base::units::rev_s_from_rpm;
 use crate::models::spindle::SLOWEST_RPM;
 
@@ -130,7 +131,7 @@ impl Job for RevolutionJob {
         let total = (self.to + 1 - self.begun.min(self.to)) as f64;
         let tick = self.repeat.closed_loop().tick();
         let done = if self.done { total } else { tick.saturating_sub(self.begun) as f64 };
-        Progress { done, total, unit: "steps" }
+        Progress { done, total, unit: text!("steps") }
     }
 
     fn partial(&self) -> Option<Revolution> {

@@ -5,6 +5,7 @@ use super::job::{Budget, Job, Progress};
 use super::metrics::Metrics;
 use super::one_run::{LOOK_TICKS, Run};
 use super::scenario::Scenario;
+use crate::base::language::text;
 
 /// A run that ends at a tick, or before where it comes to its own end.
 #[derive(Clone, Debug)]
@@ -51,7 +52,7 @@ impl Job for RunTo {
     fn progress(&self) -> Progress {
         let total = self.to as f64;
         let done = if self.is_over() { total } else { self.run.ticks() as f64 };
-        Progress { done, total, unit: "steps" }
+        Progress { done, total, unit: text!("steps") }
     }
 
     fn partial(&self) -> Metrics {

@@ -5,10 +5,11 @@ use std::fmt::Write as _;
 
 use super::edits::{Edit, Edits};
 use super::scenario::{FORMAT_VERSION, Scenario, is_group, param, table};
+use crate::base::language::{in_english, tr};
 use crate::base::settings::{SettingError, Value};
 
 fn format_error(problem: impl Into<String>) -> SettingError {
-    SettingError::Format { what: "scenario file".to_owned(), problem: problem.into() }
+    SettingError::Format { what: tr("scenario file").to_owned(), problem: problem.into() }
 }
 
 /// Longest scenario text that is read, bytes.
@@ -33,17 +34,28 @@ const MAX_BYTES: usize = 4_000_000;
 /// nearest known one), or a value outside its range.
 pub fn parse(text: &str) -> Result<(Scenario, Edits), SettingError> {
     if text.len() > MAX_BYTES {
-        return Err(format_error(format!("{} bytes; at most {MAX_BYTES} are read", text.len())));
+        return Err(format_error(tr!(
+            "{n} bytes; at most {most} are read",
+            n = text.len(),
+            most = MAX_BYTES
+        )));
     }
     let mut document: toml::Table =
         text.parse().map_err(|error: toml::de::Error| format_error(error.to_string()))?;
     match document.remove("version") {
         Some(toml::Value::Integer(FORMAT_VERSION)) => {}
         Some(other) => {
-            let problem = format!("`version` is {other}; this program reads {FORMAT_VERSION}");
+            let problem = tr!(
+                "`version` is {version}; this program reads {known}",
+                version = other.to_string(),
+                known = FORMAT_VERSION
+            );
             return Err(format_error(problem));
         }
-        None => return Err(format_error(format!("`version = {FORMAT_VERSION}` is missing"))),
+        None => {
+            let problem = tr!("`version = {version}` is missing", version = FORMAT_VERSION);
+            return Err(format_error(problem));
+        }
     }
     let edits = document.remove("edits");
     let mut changes = Vec::new();
@@ -60,7 +72,8 @@ fn named_once(changes: &[(String, Value)]) -> Result<(), SettingError> {
     for (path, _) in changes {
         let now = &param(path)?.path;
         if now != path && changes.iter().any(|(other, _)| other == now) {
-            let problem = format!("`{path}` and `{now}` are one setting; keep `{now}`");
+            let problem =
+                tr!("`{path}` and `{now}` are one setting; keep `{now}`", path = path, now = now);
             return Err(format_error(problem));
         }
     }
@@ -118,18 +131,17 @@ fn in_transit(value: &toml::Value) -> Option<Value> {
 
 fn parse_edits(scenario: &Scenario, list: toml::Value) -> Result<Edits, SettingError> {
     let shape = || {
-        format_error(
+        format_error(tr(
             "`edits` must be a list of tables with `at_s` (a number), `path` (text) and `value`",
-        )
+        ))
     };
     let toml::Value::Array(list) = list else { return Err(shape()) };
     let mut edits = Edits::none();
     for entry in list {
         let entry = entry.as_table().ok_or_else(shape)?;
         if let Some(key) = entry.keys().find(|k| !["at_s", "path", "value"].contains(&k.as_str())) {
-            return Err(format_error(format!(
-                "unknown field `edits.{key}`; use at_s, path, value"
-            )));
+            let problem = tr!("unknown field `edits.{key}`; use at_s, path, value", key = key);
+            return Err(format_error(problem));
         }
         let at = entry.get("at_s");
         let at_s = at.and_then(|at| at.as_float().or_else(|| at.as_integer().map(|x| x as f64)));
@@ -169,7 +181,7 @@ pub fn write(scenario: &Scenario, edits: &Edits) -> String {
             group = param.group;
             let _ = write!(text, "\n[{group}]\n");
         }
-        let allowed = param.spec.allowed.allowed(param.spec.unit);
+        let allowed = in_english(|| param.spec.allowed.allowed(param.spec.unit));
         let value = scenario.get(&param.path).expect("the table lists known paths");
         let _ = writeln!(text, "# {} ({allowed})", param.spec.doc.replace('\n', " "));
         let _ = writeln!(text, "{} = {}", param.spec.key, literal(&value));

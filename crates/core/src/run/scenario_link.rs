@@ -12,34 +12,39 @@ use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_perc
 use super::edits::{Edit, Edits};
 use super::packed::{pack, unpack};
 use super::scenario::{FORMAT_VERSION, Scenario, companion, parse_value};
+use crate::base::language::{text, tr};
 use crate::base::settings::SettingError;
 
 /// Longest link text that is read, bytes, packed and unpacked.
 const MAX_BYTES: usize = 2_000_000;
 /// What stands before the packed part.
 const PACKED: &str = "z=";
-const TWICE: &str = "it is packed twice";
+const TWICE: &str = text!("it is packed twice");
 /// All but letters, digits and these.
 const ESCAPED: AsciiSet =
     NON_ALPHANUMERIC.remove(b'-').remove(b'_').remove(b'.').remove(b'~').remove(b',');
 
 fn format_error(problem: impl Into<String>) -> SettingError {
-    SettingError::Format { what: "link".to_owned(), problem: problem.into() }
+    SettingError::Format { what: tr("link").to_owned(), problem: problem.into() }
 }
 
 fn encode(text: &str) -> String {
     utf8_percent_encode(text, &ESCAPED).to_string()
 }
 
-fn decode(text: &str) -> Result<String, SettingError> {
+/// A part of a link without its percent signs.
+///
+/// # Errors
+/// A percent sign without two hexadecimal digits, or bytes that are not UTF-8.
+pub fn decode(text: &str) -> Result<String, SettingError> {
     let bytes = text.as_bytes();
     let hex = |at: usize| bytes.get(at).is_some_and(u8::is_ascii_hexdigit);
     // The library leaves a broken escape as it stands; here it is an error.
     if (0..bytes.len()).any(|at| bytes[at] == b'%' && !(hex(at + 1) && hex(at + 2))) {
-        return Err(format_error("a % without two hexadecimal digits"));
+        return Err(format_error(tr("a % without two hexadecimal digits")));
     }
     let decoded = percent_decode_str(text).decode_utf8();
-    decoded.map(Cow::into_owned).map_err(|_| format_error("text that is not UTF-8"))
+    decoded.map(Cow::into_owned).map_err(|_| format_error(tr("text that is not UTF-8")))
 }
 
 /// Reads the part of a link after `#`.
@@ -68,20 +73,23 @@ pub fn parse(link: &str) -> Result<(Scenario, Edits), SettingError> {
 /// Whether a text is meant as a link: an address, or its part from `#` on.
 #[must_use]
 pub fn is_link(text: &str) -> bool {
-    ["http://", "https://", "#v=", "v="].iter().any(|start| text.starts_with(start))
+    let starts = ["http://", "https://", "#v=", "v=", "#mission", "#embed"];
+    starts.iter().any(|start| text.starts_with(start))
 }
 
 /// A link without the marks that mails, chats and web pages put around it or into it.
-fn mended(fragment: &str) -> String {
+#[must_use]
+pub fn mended(fragment: &str) -> String {
     let around = |c: char| c.is_whitespace() || "<>()[]{}\"'`.,;:!?".contains(c);
     fragment.replace("&amp;", "&").trim_matches(around).to_owned()
 }
 
 fn parse_exactly(fragment: &str) -> Result<(Scenario, Edits), SettingError> {
     if fragment.len() > MAX_BYTES {
-        return Err(format_error(format!(
-            "{} bytes; at most {MAX_BYTES} are read",
-            fragment.len()
+        return Err(format_error(tr!(
+            "{n} bytes; at most {most} are read",
+            n = fragment.len(),
+            most = MAX_BYTES
         )));
     }
     check_version(fragment)?;
@@ -90,17 +98,17 @@ fn parse_exactly(fragment: &str) -> Result<(Scenario, Edits), SettingError> {
     let unpacked = match packed[..] {
         [] => String::new(),
         [packed] => unpack(packed, MAX_BYTES).map_err(format_error)?,
-        _ => return Err(format_error(TWICE)),
+        _ => return Err(format_error(tr(TWICE))),
     };
     if unpacked.split('&').any(|part| part.starts_with(PACKED)) {
-        return Err(format_error(TWICE));
+        return Err(format_error(tr(TWICE)));
     }
     let plain = fragment.split('&').filter(|part| !part.starts_with(PACKED));
     let (mut changes, mut edits) = (Vec::new(), Vec::new());
     for part in unpacked.split('&').chain(plain).filter(|part| !part.is_empty()) {
         let (key, value) = part
             .split_once('=')
-            .ok_or_else(|| format_error(format!("`{}` is not name=value", clip(part))))?;
+            .ok_or_else(|| format_error(tr!("`{part}` is not name=value", part = clip(part))))?;
         let (key, value) = (decode(key)?, decode(value)?);
         if key == "v" {
             continue;
@@ -127,10 +135,14 @@ fn check_version(fragment: &str) -> Result<(), SettingError> {
     match fragment.split('&').find_map(|part| part.strip_prefix("v=")) {
         Some(v) if v == FORMAT_VERSION.to_string() => Ok(()),
         Some(v) => {
-            let v = clip(v);
-            Err(format_error(format!("version {v}; this program reads {FORMAT_VERSION}")))
+            let problem = tr!(
+                "version {version}; this program reads {known}",
+                version = clip(v),
+                known = FORMAT_VERSION
+            );
+            Err(format_error(problem))
         }
-        None => Err(format_error(format!("`v={FORMAT_VERSION}` is missing"))),
+        None => Err(format_error(tr!("`v={version}` is missing", version = FORMAT_VERSION))),
     }
 }
 
@@ -144,10 +156,10 @@ fn parse_edit(key: &str, value: &str) -> Result<Edit, SettingError> {
         .char_indices()
         .find(|(i, c)| *i > 0 && c.is_ascii_alphabetic() && key[..*i].ends_with('.'))
         .map(|(i, _)| i)
-        .ok_or_else(|| format_error(format!("`at.{}` names no setting", clip(key))))?;
+        .ok_or_else(|| format_error(tr!("`at.{key}` names no setting", key = clip(key))))?;
     let at_s = key[..split - 1]
         .parse()
-        .map_err(|_| format_error(format!("`at.{}` has no time in seconds", clip(key))))?;
+        .map_err(|_| format_error(tr!("`at.{key}` has no time in seconds", key = clip(key))))?;
     let path = key[split..].to_owned();
     let value = parse_value(&path, value)?;
     Ok(Edit { at_s, path, value })

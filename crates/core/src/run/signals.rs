@@ -1,5 +1,7 @@
 //! The signals of a run: one table gives rows, CSV headers, axis titles and the digest.
 
+use crate::base::language::text;
+
 macro_rules! signals {
     ($(
         $(#[doc = $doc:literal])+ $name:ident, $unit:literal, $label:literal
@@ -167,6 +169,12 @@ pub mod flag {
     pub const SPEED_RATE_LIMITED: u32 = 1024;
     /// A tooth that should cut has jumped out of the cut: chatter.
     pub const LOST_CONTACT: u32 = 2048;
+    /// The measured force has been over the controller's own limit for too long.
+    pub const OVER_LIMIT: u32 = 4096;
+    /// The controller has switched itself off, and the feed is as programmed.
+    pub const CONTROL_OFF: u32 = 8192;
+    /// A tooth of the cutter is broken, by its load or by a disturbance.
+    pub const TOOTH_BROKEN: u32 = 16_384;
     /// An override moves no faster than its rate allows.
     pub const RATE_LIMITED: u32 = FEED_RATE_LIMITED | SPEED_RATE_LIMITED;
     /// A command stands at a limit.
@@ -178,26 +186,37 @@ pub mod flag {
 
 /// All flags.
 pub const FLAGS: &[FlagInfo] = &[
-    FlagInfo { bit: flag::FEED_SATURATED, id: "feed_saturated", label: "feed at a limit" },
-    FlagInfo { bit: flag::SPEED_SATURATED, id: "speed_saturated", label: "speed at a limit" },
+    FlagInfo { bit: flag::FEED_SATURATED, id: "feed_saturated", label: text!("feed at a limit") },
+    FlagInfo {
+        bit: flag::SPEED_SATURATED,
+        id: "speed_saturated",
+        label: text!("speed at a limit"),
+    },
     FlagInfo { bit: flag::K1_OUTSIDE, id: "k1_outside", label: "K1 outside its range" },
     FlagInfo { bit: flag::K2_OUTSIDE, id: "k2_outside", label: "K2 outside its range" },
     FlagInfo { bit: flag::K3_OUTSIDE, id: "k3_outside", label: "K3 outside its range" },
     FlagInfo { bit: flag::K4_OUTSIDE, id: "k4_outside", label: "K4 outside its range" },
     FlagInfo { bit: flag::K5_OUTSIDE, id: "k5_outside", label: "K5 outside its range" },
     FlagInfo { bit: flag::K6_OUTSIDE, id: "k6_outside", label: "K6 outside its range" },
-    FlagInfo { bit: flag::AIR, id: "air", label: "in the air" },
+    FlagInfo { bit: flag::AIR, id: "air", label: text!("in the air") },
     FlagInfo {
         bit: flag::FEED_RATE_LIMITED,
         id: "feed_rate_limited",
-        label: "feed override at its rate",
+        label: text!("feed override at its rate"),
     },
     FlagInfo {
         bit: flag::SPEED_RATE_LIMITED,
         id: "speed_rate_limited",
-        label: "spindle override at its rate",
+        label: text!("spindle override at its rate"),
     },
-    FlagInfo { bit: flag::LOST_CONTACT, id: "lost_contact", label: "tooth out of contact" },
+    FlagInfo { bit: flag::LOST_CONTACT, id: "lost_contact", label: text!("tooth out of contact") },
+    FlagInfo {
+        bit: flag::OVER_LIMIT,
+        id: "over_limit",
+        label: text!("force over the controller's limit"),
+    },
+    FlagInfo { bit: flag::CONTROL_OFF, id: "control_off", label: text!("control switched off") },
+    FlagInfo { bit: flag::TOOTH_BROKEN, id: "tooth_broken", label: text!("tooth broken") },
 ];
 
 impl Row {

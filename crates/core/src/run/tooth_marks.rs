@@ -8,9 +8,11 @@
 use super::scenario::Scenario;
 use super::signals::{Row, flag};
 use crate::base::units::{mm_from_um, rev_s_from_rpm};
+use crate::blocks::cutting::breakage::Breakage;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::surface::profile::Passing;
 use crate::blocks::surface::topography::{ToothMark, Topography};
+use crate::models::disturbances::Disturbances;
 use crate::models::part::APPROACH_MM;
 use crate::models::structure::RoughnessFrom;
 use crate::models::tool::runout_share;
@@ -40,6 +42,8 @@ pub struct MarkedPart {
     vibrating: f64,
     passing: Passing,
     rows: usize,
+    /// Where along the way teeth break, mm.
+    broken_mm: Vec<f64>,
 }
 
 impl MarkedPart {
@@ -72,7 +76,18 @@ impl MarkedPart {
             vibrating: scenario.profile.normal_share,
             passing: Passing::default(),
             rows: 0,
+            broken_mm: Vec::new(),
         }
+        .disturbed(&scenario.disturbances, &[])
+    }
+
+    /// The same with the disturbances that edits have brought and with the teeth that broke under their load: a broken
+    /// tooth leaves no mark.
+    #[must_use]
+    pub fn disturbed(self, disturbances: &Disturbances, breakages: &[Breakage]) -> Self {
+        let placed = disturbances.broken_teeth.zones().iter().map(|zone| zone.at_mm);
+        let broken_mm = placed.chain(breakages.iter().map(|broke| broke.position_mm)).collect();
+        Self { broken_mm, ..self }
     }
 
     /// Goes on to the last of `rows`, all rows of the run from its start.
@@ -101,6 +116,10 @@ impl MarkedPart {
             let position_mm = from.position_mm + fraction * (to.position_mm - from.position_mm);
             let teeth = self.teeth as usize;
             let tooth = (tooth % u64::from(self.teeth)) as usize;
+            let broken = self.broken_mm.iter().filter(|at_mm| position_mm >= **at_mm);
+            if tooth < broken.count() {
+                return;
+            }
             let back_mm = -self.runout_mm * runout_share(tooth, teeth);
             cut.surface.push(ToothMark {
                 x_mm: position_mm - cut.begins_mm,

@@ -102,7 +102,11 @@ fn without_feed_there_is_no_chip_no_force_and_no_roughness() {
 #[test]
 fn feeding_a_standing_spindle_into_the_work_is_a_crash() {
     for (case, scenario) in plants() {
-        let still = with(&scenario, |s| s.controller.constant_feed.speed_percent = 0.0);
+        let still = with(&scenario, |s| {
+            s.controller.constant_feed.speed_percent = 0.0;
+            // One that stands any load: others break before.
+            (s.tool.chip_max_mm, s.tool.force_max_n) = (0.0, 0.0);
+        });
         let run = run(&case, &still);
         let Some(End::Crash(crash)) = run.end() else { panic!("{case}: {:?}", run.end()) };
         assert!(crash.feed_mm_min > STANDSTILL_MM_MIN && crash.speed_rpm < 30.0, "{case}: {crash}");
@@ -151,6 +155,8 @@ fn wear_never_falls_as_the_spindle_comes_to_rest() {
         .change(|s| {
             s.wear.used_life = 0.5;
             s.controller.constant_feed.speed_percent = 0.0;
+            // One that stands any load: others break before.
+            (s.tool.chip_max_mm, s.tool.force_max_n) = (0.0, 0.0);
             s.workpiece.length_mm = 2000.0;
             s.run.duration_s = 200.0;
         })

@@ -250,7 +250,7 @@ proptest! {
             let at = place.index(link.len());
             link[at] = c;
         }
-        let link: String = link.into_iter().collect::<String>() + &tail;
+        let link: String = link.into_iter().collect::<String>() + tail.as_str();
         match scenario_link::parse(&link) {
             Ok((scenario, edits)) => contained(&scenario, &edits),
             Err(error) => prop_assert!(!error.to_string().is_empty()),

@@ -70,7 +70,7 @@ fn every_controller_runs_on_every_plant() {
                 AtRest::OnReference if scenario.cnc.override_quantised => 0.045,
                 AtRest::OnReference => 0.005,
                 AtRest::NearReference => 0.1,
-                AtRest::WhereTheLawMeetsThePlant => f64::INFINITY,
+                AtRest::WhereTheLawMeetsThePlant | AtRest::Unknown => f64::INFINITY,
             };
             let reached = (y - 1.0).abs() < tolerance || last.has(flag::SATURATED);
             assert!(reached, "{case}: {y}");
@@ -128,6 +128,7 @@ fn asked(scenario: &Scenario, force_ref_n: f64, force_measured_n: f64) -> FeedSp
         models: &models,
         cut: 0,
         x_mm: 0.0,
+        by_hand: 1.0,
     };
     Controller::new(&scenario.control_setup(), programmed).update(&input).request
 }
@@ -236,6 +237,7 @@ fn the_integral_part_of_p_winds_up_at_neither_limit() {
                 models: &scenario.believed(),
                 cut: 0,
                 x_mm: 0.0,
+                by_hand: 1.0,
             };
             controller.update(&input).request.feed_mm_min
         };

@@ -190,3 +190,53 @@ fn file_and_link_carry_curves_and_others_units_are_refused() {
     }
     assert_eq!(other, own);
 }
+
+/// A scenario whose drives reach what formulas say.
+fn driven(feed: &str, speed: &str) -> Scenario {
+    let mut scenario = load("table3-5")
+        .unwrap()
+        .with(|s| s.controller.kind = ControllerKind::ConstantFeed)
+        .unwrap();
+    let model = |formula: &str, unit: &str, high: f64| {
+        format!(
+            r#"{{"version":1,"formula":"{formula}","output":{{"name":"y","unit":"{unit}"}},"inputs":[{{"name":"x","unit":"{unit}","low":1,"high":{high}}}]}}"#
+        )
+    };
+    scenario.set("feed_drive.curve", Value::Text(model(feed, "mm/min", 500.0))).unwrap();
+    scenario.set("spindle_drive.curve", Value::Text(model(speed, "1/min", 1600.0))).unwrap();
+    scenario
+}
+
+#[test]
+fn drives_come_to_rest_where_their_formulas_say() {
+    let plain = load("table3-5")
+        .unwrap()
+        .with(|s| s.controller.kind = ControllerKind::ConstantFeed)
+        .unwrap();
+    // What is asked for is reached: the same bits.
+    assert_eq!(rows(&driven("x", "x")), rows(&plain));
+    let slow = rows(&driven("0.9*x", "x - 2e-5*x^2"));
+    let [first, last] = [slow[0], *slow.last().unwrap()];
+    let asked = plain.program.feed_mm_min;
+    assert!((last.feed_mm_min - 0.9 * asked).abs() < 1e-6 * asked, "{last:?}");
+    let turned = 1571.0 - 2e-5 * 1571.0 * 1571.0;
+    assert!((last.spindle_rpm - turned).abs() < 1e-6 * turned, "{last:?}");
+    // It begins at rest there, too.
+    assert!((first.feed_mm_min - last.feed_mm_min).abs() < 1e-6 * asked, "{first:?}");
+    assert!(!last.has(flag::K4_OUTSIDE), "{last:?}");
+    // Beyond 500 mm/min nobody knows.
+    let beyond = driven("0.9*x", "x").with(|s| s.program.feed_mm_min = 520.0).unwrap();
+    assert!(rows(&beyond).iter().all(|row| row.has(flag::K4_OUTSIDE)));
+}
+
+/// A stop stops, whatever a formula says of a feed of nothing; a negative feed is none.
+#[test]
+fn a_stopped_drive_stands_and_none_runs_backwards() {
+    let mut stopped = driven("x + 50", "x");
+    stopped.set("controller.constant_feed.feed_percent", Value::Float(0.0)).unwrap();
+    let last = *rows(&stopped).last().unwrap();
+    assert!(last.feed_mm_min < 1e-6, "{last:?}");
+    let backwards = rows(&driven("x - 450", "x"));
+    assert!(backwards.iter().all(|row| row.feed_mm_min >= 0.0));
+    assert!(backwards.last().unwrap().has(flag::K4_OUTSIDE));
+}

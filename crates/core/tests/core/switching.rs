@@ -19,7 +19,11 @@ fn stateful(scenario: &Scenario) -> Vec<ControllerKind> {
     let mut found = Vec::new();
     for kind in ControllerKind::ALL {
         let chosen = scenario.with(|s| s.controller.kind = *kind).unwrap();
-        let is_static = chosen.controller.at_rest() == AtRest::WhereTheLawMeetsThePlant;
+        // A script begins with a static law.
+        let is_static = match chosen.controller.at_rest() {
+            AtRest::WhereTheLawMeetsThePlant | AtRest::Unknown => true,
+            AtRest::OnReference | AtRest::NearReference => false,
+        };
         if !is_static && *kind != LOOKS_AHEAD {
             found.push(*kind);
         }

@@ -11,7 +11,12 @@ use steadycut_core::run::scenario::{Param, Scenario, UNUSED, param, parse_value,
 /// Scenarios in which, together, every setting has a part: a preset and what differs from it.
 const BASES: &[(&str, &[&str])] = &[
     ("first-cut", &[]),
+    ("first-cut", &["tool.force_max_n=150"]),
     ("table3-5", &["cnc.force_stop=true", "cnc.force_stop_n=100"]),
+    (
+        "table3-5",
+        &["disturbances.chatter_bursts=[[1.0, 5.0, 20.0]]", "disturbances.wear_jumps=[[1.0, 0.1]]"],
+    ),
     ("table3-5-noise", &["cnc.override_rate_limited=true", "noise.inhomogeneity_percent=0"]),
     ("own-formula", &["controller.kind=sdnrp", "run.duration_s=2.6"]),
     ("depth-step", &["noise.level=1", "cnc.force_stop=true", "workpiece.depth_steps=[[8.0, 3.0]]"]),
@@ -38,6 +43,17 @@ const BASES: &[(&str, &[&str])] = &[
     ),
     ("experiment-1", &["controller.kind=p", "program.cut_feeds_mm_min=[200.0]"]),
     ("experiment-2-neural", &["controller.kind=p", "controller.p.smith=true"]),
+    (
+        "table3-5",
+        &[
+            r#"feed_drive.curve={"version":1,"formula":"0.97*x","output":{"name":"y","unit":"mm/min"},"inputs":[{"name":"x","unit":"mm/min","low":1,"high":2000}]}"#,
+            r#"spindle_drive.curve={"version":1,"formula":"0.98*x","output":{"name":"y","unit":"1/min"},"inputs":[{"name":"x","unit":"1/min","low":1,"high":9000}]}"#,
+        ],
+    ),
+    ("afc", &["controller.afc.references_n=[150.0]", "controller.afc.overload_s=0.1"]),
+    ("afc", &["controller.afc.references_n=[900.0]", "controller.afc.entry_percent=119"]),
+    ("afc", &["controller.afc.f_min_percent=100", "controller.afc.f_max_percent=100"]),
+    ("afc", &["controller.afc.references_n=[]"]),
     ("machine-dynamics", &["profile.long_mm=0.08", "machine.spindle_quality=10"]),
     ("machine-dynamics", &["machine.roughness_from=random", "controller.kind=constant_feed"]),
     ("tool-life", &["controller.kind=tracking", "workpiece.axial_depth_mm=0.5"]),

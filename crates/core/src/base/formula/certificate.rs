@@ -6,6 +6,7 @@
 
 use super::interval::{Interval, bounds};
 use super::{Formula, Node, text};
+use crate::base::language::{text, tr};
 
 /// Most parts of the box that are looked at for one question.
 const PARTS: usize = 4096;
@@ -108,12 +109,19 @@ impl Formula {
     ) -> Result<(Option<Interval>, Vec<UncertifiedPlace>), String> {
         let [given, needed] = [ranges.len(), self.inputs().len()];
         if given != needed {
-            return Err(format!("{given} ranges were given for {needed} inputs"));
+            return Err(tr!(
+                "{given} ranges were given for {needed} inputs",
+                given = given,
+                needed = needed
+            ));
         }
         for (name, Interval { low, high }) in self.inputs().iter().zip(ranges) {
             if !(low.is_finite() && high.is_finite() && low <= high) {
-                return Err(format!(
-                    "the range {low}..{high} of `{name}` is none: allowed is low <= high"
+                return Err(tr!(
+                    "the range {low}..{high} of `{name}` is none: allowed is low <= high",
+                    low = *low,
+                    high = *high,
+                    name = name
                 ));
             }
         }
@@ -170,7 +178,7 @@ impl Formula {
             match () {
                 () if rises && falls => Verdict::Enough,
                 () if found.low >= 0.0 || found.high <= 0.0 => Verdict::Decided,
-                () => Verdict::Halve("its slope may be of either sign"),
+                () => Verdict::Halve(text!("its slope may be of either sign")),
             }
         });
         match (rises, falls, unsure.is_empty()) {
@@ -207,11 +215,11 @@ fn search(
             Ok(found) => match judge(found) {
                 Verdict::Decided => continue,
                 Verdict::Enough => return Vec::new(),
-                Verdict::Halve(why) => why.to_owned(),
+                Verdict::Halve(why) => tr(why).to_owned(),
             },
             Err(hole) => {
                 let at = spans.get(hole.index).cloned().unwrap_or(0..printed.len());
-                format!("`{}`: {}", &printed[at], hole.why)
+                format!("`{}`: {}", &printed[at], tr(hole.why))
             }
         };
         match halves(&part, ranges).filter(|_| looked_at + open.len() < PARTS) {

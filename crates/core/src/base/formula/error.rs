@@ -2,12 +2,14 @@
 
 use std::ops::Range;
 
+use crate::base::language::tr;
+
 /// Characters shown on either side of a fault in a long line.
 const SHOWN: usize = 60;
 
 /// Why a text is no formula.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("column {column}: {problem}\n{picture}")]
+#[error("{}\n{picture}", told(*column, problem))]
 pub struct FormulaError {
     /// The column of the fault, from 1, in characters.
     pub column: usize,
@@ -15,6 +17,11 @@ pub struct FormulaError {
     pub problem: String,
     /// The text with a line of carets below the fault.
     pub picture: String,
+}
+
+/// The first line.
+fn told(column: usize, problem: &str) -> String {
+    tr!("column {column}: {problem}", column = column, problem = problem)
 }
 
 impl FormulaError {

@@ -6,6 +6,7 @@
 //! their ends are moved outwards.
 
 use super::{Function, Node, Operator};
+use crate::base::language::text;
 use crate::base::math;
 
 /// All numbers from `low` to `high`.
@@ -83,7 +84,9 @@ pub(super) fn bounds(node: &Node, inputs: &[Interval], next: &mut usize) -> Resu
     let found = match node {
         Node::Number(x) => Interval::point(*x),
         Node::Constant(constant) => Interval::point(constant.value),
-        Node::Input(input) => inputs.get(*input).copied().ok_or(hole("there is no such input"))?,
+        Node::Input(input) => {
+            inputs.get(*input).copied().ok_or(hole(text!("there is no such input")))?
+        }
         Node::Unary(function, operand) => {
             of_function(*function, bounds(operand, inputs, next)?).map_err(hole)?
         }
@@ -93,15 +96,15 @@ pub(super) fn bounds(node: &Node, inputs: &[Interval], next: &mut usize) -> Resu
             of_operator(*operator, a, b).map_err(hole)?
         }
     };
-    if found.is_finite() { Ok(found) } else { Err(hole("it may be too large for a number")) }
+    if found.is_finite() { Ok(found) } else { Err(hole(text!("it may be too large for a number"))) }
 }
 
 fn of_function(function: Function, x: Interval) -> Result<Interval, &'static str> {
     let ends = [function.at(x.low), function.at(x.high)];
     match function {
         Function::Negative => Ok(Interval::new(-x.high, -x.low)),
-        Function::Ln if x.low <= 0.0 => Err("the logarithm of 0 or a negative number"),
-        Function::Sqrt if x.low < 0.0 => Err("the root of a negative number"),
+        Function::Ln if x.low <= 0.0 => Err(text!("the logarithm of 0 or a negative number")),
+        Function::Sqrt if x.low < 0.0 => Err(text!("the root of a negative number")),
         Function::Sqrt => Ok(Interval::hull(ends)),
         Function::Exp => Ok(nonnegative(Interval::hull(ends).outward_by(FUNCTION_ERROR))),
         Function::Ln | Function::Tanh => Ok(Interval::hull(ends).outward_by(FUNCTION_ERROR)),
@@ -135,7 +138,7 @@ fn of_operator(operator: Operator, a: Interval, b: Interval) -> Result<Interval,
     let all = || Interval::hull(corners.map(|(x, y)| operator.at(x, y)));
     match operator {
         Operator::Add | Operator::Subtract | Operator::Multiply => Ok(all()),
-        Operator::Divide if b.contains(0.0) => Err("a division by 0"),
+        Operator::Divide if b.contains(0.0) => Err(text!("a division by 0")),
         Operator::Divide => Ok(all()),
         Operator::Power => of_power(a, b),
     }
@@ -149,10 +152,10 @@ fn of_power(base: Interval, exponent: Interval) -> Result<Interval, &'static str
     let fixed = y == exponent.high;
     let whole = fixed && y.fract() == 0.0 && y.abs() <= math::MAX_WHOLE;
     if y <= 0.0 && base.contains(0.0) && !(fixed && y == 0.0) {
-        return Err("0 to a power that is not positive");
+        return Err(text!("0 to a power that is not positive"));
     }
     if base.low < 0.0 && !whole {
-        return Err("a negative number to a power that is not whole");
+        return Err(text!("a negative number to a power that is not whole"));
     }
     let exponents = [exponent.low, exponent.high];
     let corners =

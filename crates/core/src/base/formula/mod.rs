@@ -16,6 +16,8 @@
 //! assert_eq!(value, law.value(&[300.0, 1500.0]));
 //! ```
 
+use crate::base::language::tr;
+
 mod certificate;
 mod derivative;
 mod error;
@@ -63,11 +65,15 @@ impl Formula {
     pub fn new(root: Node, inputs: &[impl AsRef<str>]) -> Result<Self, String> {
         let inputs: Vec<String> = inputs.iter().map(|name| name.as_ref().to_owned()).collect();
         if root.depth(MAX_DEPTH) > MAX_DEPTH {
-            return Err(format!("the formula is nested more than {MAX_DEPTH} deep"));
+            return Err(tr!("the formula is nested more than {n} deep", n = MAX_DEPTH));
         }
         let size = root.size();
         if size > MAX_SIZE {
-            return Err(format!("the formula has {size} nodes: allowed are {MAX_SIZE}"));
+            return Err(tr!(
+                "the formula has {n} nodes: allowed are {most}",
+                n = size,
+                most = MAX_SIZE
+            ));
         }
         check_names(&inputs)?;
         check(&root, &inputs)?;
@@ -151,18 +157,27 @@ impl Formula {
     /// The derivative is too deep or too large, or there is no such input.
     pub fn derivative(&self, input: usize) -> Result<Self, String> {
         if input >= self.inputs.len() {
-            return Err(format!("there is no input {input}: there are {}", self.inputs.len()));
+            return Err(tr!(
+                "there is no input {input}: there are {n}",
+                input = input,
+                n = self.inputs.len()
+            ));
         }
         let raw = derivative::derivative(&self.root, input);
         let root = simplify::simplify(&raw);
         Self::new(root, &self.inputs).map_err(|problem| {
-            format!("the derivative by `{}` cannot be written: {problem}", self.inputs[input])
+            tr!(
+                "the derivative by `{input}` cannot be written: {problem}",
+                input = &self.inputs[input],
+                problem = problem
+            )
         })
     }
 
     /// A formula of the same values but for rounding, with no more nodes: constants folded, neutral elements
     /// dropped, like terms and factors collected. What it keeps is every place where the formula has no value:
-    /// x / x stays, since it has none at 0.
+    /// x / x stays, since it has none at 0. Where a part is infinite the values may differ: zero has no sign in
+    /// `x * 0`, and -1 / (x * 0) goes to one infinity or the other.
     #[must_use]
     pub fn simplified(&self) -> Self {
         let root = simplify::simplify(&self.root);
@@ -193,10 +208,13 @@ impl fmt::Display for Formula {
 fn check_names(inputs: &[impl AsRef<str>]) -> Result<(), String> {
     for (index, name) in inputs.iter().map(AsRef::as_ref).enumerate() {
         if name.is_empty() || name.contains('"') {
-            return Err(format!("`{name}` is no name of an input: allowed is any without `\"`"));
+            return Err(tr!(
+                "`{name}` is no name of an input: allowed is any without `\"`",
+                name = name
+            ));
         }
         if inputs[..index].iter().any(|other| other.as_ref() == name) {
-            return Err(format!("two inputs have the name `{name}`"));
+            return Err(tr!("two inputs have the name `{name}`", name = name));
         }
     }
     Ok(())
@@ -205,20 +223,32 @@ fn check_names(inputs: &[impl AsRef<str>]) -> Result<(), String> {
 fn check(node: &Node, inputs: &[String]) -> Result<(), String> {
     match node {
         Node::Input(index) if *index >= inputs.len() => {
-            return Err(format!("the formula reads input {index}: there are {}", inputs.len()));
+            return Err(tr!(
+                "the formula reads input {input}: there are {n}",
+                input = *index,
+                n = inputs.len()
+            ));
         }
         Node::Number(x) if !x.is_finite() => {
-            return Err(format!("the formula has the number {x}: allowed are finite ones"));
+            return Err(tr!(
+                "the formula has the number {number}: allowed are finite ones",
+                number = *x
+            ));
         }
         Node::Constant(constant) if !constant.value.is_finite() => {
             let NamedConstant { name, value } = constant;
-            return Err(format!("the constant `{name}` is {value}: allowed are finite ones"));
+            return Err(tr!(
+                "the constant `{name}` is {value}: allowed are finite ones",
+                name = name,
+                value = *value
+            ));
         }
         Node::Constant(constant) if inputs.contains(&constant.name) => {
-            return Err(format!("`{}` is an input and a constant", constant.name));
+            return Err(tr!("`{name}` is an input and a constant", name = &constant.name));
         }
         Node::Unary(Function::Negative, operand) if operand.number().is_some() => {
-            return Err("a minus sign before a number: write a negative number".to_owned());
+            let problem = tr("a minus sign before a number: write a negative number");
+            return Err(problem.to_owned());
         }
         Node::Number(_)
         | Node::Input(_)

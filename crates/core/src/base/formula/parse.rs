@@ -11,7 +11,9 @@
 use std::ops::Range;
 
 use super::{Formula, FormulaError, Function, MAX_DEPTH, MAX_SIZE, NamedConstant, Node, Operator};
+use crate::base::language::tr;
 use crate::base::math;
+use crate::base::text::nearest;
 
 /// Longest text that is read, bytes.
 const MAX_TEXT: usize = 100_000;
@@ -31,7 +33,8 @@ pub(super) fn parse(
     constants: &[NamedConstant],
 ) -> Result<(Formula, Vec<Range<usize>>), FormulaError> {
     if text.len() > MAX_TEXT {
-        let problem = format!("the formula has {} bytes: allowed are {MAX_TEXT}", text.len());
+        let problem =
+            tr!("the formula has {n} bytes: allowed are {most}", n = text.len(), most = MAX_TEXT);
         return Err(FormulaError::new(text, 0..0, problem));
     }
     super::check_names(inputs)
@@ -42,7 +45,7 @@ pub(super) fn parse(
     parser.advance()?;
     let read = parser.sum(0)?;
     if parser.token != Token::End {
-        return Err(parser.expected("an operator (+ - * / ^) or the end"));
+        return Err(parser.expected(&Expected::OperatorOrEnd));
     }
     let mut spans = Vec::new();
     let root = read.place(&mut spans);
@@ -71,6 +74,35 @@ pub(super) fn names(text: &str) -> Result<Vec<String>, FormulaError> {
                 }
             }
             Token::Number(_) | Token::Sign(_) => {}
+        }
+    }
+}
+
+/// What a formula goes on with.
+enum Expected<'a> {
+    OperatorOrEnd,
+    Operand,
+    OperatorOrClose,
+    /// The parenthesis behind a function.
+    Open(&'a str),
+}
+
+impl Expected<'_> {
+    fn words(&self) -> String {
+        match self {
+            Self::OperatorOrEnd => tr("expected an operator (+ - * / ^) or the end").to_owned(),
+            Self::Operand => tr("expected a number, a name, a function or `(`").to_owned(),
+            Self::OperatorOrClose => tr("expected `)` or an operator (+ - * / ^)").to_owned(),
+            Self::Open(name) => {
+                tr!("expected `(` behind the function `{name}`", name = *name)
+            }
+        }
+    }
+
+    fn is_operator(&self) -> bool {
+        match self {
+            Self::OperatorOrEnd | Self::OperatorOrClose => true,
+            Self::Operand | Self::Open(_) => false,
         }
     }
 }
@@ -110,21 +142,28 @@ impl Parser<'_> {
         FormulaError::new(self.text, at, problem.into())
     }
 
-    fn expected(&self, what: &str) -> FormulaError {
-        let found = match &self.token {
-            Token::End => "the formula ends here".to_owned(),
-            Token::Number(_) | Token::Name(_) | Token::Sign(_) => {
-                format!("found `{}`", &self.text[self.at.clone()])
-            }
+    fn expected(&self, what: &Expected<'_>) -> FormulaError {
+        let expected = what.words();
+        let problem = match &self.token {
+            Token::End => tr!("{expected}, but the formula ends here", expected = expected),
+            Token::Number(_) | Token::Name(_) | Token::Sign(_) => tr!(
+                "{expected}, but found `{found}`",
+                expected = expected,
+                found = &self.text[self.at.clone()]
+            ),
         };
         let hint = match &self.token {
-            Token::Sign(',') => "; a number has a decimal point, not a comma",
-            Token::Number(_) | Token::Name(_) | Token::Sign('(') if what.contains("operator") => {
-                "; a product needs its `*`"
+            Token::Sign(',') => Some(tr("a number has a decimal point, not a comma")),
+            Token::Number(_) | Token::Name(_) | Token::Sign('(') if what.is_operator() => {
+                Some(tr("a product needs its `*`"))
             }
-            Token::Number(_) | Token::Name(_) | Token::Sign(_) | Token::End => "",
+            Token::Number(_) | Token::Name(_) | Token::Sign(_) | Token::End => None,
         };
-        self.fault(self.at.clone(), format!("expected {what}, but {found}{hint}"))
+        let problem = match hint {
+            Some(hint) => format!("{problem}; {hint}"),
+            None => problem,
+        };
+        self.fault(self.at.clone(), problem)
     }
 
     /// Reads the next token.
@@ -145,15 +184,17 @@ impl Parser<'_> {
             (Token::Name(rest[..length].to_owned()), length)
         } else if first == '"' {
             let Some(end) = rest[1..].find('"') else {
-                return Err(self.fault(start..self.text.len(), "a quoted name without its end"));
+                return Err(self.fault(start..self.text.len(), tr("a quoted name without its end")));
             };
             (Token::Name(rest[1..=end].to_owned()), end + 2)
         } else if "+-*/^(),".contains(first) {
             (Token::Sign(first), 1)
         } else {
             let at = start..start + first.len_utf8();
-            let problem =
-                format!("`{first}` has no meaning in a formula: allowed are + - * / ^ ( )");
+            let problem = tr!(
+                "`{sign}` has no meaning in a formula: allowed are + - * / ^ ( )",
+                sign = first
+            );
             return Err(self.fault(at, problem));
         };
         (self.at, self.token) = (start..start + length, token);
@@ -178,15 +219,15 @@ impl Parser<'_> {
         let text = &self.text[start..start + length];
         match text.parse::<f64>() {
             Ok(x) if x.is_finite() => Ok((Token::Number(x), length)),
-            Ok(_) => Err(self.fault(start..start + length, "the number is too large")),
-            Err(_) => Err(self.fault(start..start + length, "this is no number")),
+            Ok(_) => Err(self.fault(start..start + length, tr("the number is too large"))),
+            Err(_) => Err(self.fault(start..start + length, tr("this is no number"))),
         }
     }
 
     fn count(&mut self, at: &Range<usize>, depth: usize) -> Result<(), FormulaError> {
         self.nodes += 1;
         if self.nodes > MAX_SIZE {
-            let problem = format!("the formula has more than {MAX_SIZE} nodes");
+            let problem = tr!("the formula has more than {n} nodes", n = MAX_SIZE);
             return Err(self.fault(at.clone(), problem));
         }
         self.deep(at, depth)
@@ -196,7 +237,8 @@ impl Parser<'_> {
         if depth < MAX_DEPTH {
             return Ok(());
         }
-        Err(self.fault(at.clone(), format!("the formula is nested more than {MAX_DEPTH} deep")))
+        let problem = tr!("the formula is nested more than {n} deep", n = MAX_DEPTH);
+        Err(self.fault(at.clone(), problem))
     }
 
     fn join(&mut self, operator: Operator, left: Read, right: Read) -> Result<Read, FormulaError> {
@@ -287,16 +329,14 @@ impl Parser<'_> {
                 inside.spans[0] = at.start..end;
                 Ok(inside)
             }
-            Token::Sign(_) | Token::End => {
-                Err(self.expected("a number, a name, a function or `(`"))
-            }
+            Token::Sign(_) | Token::End => Err(self.expected(&Expected::Operand)),
         }
     }
 
     /// Reads `)` and returns its end.
     fn close(&mut self) -> Result<usize, FormulaError> {
         if self.token != Token::Sign(')') {
-            return Err(self.expected("`)` or an operator (+ - * / ^)"));
+            return Err(self.expected(&Expected::OperatorOrClose));
         }
         let end = self.at.end;
         self.advance()?;
@@ -313,7 +353,7 @@ impl Parser<'_> {
         let function = Function::ALL.into_iter().find(|function| function.name() == name);
         if let Some(function) = function.filter(|_| !quoted) {
             if self.token != Token::Sign('(') {
-                return Err(self.expected(&format!("`(` behind the function `{name}`")));
+                return Err(self.expected(&Expected::Open(name)));
             }
             self.advance()?;
             let operand = self.sum(depth + 1)?;
@@ -337,7 +377,7 @@ impl Parser<'_> {
         let called = self.token == Token::Sign('(');
         let functions = Function::ALL.into_iter().map(Function::name).filter(|name| *name != "-");
         if called && ["log", "Log", "LN", "Ln"].contains(&name) {
-            return format!("unknown function `{name}`: the natural logarithm is `ln`");
+            return tr!("unknown function `{name}`: the natural logarithm is `ln`", name = name);
         }
         let constants = self.constants.iter().map(|constant| constant.name.as_str());
         let names: Vec<&str> = if called {
@@ -345,17 +385,26 @@ impl Parser<'_> {
         } else {
             self.inputs.iter().copied().chain(constants).chain(["pi", "e"]).collect()
         };
-        let near = names
-            .iter()
-            // A single letter is like every word that has it.
-            .filter(|known| known.len() > 1 || name.len() == 1)
-            .map(|known| (strsim::jaro_winkler(&name.to_lowercase(), &known.to_lowercase()), known))
-            .filter(|(likeness, _)| *likeness > 0.7)
-            .max_by(|a, b| a.0.total_cmp(&b.0));
-        let kind = if called { "function" } else { "name" };
-        match near {
-            Some((_, near)) => format!("unknown {kind} `{name}`: did you mean `{near}`?"),
-            None => format!("unknown {kind} `{name}`: known are {}", names.join(", ")),
+        // A single letter is like every word that has it.
+        let longer = names.iter().copied().filter(|known| known.len() > 1 || name.len() == 1);
+        let near = nearest(name, longer, 0.7);
+        match (near, called) {
+            (Some(near), true) => {
+                tr!("unknown function `{name}`: did you mean `{near}`?", name = name, near = near)
+            }
+            (Some(near), false) => {
+                tr!("unknown name `{name}`: did you mean `{near}`?", name = name, near = near)
+            }
+            (None, true) => tr!(
+                "unknown function `{name}`: known are {names}",
+                name = name,
+                names = names.join(", ")
+            ),
+            (None, false) => tr!(
+                "unknown name `{name}`: known are {names}",
+                name = name,
+                names = names.join(", ")
+            ),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::base::language::tr;
 use crate::base::math;
 
 /// Base quantities: length, mass, time, temperature, current, Brinell hardness; last the logarithm of the
@@ -108,7 +109,7 @@ impl Unit {
             }
             if rest[end..].starts_with('/') {
                 if rest.len() == end + 1 {
-                    return Err(format!("the unit `{text}` ends with `/`"));
+                    return Err(tr!("the unit `{unit}` ends with `/`", unit = text));
                 }
                 sign = -1.0;
             }
@@ -151,11 +152,11 @@ fn factor(text: &str) -> Result<(Powers, Option<(String, Powers)>), String> {
     };
     let power = power.ok().filter(|power| power.abs() <= 100.0);
     let Some(power) = power else {
-        return Err(format!("`{text}` is no unit: a power is a number, as in mm^2"));
+        return Err(tr!("`{unit}` is no unit: a power is a number, as in mm^2", unit = text));
     };
     let powers = symbol_powers(symbol).ok_or_else(|| {
         let known: Vec<&str> = SYMBOLS.iter().map(|(symbol, ..)| *symbol).collect();
-        format!("`{symbol}` is no unit: known are {}", known.join(", "))
+        tr!("`{unit}` is no unit: known are {known}", unit = symbol, known = known.join(", "))
     })?;
     let symbol = (symbol.to_owned(), powers);
     Ok((plus([0.0; QUANTITIES], powers, power), Some(symbol)))

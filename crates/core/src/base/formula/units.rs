@@ -10,6 +10,8 @@ use std::ops::Range;
 use super::unit::{self, Powers, QUANTITIES, Unit};
 use super::{Formula, FormulaError, Function, Node, Operator, text};
 
+use crate::base::language::tr;
+
 /// Whether the numbers of a formula may have units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NumberUnits {
@@ -55,7 +57,8 @@ impl Formula {
         let (printed, spans) = text::print(self);
         if inputs.len() != self.inputs().len() {
             let [given, needed] = [inputs.len(), self.inputs().len()];
-            let problem = format!("{given} units were given for {needed} inputs");
+            let problem =
+                tr!("{given} units were given for {needed} inputs", given = given, needed = needed);
             return Err(FormulaError::new(&printed, 0..printed.len(), problem));
         }
         let all = inputs.iter().chain([output]);
@@ -81,7 +84,11 @@ impl Formula {
         checker.equal(&whole, &wanted, 0, |a, _| {
             let shown =
                 if output.to_string().is_empty() { "1".to_owned() } else { output.to_string() };
-            format!("the formula has the unit {a}, but its result is to have {shown}")
+            tr!(
+                "the formula has the unit {unit}, but its result is to have {wanted}",
+                unit = a,
+                wanted = shown
+            )
         })?;
         Ok(checker.report())
     }
@@ -162,7 +169,11 @@ impl Checker<'_> {
                     | Function::Tanh => {
                         let name = function.name();
                         self.equal(&inner, &Form::none(), at, |a, _| {
-                            format!("`{name}` needs a plain number, but this has the unit {a}")
+                            tr!(
+                                "`{name}` needs a plain number, but this has the unit {unit}",
+                                name = name,
+                                unit = a
+                            )
                         })?;
                         Ok(Form::none())
                     }
@@ -186,22 +197,25 @@ impl Checker<'_> {
             Operator::Divide => Ok(left.plus(&right, -1.0)),
             Operator::Add | Operator::Subtract => {
                 self.equal(&left, &right, index, |a, b| {
-                    let [first, second] = if operator == Operator::Add {
-                        ["add", "to"]
+                    if operator == Operator::Add {
+                        tr!("cannot add {second} to {first}", second = b, first = a)
                     } else {
-                        ["subtract", "from"]
-                    };
-                    format!("cannot {first} {b} {second} {a}")
+                        tr!("cannot subtract {second} from {first}", second = b, first = a)
+                    }
                 })?;
                 Ok(self.reduced(&left))
             }
             Operator::Power => {
                 self.equal(&right, &Form::none(), at, |a, _| {
-                    format!("an exponent is a plain number, but this has the unit {a}")
+                    tr!("an exponent is a plain number, but this has the unit {unit}", unit = a)
                 })?;
                 if has_input(&pair[1]) {
                     self.equal(&left, &Form::none(), index + 1, |a, _| {
-                        format!("with an exponent that changes, the base must be a plain number, but this has the unit {a}")
+                        tr!(
+                            "with an exponent that changes, the base must be a plain number, but this has the \
+                             unit {unit}",
+                            unit = a
+                        )
                     })?;
                     return Ok(Form::none());
                 }

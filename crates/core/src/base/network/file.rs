@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Activation, Network, ScaledNetwork, Scaling};
 use crate::base::files::{JsonLayout, from_json, to_json};
+use crate::base::language::tr;
 
 /// Where a network's weights come from: enough to train it again.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,12 +111,20 @@ impl NetworkFile {
     pub fn network(self) -> Result<(ScaledNetwork, Provenance), String> {
         if self.note.len() > MAX_NOTE {
             let bytes = self.note.len();
-            return Err(format!("`note` is {bytes} bytes long: allowed is at most {MAX_NOTE}"));
+            return Err(tr!(
+                "`note` is {n} bytes long: allowed is at most {most}",
+                n = bytes,
+                most = MAX_NOTE
+            ));
         }
         let activation = Activation::from_id(&self.activation).ok_or_else(|| {
             let shown: String = self.activation.chars().take(40).collect();
             let ids: Vec<&str> = Activation::ALL.iter().map(|one| one.id()).collect();
-            format!("`activation` cannot be {shown:?}: allowed is {}", ids.join(", "))
+            tr!(
+                "`activation` cannot be {found}: allowed is {ids}",
+                found = format!("{shown:?}"),
+                ids = ids.join(", ")
+            )
         })?;
         let network = Network::new(&self.sizes, activation, self.linear_output, self.weights)?;
         let scaling = Scaling {
@@ -142,7 +151,13 @@ impl NetworkFile {
 fn ranges(names: [&str; 2], lows: Vec<f64>, highs: Vec<f64>) -> Result<Vec<[f64; 2]>, String> {
     if lows.len() != highs.len() {
         let ([low, high], [a, b]) = (names, [lows.len(), highs.len()]);
-        return Err(format!("`{low}` and `{high}` must be equally long, found {a} and {b}"));
+        return Err(tr!(
+            "`{low}` and `{high}` must be equally long, found {lows} and {highs}",
+            low = low,
+            high = high,
+            lows = a,
+            highs = b
+        ));
     }
     Ok(lows.into_iter().zip(highs).map(|(low, high)| [low, high]).collect())
 }
@@ -159,7 +174,7 @@ pub fn write(scaled: &ScaledNetwork, provenance: &Provenance) -> String {
 /// Names the field that is missing, unknown or not allowed, its value and what is allowed.
 pub fn parse(text: &str) -> Result<(ScaledNetwork, Provenance), String> {
     if text.len() > MAX_BYTES {
-        return Err(format!("longer than {MAX_BYTES} bytes"));
+        return Err(tr!("longer than {n} bytes", n = MAX_BYTES));
     }
     from_json::<NetworkFile>(text)?.network()
 }

@@ -15,6 +15,7 @@ pub use backprop::{Backprop, LearningParameters, Training};
 pub use file::{NetworkFile, Provenance, parse, write};
 pub use scaling::{ScaledNetwork, Scaling};
 
+use crate::base::language::tr;
 use crate::base::rng::Stream;
 
 /// Most neurons (or inputs) in a layer.
@@ -40,7 +41,11 @@ fn weights_needed(sizes: &[usize]) -> Result<usize, String> {
     if (2..=MAX_LAYERS).contains(&sizes.len()) && fit {
         return Ok(sizes.windows(2).map(|pair| (pair[0] + 1) * pair[1]).sum());
     }
-    Err(format!("`sizes` must be 2 to {MAX_LAYERS} layers of 1 to {MAX_WIDTH} neurons"))
+    Err(tr!(
+        "`sizes` must be 2 to {layers} layers of 1 to {neurons} neurons",
+        layers = MAX_LAYERS,
+        neurons = MAX_WIDTH
+    ))
 }
 
 impl Network {
@@ -56,10 +61,18 @@ impl Network {
     ) -> Result<Self, String> {
         let needed = weights_needed(sizes)?;
         if weights.len() != needed {
-            return Err(format!("`weights` holds {} numbers, needed are {needed}", weights.len()));
+            return Err(tr!(
+                "`weights` holds {n} numbers, needed are {needed}",
+                n = weights.len(),
+                needed = needed
+            ));
         }
         if let Some(i) = weights.iter().position(|weight| !weight.is_finite()) {
-            return Err(format!("`weights[{i}]` is {}: it must be finite", weights[i]));
+            return Err(tr!(
+                "`weights[{index}]` is {weight}: it must be finite",
+                index = i,
+                weight = weights[i]
+            ));
         }
         Ok(Self { sizes: sizes.to_vec(), activation, linear_output, weights })
     }

@@ -4,6 +4,7 @@
 //! training data is mapped linearly to norm_lo..norm_hi, a target to target_lo..target_hi.
 
 use super::{Layer, MAX_WIDTH, Network};
+use crate::base::language::tr;
 use crate::base::math;
 
 /// Ranges of a network's inputs and outputs.
@@ -36,23 +37,35 @@ impl Scaling {
             ("ymin` and `ymax", self.outputs.len(), outputs),
         ] {
             if found != needed {
-                return Err(format!("`{name}` must hold {needed} values each, found {found}"));
+                return Err(tr!(
+                    "`{name}` must hold {needed} values each, found {found}",
+                    name = name,
+                    needed = needed,
+                    found = found
+                ));
             }
         }
         for (i, range) in self.inputs.iter().enumerate() {
             if !increasing(range) || self.ln_inputs[i] && range[0] <= 0.0 {
                 let [low, high] = range;
-                return Err(format!(
-                    "`xmin[{i}]` and `xmax[{i}]` are {low} and {high}: they must be finite and \
-                     ascending, positive where `ln_inputs` is true"
+                return Err(tr!(
+                    "`xmin[{index}]` and `xmax[{index}]` are {low} and {high}: they must be finite and \
+                     ascending, positive where `ln_inputs` is true",
+                    index = i,
+                    low = *low,
+                    high = *high
                 ));
             }
         }
         if let Some(i) = self.outputs.iter().position(|range| !increasing(range)) {
-            return Err(format!("`ymin[{i}]` and `ymax[{i}]` must be finite and ascending"));
+            return Err(tr!(
+                "`ymin[{index}]` and `ymax[{index}]` must be finite and ascending",
+                index = i
+            ));
         }
         if !increasing(&self.norm) || !increasing(&self.target) {
-            return Err("`norm_lo`, `norm_hi` and `target_lo`, `target_hi` must ascend".to_owned());
+            let problem = tr("`norm_lo`, `norm_hi` and `target_lo`, `target_hi` must ascend");
+            return Err(problem.to_owned());
         }
         Ok(())
     }

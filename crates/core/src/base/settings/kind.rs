@@ -4,6 +4,8 @@ use serde::Serialize;
 
 use super::{Editor, Structured};
 
+use crate::base::language::tr;
+
 /// One option of a closed choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Choice {
@@ -60,16 +62,26 @@ impl Kind {
     /// What is allowed, in words, with the unit.
     #[must_use]
     pub fn allowed(&self, unit: &str) -> String {
-        let suffix = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+        let unit_behind = if unit.is_empty() { String::new() } else { format!(" {unit}") };
         match self {
-            Self::Float { min, max } => format!("a number from {min} to {max}{suffix}"),
-            Self::Int { min, max } => format!("a whole number from {min} to {max}{suffix}"),
-            Self::Bool => "true or false".to_owned(),
+            Self::Float { min, max } => tr!(
+                "a number from {min} to {max}{unit}",
+                min = *min,
+                max = *max,
+                unit = unit_behind
+            ),
+            Self::Int { min, max } => tr!(
+                "a whole number from {min} to {max}{unit}",
+                min = *min,
+                max = *max,
+                unit = unit_behind
+            ),
+            Self::Bool => tr("true or false").to_owned(),
             Self::Choice { options } => {
                 let ids: Vec<&str> = options.iter().map(|option| option.id).collect();
-                format!("one of {}", ids.join(", "))
+                tr!("one of {ids}", ids = ids.join(", "))
             }
-            Self::Text { max_chars } => format!("text of at most {max_chars} characters"),
+            Self::Text { max_chars } => tr!("text of at most {n} characters", n = *max_chars),
             Self::Structured(shape) => shape.allowed(unit),
         }
     }

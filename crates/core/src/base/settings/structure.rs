@@ -54,6 +54,8 @@ pub enum Editor {
     Presence,
     /// A formula with units and ranges, or none.
     Formula(FormulaShape),
+    /// A script of several lines.
+    Script,
 }
 
 /// A formula that a setting takes.

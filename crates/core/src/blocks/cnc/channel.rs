@@ -1,8 +1,8 @@
 //! The way of a command through the CNC: overrides, dead time, overload guard, drives.
 //!
 //! ```text
-//! request ─▶ overrides ─▶ dead time ─▶ overload guard ─▶ feed drive ──▶ f_a
-//!            (percent)     (queue)      (feed to zero)   spindle drive ─▶ n_a
+//! request ─▶ overrides ─▶ dead time ─▶ operator's hand ─▶ overload guard ─▶ feed drive ──▶ f_a
+//!            (percent)     (queue)      (factor, or 1)     (feed to zero)   spindle drive ─▶ n_a
 //! ```
 //!
 //! A request is taken once in a control period and held; the rest passes every plant step.
@@ -42,6 +42,11 @@ pub struct Channel {
     feed_override: Override,
     spindle_override: Override,
     dead_time: DeadTime,
+    /// Plant steps that the dead time is longer by, and those that it has by itself.
+    added_ticks: usize,
+    dead_ticks: usize,
+    /// Factor of the operator's hand on the feed.
+    by_hand: f64,
     guard: OverloadGuard,
     feed_drive: FeedDrive,
     spindle_drive: SpindleDrive,
@@ -63,6 +68,10 @@ impl Channel {
         let ChannelSetup { cnc, dt_s, period_s, .. } = *setup;
         let (programmed, limits) = setup.cuts[0];
         let FeedSpeed { feed_mm_min, speed_rpm } = programmed;
+        let feed_drive = FeedDrive::new(setup.feed_drive, dt_s, feed_mm_min);
+        let spindle_drive = SpindleDrive::new(setup.spindle_drive, dt_s, speed_rpm);
+        let actual =
+            FeedSpeed { feed_mm_min: feed_drive.actual(), speed_rpm: spindle_drive.actual() };
         Self {
             cuts: setup.cuts.clone(),
             programmed,
@@ -70,12 +79,15 @@ impl Channel {
             feed_override: Override::new(cnc, feed_mm_min, period_s),
             spindle_override: Override::new(cnc, speed_rpm, period_s),
             dead_time: DeadTime::new(setup.dead_ticks, [feed_mm_min, speed_rpm]),
+            added_ticks: 0,
+            dead_ticks: setup.dead_ticks,
+            by_hand: 1.0,
             guard: OverloadGuard::new(limit_n(cnc)),
-            feed_drive: FeedDrive::new(setup.feed_drive, dt_s, feed_mm_min),
-            spindle_drive: SpindleDrive::new(setup.spindle_drive, dt_s, speed_rpm),
+            feed_drive,
+            spindle_drive,
             dt_s,
             sent: [feed_mm_min, speed_rpm].map(Overridden::programmed),
-            actual: programmed,
+            actual,
         }
     }
 
@@ -86,9 +98,31 @@ impl Channel {
         self.guard.reconfigure(limit_n(setup.cnc));
         self.feed_override.reconfigure(setup.cnc, setup.period_s);
         self.spindle_override.reconfigure(setup.cnc, setup.period_s);
-        self.dead_time.resize(setup.dead_ticks, self.sent.map(|sent| sent.command));
+        self.dead_ticks = setup.dead_ticks;
+        self.size_queue();
         self.feed_drive.reconfigure(setup.feed_drive, self.dt_s);
         self.spindle_drive.reconfigure(setup.spindle_drive, self.dt_s);
+    }
+
+    fn size_queue(&mut self) {
+        let ticks = self.dead_ticks + self.added_ticks;
+        self.dead_time.resize(ticks, self.sent.map(|sent| sent.command));
+    }
+
+    /// Makes the dead time longer by so many plant steps, and turns the feed by hand to so many times what is
+    /// commanded. The hand is at the machine: it does not wait in the queue, and no limit of commands holds it.
+    pub fn disturb(&mut self, added_ticks: usize, by_hand: f64) {
+        if self.added_ticks != added_ticks {
+            self.added_ticks = added_ticks;
+            self.size_queue();
+        }
+        self.by_hand = by_hand;
+    }
+
+    /// Factor of the operator's hand on the feed.
+    #[must_use]
+    pub fn by_hand(&self) -> f64 {
+        self.by_hand
     }
 
     /// The cut of this number begins: at rest at its programmed values. The spindle turns on.
@@ -117,7 +151,7 @@ impl Channel {
     pub fn advance(&mut self) -> FeedSpeed {
         let [feed, speed_rpm] = self.dead_time.pass(self.sent.map(|sent| sent.command));
         // A stop does not wait in the queue.
-        let feed_mm_min = if self.guard.met().is_some() { 0.0 } else { feed };
+        let feed_mm_min = if self.guard.met().is_some() { 0.0 } else { feed * self.by_hand };
         self.actual = FeedSpeed {
             feed_mm_min: self.feed_drive.update(feed_mm_min),
             speed_rpm: self.spindle_drive.update(speed_rpm),
@@ -129,6 +163,11 @@ impl Channel {
     #[inline]
     pub fn guard(&mut self, force_n: f64, position_mm: f64, time_s: f64) {
         self.guard.watch(force_n, position_mm, time_s);
+    }
+
+    /// Stops the feed at once, past the dead time, for good: a controller has met its own limit.
+    pub fn stop(&mut self, overload: Overload) {
+        self.guard.stop(overload);
     }
 
     /// What has stopped the feed, if anything has.
@@ -161,6 +200,13 @@ impl Channel {
     pub fn command_sent(&self) -> FeedSpeed {
         let [feed, speed] = &self.sent;
         FeedSpeed { feed_mm_min: feed.command, speed_rpm: speed.command }
+    }
+
+    /// Whether both drives know what they reach: the commands lie within the ranges of formulas of one's own.
+    #[must_use]
+    #[inline]
+    pub fn drives_are_known(&self) -> bool {
+        self.feed_drive.is_known() && self.spindle_drive.is_known()
     }
 
     /// Feed and speed that the drives have reached.

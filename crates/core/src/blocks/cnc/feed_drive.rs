@@ -2,13 +2,17 @@
 //! ([`crate::models::feed_drive`]).
 
 use crate::base::math;
+use crate::models::drive_curve::{DriveCurve, FeedReached};
 use crate::models::feed_drive::{DriveState, ExactDrive, FeedDriveKind};
+use crate::models::formula_model::OwnFormula;
 
 crate::settings! {
     /// The feed drive.
     pub struct FeedDriveSettings {
         /// Transfer function of the feed drive.
         kind: FeedDriveKind = FeedDriveKind::Eq3Of2007, [], "", live, "Feed drive";
+        /// Feed that is reached at rest as a formula of one's own over the feed that is asked for.
+        curve: OwnFormula<FeedReached> = OwnFormula::default(), [], "", live, "Feed reached";
     }
 }
 
@@ -17,29 +21,36 @@ crate::settings! {
 pub struct FeedDrive {
     exact: ExactDrive,
     kind: FeedDriveKind,
+    curve: DriveCurve,
     state: DriveState,
 }
 
 impl FeedDrive {
-    /// At rest at `feed_mm_min`, for steps of `dt_s`.
+    /// At rest where it is asked for `feed_mm_min`, for steps of `dt_s`.
     #[must_use]
     pub fn new(settings: &FeedDriveSettings, dt_s: f64, feed_mm_min: f64) -> Self {
-        Self {
+        let mut this = Self {
             exact: ExactDrive::new(settings.kind, dt_s),
             kind: settings.kind,
+            curve: DriveCurve::new(&settings.curve),
             state: DriveState::settled(feed_mm_min),
-        }
+        };
+        this.restart(feed_mm_min);
+        this
     }
 
-    /// At rest at `feed_mm_min`, as a new cut begins.
+    /// At rest where it is asked for `feed_mm_min`, as a new cut begins.
     pub fn restart(&mut self, feed_mm_min: f64) {
-        self.state = DriveState::settled(feed_mm_min);
+        self.state = DriveState::settled(self.curve.reached(feed_mm_min));
     }
 
     /// Another drive takes over at the feed of the old one.
     pub fn reconfigure(&mut self, settings: &FeedDriveSettings, dt_s: f64) {
+        self.curve = DriveCurve::new(&settings.curve);
         if settings.kind != self.kind {
-            *self = Self::new(settings, dt_s, self.state.feed_mm_min());
+            self.exact = ExactDrive::new(settings.kind, dt_s);
+            self.kind = settings.kind;
+            self.state = DriveState::settled(self.state.feed_mm_min());
         }
     }
 
@@ -47,7 +58,21 @@ impl FeedDrive {
     /// reverse when a drive rings).
     #[inline]
     pub fn update(&mut self, command_mm_min: f64) -> f64 {
-        self.exact.advance(&mut self.state, command_mm_min);
+        let reached_mm_min = self.curve.reached(command_mm_min);
+        self.exact.advance(&mut self.state, reached_mm_min);
         math::positive(self.state.feed_mm_min())
+    }
+
+    /// The actual feed, mm/min.
+    #[must_use]
+    pub fn actual(&self) -> f64 {
+        math::positive(self.state.feed_mm_min())
+    }
+
+    /// Whether the last command lay within the range of a formula of one's own.
+    #[must_use]
+    #[inline]
+    pub fn is_known(&self) -> bool {
+        self.curve.is_known()
     }
 }

@@ -1,11 +1,13 @@
 //! The overload guard: too large a force stops the feed at once, past the dead time, for good, to save the
-//! tool.
+//! tool. A controller with a limit of its own can ask for the same.
 
 use serde::Serialize;
 
+use crate::base::language::tr;
+
 /// A force beyond what is allowed, which has stopped the feed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, thiserror::Error)]
-#[error("stopped at {time_s:.2} s, {position_mm:.1} mm: {force_n:.0} N, allowed {limit_n:.0} N")]
+#[error("{}", self.sentence())]
 pub struct Overload {
     /// The force, N.
     pub force_n: f64,
@@ -15,6 +17,33 @@ pub struct Overload {
     pub position_mm: f64,
     /// When, s.
     pub time_s: f64,
+    /// Whether the tool was lifted off the work; otherwise it stands in the cut.
+    pub retracted: bool,
+}
+
+impl Overload {
+    /// In words.
+    fn sentence(&self) -> String {
+        let Self { force_n, limit_n, position_mm, time_s, retracted } = *self;
+        if retracted {
+            tr!(
+                "The machine stopped at {time:.2} s, {position:.1} mm: {force:.0} N, allowed {limit:.0} N; \
+                 the tool is lifted off the work",
+                time = time_s,
+                position = position_mm,
+                force = force_n,
+                limit = limit_n
+            )
+        } else {
+            tr!(
+                "The machine stopped at {time:.2} s, {position:.1} mm: {force:.0} N, allowed {limit:.0} N",
+                time = time_s,
+                position = position_mm,
+                force = force_n,
+                limit = limit_n
+            )
+        }
+    }
 }
 
 /// The guard with what it has met.
@@ -41,8 +70,14 @@ impl OverloadGuard {
     #[inline]
     pub fn watch(&mut self, force_n: f64, position_mm: f64, time_s: f64) {
         if force_n > self.limit_n && self.met.is_none() {
-            self.met = Some(Overload { force_n, limit_n: self.limit_n, position_mm, time_s });
+            let limit_n = self.limit_n;
+            self.met = Some(Overload { force_n, limit_n, position_mm, time_s, retracted: false });
         }
+    }
+
+    /// Stops the feed for what a controller has met; what was met before stays.
+    pub fn stop(&mut self, overload: Overload) {
+        self.met.get_or_insert(overload);
     }
 
     /// What has stopped the feed, if anything has.

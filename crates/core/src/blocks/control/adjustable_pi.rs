@@ -13,6 +13,7 @@ use super::ControlSetup;
 use super::law::{AtRest, ControlMoment};
 use super::override_loop::{ForceController, ForceLaw, ForceSample};
 use crate::base::equation::number;
+use crate::base::language::text;
 use crate::models::printed::Printed;
 
 crate::settings! {
@@ -21,7 +22,7 @@ crate::settings! {
         /// Proportional gain (chosen).
         kp: f64 = 0.35, [0.0, 5.0], "", live, "Gain Kp";
         /// Integral gain per control period (chosen).
-        ki: f64 = 0.12, [0.0, 1.0], "", live, "Integral gain";
+        ki: f64 = 0.12, [0.0, 1.0], "", live, "Integral gain Ki";
         /// Forgetting factor lambda of the estimate (chosen).
         forgetting: f64 = 0.8, [0.5, 1.0], "", live, "Forgetting";
         /// Whether the force is corrected for the dead time (Smith predictor).
@@ -88,8 +89,10 @@ impl ForceLaw for AdjustablePiLaw {
     fn printed(_: &AdjustablePiSettings) -> Printed {
         Printed::new(
             "u = u_{before} + [Kp (e - e_{before}) + Ki e] / K,  e = 1 - F_m / F_{ref}",
-            "Stute and Goetz, cited in Combined system 2005; gains chosen, K by recursive least \
-             squares with forgetting",
+            text!(
+                "Stute and Goetz, cited in Combined system 2005; gains chosen, K by recursive least \
+             squares with forgetting"
+            ),
         )
     }
 

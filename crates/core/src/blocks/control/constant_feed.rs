@@ -5,6 +5,7 @@
 use super::law::{AtRest, ControlLaw, ControlMoment, Explained, Held};
 use super::{ControlInput, ControlOutput, ControlSetup, FeedSpeed, Limits};
 use crate::base::equation::{Live, number};
+use crate::base::language::text;
 use crate::base::units::ratio_from_percent;
 use crate::models::genetic::ModelSet;
 use crate::models::printed::Printed;
@@ -27,8 +28,7 @@ pub struct ConstantFeed {
 
 impl ControlLaw for ConstantFeed {
     type Settings = ConstantFeedSettings;
-    const ABOUT: &'static str =
-        "Programmed feed and speed at fixed overrides: conventional milling without control.";
+    const ABOUT: &'static str = "Programmed feed and speed at fixed overrides: what the papers call conventional, milling without control. At 100 % it cuts as the comparison `constant feed as programmed` does; the safe constant feed is the same at a feed of its own.";
     const HELD: Held = Held::Overrides;
 
     fn new(settings: &ConstantFeedSettings, _: &ControlSetup, _: FeedSpeed) -> Self {
@@ -53,6 +53,8 @@ impl ControlLaw for ConstantFeed {
             gain_estimate: 1.0,
             feed_model_valid: true,
             speed_model_valid: true,
+            exceeded: None,
+            switched_off: false,
         }
     }
 
@@ -68,7 +70,7 @@ impl ControlLaw for ConstantFeed {
     fn printed(_: &ConstantFeedSettings, _: ModelSet) -> Vec<Printed> {
         vec![Printed::new(
             "f_c = override · f_p,  n_c = override · n_p",
-            "conventional milling, which every paper compares with",
+            text!("conventional milling, which every paper compares with"),
         )]
     }
 

@@ -16,6 +16,7 @@ use super::ControlSetup;
 use super::law::{AtRest, ControlMoment};
 use super::override_loop::{COMMAND_PATH, ForceController, ForceLaw, ForceSample};
 use crate::base::equation::number;
+use crate::base::language::text;
 use crate::base::math::{self, limit};
 use crate::models::printed::Printed;
 
@@ -101,16 +102,18 @@ impl ForceLaw for DivisionLaw {
         match settings.divided {
             Divided::Programmed => Printed::new(
                 "u = F_{ref} / F_m",
-                "Combined system 2005, divisional controller, in words only: the reading that is \
-                 stable and as poor in accuracy as its Table 1",
+                text!(
+                    "Combined system 2005, divisional controller, in words only: the reading that is \
+                 stable and as poor in accuracy as its Table 1"
+                ),
             ),
             Divided::Actual => Printed::new(
                 "u = u_a F_{ref} / F_m",
-                "chosen: the divisional controller of 2005 over the feed that was reached",
+                text!("chosen: the divisional controller of 2005 over the feed that was reached"),
             ),
             Divided::Command => Printed::new(
                 "u = u_{before} (F_{ref} / F_m)^γ",
-                "chosen: the divisional controller of 2005 over its last command",
+                text!("chosen: the divisional controller of 2005 over its last command"),
             ),
         }
     }

@@ -27,6 +27,8 @@ pub struct ControlInput<'a> {
     /// Where along it the tool's axis stands by the machine's own reading, mm from where the programmed
     /// part begins.
     pub x_mm: f64,
+    /// Factor of the operator's hand on the feed, beside all commands; 1 where nobody turns it.
+    pub by_hand: f64,
 }
 
 /// What a controller asks for.
@@ -42,6 +44,32 @@ pub struct ControlOutput {
     pub feed_model_valid: bool,
     /// Whether K3 was used inside its range.
     pub speed_model_valid: bool,
+    /// A force that has been over the controller's own limit for too long; none with most of them.
+    pub exceeded: Option<Exceeded>,
+    /// Whether the controller has switched itself off, and the feed is as programmed.
+    pub switched_off: bool,
+}
+
+/// A force over a controller's own limit, and what the controller wants done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Exceeded {
+    /// The limit, N.
+    pub limit_n: f64,
+    /// What is to be done.
+    pub reaction: OverloadReaction,
+}
+
+crate::choice! {
+    /// What is done where a force stays over a controller's own limit.
+    pub enum OverloadReaction {
+        /// It is said, and the cut goes on.
+        Message = "message", "message";
+        /// The feed stops at once, past the dead time, for good; the tool stays in the cut.
+        Stop = "stop", "stop";
+        /// The feed stops for good and the tool is lifted off the work, which takes no time here, as
+        /// the way back between two cuts takes none.
+        RetractStop = "retract_stop", "retract and stop";
+    }
 }
 
 /// The inputs to the construction of a controller.

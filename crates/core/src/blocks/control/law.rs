@@ -1,5 +1,6 @@
 //! What a controller brings with it: all that the rest of the program knows of it.
 
+use super::script::ScriptProblem;
 use super::unks::Learning;
 use super::{Belief, ControlInput, ControlOutput, ControlSetup, FeedSpeed, Limits, Running};
 use crate::base::equation::Live;
@@ -19,6 +20,8 @@ pub trait ControlLaw: Sized {
     const HELD: Held;
     /// Whether networks learn in it; [`Self::learning`] then shows them.
     const LEARNS: bool = false;
+    /// Whether a control period of it takes memory: a script's does.
+    const ALLOCATES: bool = false;
 
     /// The controller at the start of a run, the machine at rest at the programmed values.
     fn new(settings: &Self::Settings, setup: &ControlSetup, programmed: FeedSpeed) -> Self;
@@ -35,7 +38,7 @@ pub trait ControlLaw: Sized {
     /// A new cut begins at the programmed values: what was learned stays, dynamic state goes.
     fn restart(&mut self, programmed: FeedSpeed);
 
-    /// One control period. It allocates nothing.
+    /// One control period. It allocates nothing where [`Self::ALLOCATES`] does not say so.
     fn update(&mut self, input: &ControlInput) -> ControlOutput;
 
     /// The limits that it keeps, of those that the overrides set. What adapts feed or speed to the
@@ -43,6 +46,11 @@ pub trait ControlLaw: Sized {
     #[must_use]
     fn limits(overrides: Limits) -> Limits {
         overrides.within_force_model()
+    }
+
+    /// What went wrong in it, if anything did: the run ends there.
+    fn problem(&self) -> Option<&ScriptProblem> {
+        None
     }
 
     /// Its networks that learn in the cut, for display.
@@ -92,6 +100,8 @@ pub enum AtRest {
     NearReference,
     /// Where the static law meets the plant.
     WhereTheLawMeetsThePlant,
+    /// Nobody knows: a script can be any law.
+    Unknown,
 }
 
 /// The control sample that a law is explained with.
@@ -101,6 +111,8 @@ pub struct ControlMoment<'a> {
     pub force_ref_n: f64,
     /// Measured force F_m, N.
     pub force_measured_n: f64,
+    /// The cut that the machine is in, counted from 0.
+    pub cut: usize,
     /// The controller's estimate of true over modelled force.
     pub gain_estimate: f64,
     /// The command that was sent.

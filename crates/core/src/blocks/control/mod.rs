@@ -15,7 +15,10 @@ pub mod override_loop;
 pub mod speed_supervisor;
 
 pub use belief::Belief;
-pub use interface::{ControlInput, ControlOutput, ControlSetup, FeedSpeed, Limits, Running};
+pub use interface::{
+    ControlInput, ControlOutput, ControlSetup, Exceeded, FeedSpeed, Limits, OverloadReaction,
+    Running,
+};
 
 use crate::base::settings::{Field, Group, Kind, Spec, Value};
 use crate::models::genetic::ModelSet;
@@ -27,7 +30,7 @@ const DEFAULT: ControllerKind = ControllerKind::Sdnrp;
 
 // Module, type, id in files and on the command line, name for people; in the order of files and lists.
 controllers! {
-    constant_feed::ConstantFeed = "constant_feed", "Constant feed";
+    constant_feed::ConstantFeed = "constant_feed", "Conventional (constant feed)";
     sdnrp::Sdnrp = "sdnrp", "SDNRP";
     tracking::Tracking = "tracking", "Tracking";
     division::Division = "division", "Division";
@@ -36,4 +39,6 @@ controllers! {
     mrac::Mrac = "mrac", "MRAC";
     unks::Unks = "unks", "UNKS";
     preview::Preview = "preview", "Preview";
+    afc::Afc = "afc", "AFC";
+    script::Script = "script", "Script";
 }

@@ -19,6 +19,7 @@ use super::ControlSetup;
 use super::law::{AtRest, ControlMoment};
 use super::override_loop::{COMMAND_PATH, ForceController, ForceLaw, ForceSample};
 use crate::base::equation::number;
+use crate::base::language::{text, tr};
 use crate::base::math::limit;
 use crate::models::printed::Printed;
 
@@ -218,19 +219,23 @@ impl ForceLaw for MracLaw {
         match settings.adapted {
             Adapted::Landau => Printed::new(
                 "u = [y_m + c_1 y_{m,before} - Σ_{i>0} θ_i φ_i] / θ_0",
-                "Landau and Lozano's direct form, as Daneshmend and Pak and Tomizuka, cited in \
-                 Combined system 2005, used it; numbers chosen",
+                text!(
+                    "Landau and Lozano's direct form, as Daneshmend and Pak and Tomizuka, cited in \
+                 Combined system 2005, used it; numbers chosen"
+                ),
             ),
             Adapted::Gain => Printed::new(
                 "u = r / K,  K' = γ u_a (y - K u_a) / (0.05 + u_a^2)",
-                "chosen: model-reference adaptive control of Combined system 2005 with one gain",
+                text!(
+                    "chosen: model-reference adaptive control of Combined system 2005 with one gain"
+                ),
             ),
         }
     }
 
     fn explain(settings: &MracSettings, moment: &ControlMoment) -> (String, String) {
         match settings.adapted {
-            Adapted::Landau => ("u from five adapted parameters θ φ".to_owned(), String::new()),
+            Adapted::Landau => (tr("u from five adapted parameters θ φ").to_owned(), String::new()),
             Adapted::Gain => {
                 ("u = r / K".to_owned(), format!("K = {}", number(moment.gain_estimate)))
             }

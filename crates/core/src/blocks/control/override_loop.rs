@@ -217,6 +217,8 @@ impl OverrideLoop {
             gain_estimate: law.gain(),
             feed_model_valid: true,
             speed_model_valid: true,
+            exceeded: None,
+            switched_off: false,
         }
     }
 }

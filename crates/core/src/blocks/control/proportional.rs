@@ -13,6 +13,7 @@ use super::ControlSetup;
 use super::law::{AtRest, ControlMoment};
 use super::override_loop::{COMMAND_PATH, ForceController, ForceLaw, ForceSample};
 use crate::base::equation::number;
+use crate::base::language::text;
 use crate::models::printed::Printed;
 
 crate::settings! {
@@ -21,7 +22,7 @@ crate::settings! {
         /// Proportional gain on the relative force error (chosen by its stability limit).
         kp: f64 = 1.1, [0.0, 5.0], "", live, "Gain Kp";
         /// Integral gain per control period; 0 for pure P.
-        ki: f64 = 0.0, [0.0, 1.0], "", live, "Integral gain";
+        ki: f64 = 0.0, [0.0, 1.0], "", live, "Integral gain Ki";
         /// Whether the force is corrected for the dead time (Smith predictor).
         smith: bool = false, [], "", live, "Smith predictor";
     }
@@ -85,7 +86,7 @@ impl ForceLaw for ProportionalLaw {
     fn printed(_: &ProportionalSettings) -> Printed {
         Printed::new(
             "u = 1 + Kp (1 - y) + Ki Σ(1 - y),  y = F_m / F_{ref}",
-            "Tlusty and Elbestawi, cited in Combined system 2005; gains chosen",
+            text!("Tlusty and Elbestawi, cited in Combined system 2005; gains chosen"),
         )
     }
 

@@ -39,6 +39,12 @@ macro_rules! controllers {
                 match self { $( Self::$name => <$module::$name as ControlLaw>::LEARNS, )+ }
             }
 
+            /// Whether a control period of it takes memory.
+            #[must_use]
+            pub fn allocates(self) -> bool {
+                match self { $( Self::$name => <$module::$name as ControlLaw>::ALLOCATES, )+ }
+            }
+
             /// The limits that it keeps, of those that the overrides set.
             #[must_use]
             pub fn limits(self, overrides: Limits) -> Limits {
@@ -189,6 +195,12 @@ macro_rules! controllers {
             /// One control period.
             pub fn update(&mut self, input: &ControlInput) -> ControlOutput {
                 match self { $( Self::$name(law) => law.update(input), )+ }
+            }
+
+            /// What went wrong in it, if anything did.
+            #[must_use]
+            pub fn problem(&self) -> Option<&script::ScriptProblem> {
+                match self { $( Self::$name(law) => law.problem(), )+ }
             }
 
             /// The networks that learn in the cut, for display; none where there are none.

@@ -13,6 +13,7 @@
 use super::law::{AtRest, ControlLaw, ControlMoment, Explained, Held};
 use super::{ControlInput, ControlOutput, ControlSetup, FeedSpeed};
 use crate::base::equation::{Live, number};
+use crate::base::language::text;
 use crate::models::genetic::ModelSet;
 use crate::models::printed::Printed;
 
@@ -60,6 +61,8 @@ impl ControlLaw for Sdnrp {
             gain_estimate: 1.0,
             feed_model_valid: feed.valid,
             speed_model_valid: speed.valid,
+            exceeded: None,
+            switched_off: false,
         }
     }
 
@@ -71,10 +74,10 @@ impl ControlLaw for Sdnrp {
         let source = match set {
             // That of the milling simulator has the form of 2007.
             ModelSet::Sdnrp2007 | ModelSet::Milling2005 => {
-                "SDNRP 2007, figures lost: the reading that fits text and Table 3"
+                text!("SDNRP 2007, figures lost: the reading that fits text and Table 3")
             }
             ModelSet::Strategy2013 => {
-                "Control strategy 2013, steps 5 to 7, in words only: read as in SDNRP 2007"
+                text!("Control strategy 2013, steps 5 to 7, in words only: read as in SDNRP 2007")
             }
         };
         vec![Printed::new("F_s = F_d + Kp (F_d - F_m)", source)]

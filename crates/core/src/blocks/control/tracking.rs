@@ -26,6 +26,7 @@
 use super::law::{AtRest, ControlLaw, ControlMoment, Explained, Held};
 use super::{ControlInput, ControlOutput, ControlSetup, FeedSpeed, Limits, Running};
 use crate::base::equation::{Live, number};
+use crate::base::language::{text, tr};
 use crate::base::math::{self, limit};
 use crate::base::units::ratio_from_percent;
 use crate::models::feed_drive::{DEAD_TIME_MAX_S, DriveState, ExactDrive};
@@ -230,6 +231,8 @@ impl ControlLaw for Tracking {
             gain_estimate: self.gain,
             feed_model_valid: feed.valid,
             speed_model_valid: speed.valid,
+            exceeded: None,
+            switched_off: false,
         }
     }
 
@@ -250,7 +253,7 @@ impl ControlLaw for Tracking {
         };
         vec![Printed::new(
             law,
-            "chosen: internal model control with a Smith predictor; no paper prints it",
+            text!("chosen: internal model control with a Smith predictor; no paper prints it"),
         )]
     }
 
@@ -260,9 +263,10 @@ impl ControlLaw for Tracking {
         let lambda_s = lambda_s(settings, moment.belief.dead_time_s);
         let mut lines = vec![
             Live::everywhere(
-                format!(
-                    "g follows F_m / {k}4(predicted f, n) with a time constant of {} s",
-                    number(lambda_s)
+                tr!(
+                    "g follows F_m / {model}(predicted f, n) with a time constant of {time} s",
+                    model = format!("{k}4"),
+                    time = number(lambda_s)
                 ),
                 format!("g = {}  (F_m = {} N)", number(gain), number(moment.force_measured_n)),
             ),
@@ -276,27 +280,36 @@ impl ControlLaw for Tracking {
                 ),
             ),
             Live {
-                formula: format!("f_c, n_c from {k}4(f_c, n_c) = u on the line of {k}2 and {k}3"),
+                formula: tr!(
+                    "f_c, n_c from {model_4}(f_c, n_c) = u on the line of {model_2} and {model_3}",
+                    model_4 = format!("{k}4"),
+                    model_2 = format!("{k}2"),
+                    model_3 = format!("{k}3")
+                ),
                 values: format!(
                     "f_c = {} mm/min, n_c = {} 1/min",
                     number(command.feed_mm_min),
                     number(command.speed_rpm)
                 ),
-                range: format!("{k}3 and the inverse of {k}4 within their ranges"),
+                range: tr!(
+                    "{model_3} and the inverse of {model_4} within their ranges",
+                    model_3 = format!("{k}3"),
+                    model_4 = format!("{k}4")
+                ),
                 valid: moment.models_valid,
             },
         ];
         if resolution.feed_mm_min > 0.0 {
             lines.push(Live::everywhere(
-                "what rounding to whole % takes is added to the next request: the mean is as asked",
-                format!(
-                    "1 % is {} mm/min and {} 1/min",
-                    number(resolution.feed_mm_min),
-                    number(resolution.speed_rpm)
+                tr("what rounding to whole % takes is added to the next request: the mean is as asked"),
+                tr!(
+                    "1 % is {feed} mm/min and {speed} 1/min",
+                    feed = number(resolution.feed_mm_min),
+                    speed = number(resolution.speed_rpm)
                 ),
             ));
         }
-        let beside_name = format!("gain {}", number(gain));
+        let beside_name = tr!("gain {gain}", gain = number(gain));
         Explained { lines, models_at_n: None, beside_name }
     }
 }

@@ -7,6 +7,7 @@
 //! Between two teeth the cutter then moves on by more than its radius, so that its body, and not an edge,
 //! meets the work (chosen; real cutters break at a fraction of it). A standing spindle is the limit of it.
 
+use crate::base::language::tr;
 use crate::models::tool::Tool;
 
 /// A crash that has ended a run.
@@ -26,12 +27,16 @@ pub struct Crash {
 
 impl std::fmt::Display for Crash {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { feed_mm_min, speed_rpm, radius_mm, position_mm, time_s } = self;
-        write!(
-            f,
-            "crashed at {time_s:.2} s, {position_mm:.1} mm: a feed of {feed_mm_min:.0} mm/min at \
-             {speed_rpm:.1} 1/min is more than the cutter's radius, {radius_mm} mm, for each tooth"
-        )
+        let Self { feed_mm_min, speed_rpm, radius_mm, position_mm, time_s } = *self;
+        f.write_str(&tr!(
+            "The tool crashed at {time:.2} s, {position:.1} mm: a feed of {feed:.0} mm/min at {speed:.1} \
+             1/min is more than the cutter's radius, {radius} mm, for each tooth",
+            time = time_s,
+            position = position_mm,
+            feed = feed_mm_min,
+            speed = speed_rpm,
+            radius = radius_mm
+        ))
     }
 }
 

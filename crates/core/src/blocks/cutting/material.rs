@@ -65,6 +65,12 @@ impl Material {
         self.constants().2
     }
 
+    /// Power of the chip thickness in the cutting force of Kienzle's law, 1 - m_c.
+    #[must_use]
+    pub fn feed_exponent(self) -> f64 {
+        1.0 - self.constants().1
+    }
+
     /// Force relative to Ck45 at 200 HB.
     #[must_use]
     pub fn force_factor(self, hardness_hb: f64) -> f64 {

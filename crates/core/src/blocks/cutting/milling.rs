@@ -120,6 +120,11 @@ impl Milling {
         self.sampled_turn
     }
 
+    /// The first so many teeth are broken from now on.
+    pub fn break_teeth(&mut self, broken: usize) {
+        self.sliced.break_teeth(broken);
+    }
+
     /// Takes the model's own compliance away: a machine that is coupled to the cut has its own.
     pub fn make_rigid(&mut self) {
         self.compliance_mm_n = 0.0;

@@ -4,6 +4,7 @@
 //! give the depth at the tool, [`crash`] what cannot be cut, [`material`] and [`wear`] factors on the force, [`disturbance`] its dynamic
 //! component.
 
+pub mod breakage;
 pub mod contact;
 pub mod crash;
 pub mod disturbance;

@@ -7,9 +7,10 @@
 //! | a map of several cuts | the same where the ball meets their sections ([`super::contact`]) |
 //! | tooth by tooth | that of the instant, its maximum held for a control period ([`super::milling`]) |
 //!
-//! What is one force to everything behind it stands in [`Force`]. The dynamic component multiplies the
-//! maximum of a map and every instant of the teeth: only a map's force is known without it. However large the
-//! noise, the size of a force is not negative.
+//! What is one force to everything behind it stands in [`Force`]; what the teeth do at the instant stays with
+//! the process that simulates them. The dynamic component multiplies the maximum of a map and every instant of
+//! the teeth: only a map's force is known without it. However large the noise, the size of a force is not
+//! negative.
 
 use super::force_model::law::ForceSetup;
 pub use super::force_model::{ForceModel, Process};
@@ -17,7 +18,6 @@ use super::material::Material;
 use super::tool_path::{Engagement, ToolPath};
 use crate::models::Valued;
 use crate::models::genetic::{Calibration, FormulaSettings, ModelSet};
-use crate::models::mechanistic::MAX_TEETH;
 use crate::models::part::CutPath;
 use crate::models::tool::Tool;
 
@@ -53,44 +53,14 @@ pub struct Force {
     pub model: Valued,
     /// The same with all that shakes it, N: dynamic component and vibration.
     pub dynamic_n: f64,
-    /// F_x, F_y, F_z of this instant in N, tooth by tooth.
-    pub teeth_n: Option<[f64; 3]>,
-    /// Height of the edges in the cut in mm by the tooth before that left the surface, tooth by tooth
-    /// ([`crate::models::mechanistic::Cutting`]).
-    pub height_mm: [f64; MAX_TEETH],
     /// No chip is cut: the tool is in the air, or stands.
     pub air: bool,
 }
 
 impl Force {
     /// No force, because no chip is cut.
-    pub const NONE: Self = Self {
-        model: Valued { value: 0.0, valid: true },
-        dynamic_n: 0.0,
-        teeth_n: None,
-        height_mm: [0.0; MAX_TEETH],
-        air: true,
-    };
-
-    /// F_x and F_y of this instant, N; of a map its largest force.
-    #[must_use]
-    #[inline]
-    pub fn across_n(&self) -> [f64; 2] {
-        match self.teeth_n {
-            Some([x, y, _]) => [x, y],
-            None => [self.dynamic_n, 0.0],
-        }
-    }
-
-    /// The force across the tool that acts in this plant step, N.
-    #[must_use]
-    #[inline]
-    pub fn acting_n(&self) -> f64 {
-        match self.teeth_n {
-            Some([x, y, _]) => (x * x + y * y).sqrt(),
-            None => self.dynamic_n,
-        }
-    }
+    pub const NONE: Self =
+        Self { model: Valued { value: 0.0, valid: true }, dynamic_n: 0.0, air: true };
 }
 
 /// What a plant step cuts.
@@ -106,8 +76,6 @@ pub struct CutStep<'a> {
     pub place: Engagement,
     /// The cut under the tool, and where along it the axis is, mm.
     pub under: (&'a CutPath, f64),
-    /// Factor of the dynamic component.
-    pub dynamic: f64,
     /// Factor of the wear over the tool's life.
     pub life_factor: f64,
     /// Force below which a tool that goes through cuts with air between them counts as in the air, N.

@@ -4,6 +4,7 @@
 
 use super::workpiece::{DepthProfile, Workpiece};
 use crate::base::math;
+use crate::models::disturbances::Disturbances;
 use crate::models::part::{APPROACH_MM, CutPath};
 use crate::models::tool::Outline;
 
@@ -63,6 +64,8 @@ pub struct ToolPath {
     /// The cuts; the one path as a cut that is open at its start.
     cuts: Vec<CutPath>,
     several: bool,
+    /// What the part differs by in depth from how it is programmed; none where it does not.
+    depths: Option<Box<Disturbances>>,
     /// The cut under the tool and where along the way it began.
     cut: usize,
     began_mm: f64,
@@ -79,11 +82,36 @@ impl ToolPath {
             radial_depth_mm: workpiece.radial_depth_mm,
             cuts: workpiece.cuts.iter().map(|sections| CutPath::new(sections)).collect(),
             several: !workpiece.cuts.is_empty(),
+            depths: None,
             cut: 0,
             began_mm: 0.0,
         };
         path.lay_profile(workpiece.axial_depth_mm);
         path
+    }
+
+    /// The same way through a part with gaps and other depths than programmed.
+    #[must_use]
+    pub fn disturbed(mut self, disturbances: &Disturbances) -> Self {
+        self.disturb(disturbances);
+        self
+    }
+
+    fn disturb(&mut self, disturbances: &Disturbances) {
+        self.depths = disturbances.changes_depth().then(|| Box::new(disturbances.clone()));
+        let Some(depths) = &self.depths else { return };
+        let mut starts_mm = 0.0;
+        for cut in &mut self.cuts {
+            if self.several {
+                starts_mm += APPROACH_MM;
+            }
+            let borders: Vec<f64> =
+                depths.depth_borders_mm().iter().map(|border| border - starts_mm).collect();
+            let length_mm = cut.length_mm();
+            *cut =
+                cut.with_depths(&borders, |x_mm, now_mm| depths.depth_mm(starts_mm + x_mm, now_mm));
+            starts_mm += length_mm;
+        }
     }
 
     /// The one path as a cut, from here on; `axial_depth_mm` is where the radial depth is counted.
@@ -95,9 +123,13 @@ impl ToolPath {
     }
 
     /// Takes over changed depths in the running cut.
-    pub fn reconfigure(&mut self, workpiece: &Workpiece) {
+    pub fn reconfigure(&mut self, workpiece: &Workpiece, disturbances: &Disturbances) {
         self.profile.reconfigure(workpiece);
         self.lay_profile(workpiece.axial_depth_mm);
+        if self.several {
+            self.cuts = workpiece.cuts.iter().map(|sections| CutPath::new(sections)).collect();
+        }
+        self.disturb(disturbances);
     }
 
     /// Length of the way of a workpiece, mm.
@@ -126,7 +158,10 @@ impl ToolPath {
     #[inline]
     pub fn place(&mut self, position_mm: f64) -> Engagement {
         if !self.several {
-            let axial_depth_mm = self.profile.at(position_mm);
+            let mut axial_depth_mm = self.profile.at(position_mm);
+            if let Some(depths) = &self.depths {
+                axial_depth_mm = depths.depth_mm(position_mm, axial_depth_mm);
+            }
             return Engagement { axial_depth_mm, radial_depth_mm: self.radial_depth_mm };
         }
         let (cut, x_mm) = self.cut_at(position_mm);
@@ -204,6 +239,36 @@ impl ToolPath {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::settings::Group;
+    use crate::models::disturbances::{Disturbance, Zone};
+
+    fn with_gap(at_mm: f64, length_mm: f64) -> Disturbances {
+        let mut disturbances = Disturbances::default();
+        let gap = disturbances.with(Disturbance::Gap, Zone { at_mm, length_mm, size: 1.0 });
+        let specs = Disturbances::specs();
+        let spec = specs.iter().find(|spec| spec.key == "gaps").unwrap();
+        disturbances.set("gaps", &gap, &spec.allowed).unwrap();
+        disturbances
+    }
+
+    #[test]
+    fn a_gap_lies_at_its_place_along_the_whole_way() {
+        let straight = Workpiece::default();
+        let mut path = ToolPath::new(&straight, Outline::ball(8.0)).disturbed(&with_gap(50.0, 5.0));
+        let depths = [49.99, 50.0, 54.99, 55.0].map(|x| path.place(x).axial_depth_mm);
+        assert_eq!(depths, [2.0, 0.0, 0.0, 2.0]);
+        assert_eq!(path.cut_at(52.0).0.section_at(52.0)[0], 0.0, "the teeth meet it too");
+        // In the second of two cuts, whose approaches count.
+        let cuts = Workpiece {
+            cuts: vec![vec![[10.0, 2.0, 2.0]], vec![[20.0, 3.0, 1.0]]],
+            ..Workpiece::default()
+        };
+        let second_mm = 10.0 + 2.0 * APPROACH_MM;
+        let gap = with_gap(second_mm + 4.0, 2.0);
+        let path = ToolPath::new(&cuts, Outline::ball(8.0)).disturbed(&gap);
+        assert_eq!([3.9, 4.1, 5.9, 6.1].map(|x| path.of(1).section_at(x)[0]), [3.0, 0.0, 0.0, 3.0]);
+        assert_eq!(path.of(0).section_at(4.1)[0], 2.0, "not in the first one");
+    }
 
     #[test]
     fn cuts_follow_each_other_with_an_approach_each() {
@@ -243,7 +308,8 @@ mod tests {
         assert_eq!(cut.depth_at(-5.0, wall - 1e-9), 0.0);
         assert_eq!(cut.depth_at(51.0, wall + 1e-9), 2.5);
         path.place(60.0);
-        path.reconfigure(&Workpiece { axial_depth_mm: 1.0, ..workpiece });
+        let other = Workpiece { axial_depth_mm: 1.0, ..workpiece };
+        path.reconfigure(&other, &Disturbances::default());
         assert_eq!(path.cut_at(60.0).0.depth_at(61.0, 5.0), 1.0);
         let ball = Outline::ball(8.0);
         let [low, high] = strip_mm(&ball, path.cut_at(60.0).0, 60.0).unwrap();

@@ -4,9 +4,10 @@
 //! x += time_scale dt / T(vc, fz, ap)      in the cut;  factor on the force = 1 + kappa w(x)
 //! ```
 
+use crate::base::math;
 use crate::base::units::s_from_min;
 use crate::models::tool::Tool;
-use crate::models::wear::{WearCut, WearModel, WearSettings};
+use crate::models::wear::{WEAR_MAX, WearCut, WearModel, WearSettings};
 
 /// The tool with the fraction of its life that is used.
 #[derive(Clone, Debug)]
@@ -14,6 +15,8 @@ pub struct ToolWear {
     settings: WearSettings,
     tool: Tool,
     used_life: f64,
+    /// Wear land that jumps have added, mm.
+    jumped_mm: f64,
     /// Whether the life at the present cut is one that its curve knows.
     life_is_known: bool,
 }
@@ -23,7 +26,18 @@ impl ToolWear {
     #[must_use]
     pub fn new(settings: &WearSettings, tool: &Tool) -> Self {
         let used_life = settings.used_life;
-        Self { settings: settings.clone(), tool: tool.clone(), used_life, life_is_known: true }
+        Self {
+            settings: settings.clone(),
+            tool: tool.clone(),
+            used_life,
+            jumped_mm: 0.0,
+            life_is_known: true,
+        }
+    }
+
+    /// Takes the wear land in mm that jumps have added so far.
+    pub fn jump(&mut self, jumped_mm: f64) {
+        self.jumped_mm = jumped_mm;
     }
 
     /// Takes over changed settings; the tool stays as worn as it is.
@@ -42,30 +56,42 @@ impl ToolWear {
         self.settings.model == WearModel::Life
     }
 
-    /// Wear w; 0 where the tool does not wear in the run.
+    /// Whether its wear counts: it wears in the run, or has jumped.
+    fn is_worn(&self) -> bool {
+        self.wears() || self.jumped_mm > 0.0
+    }
+
+    /// Wear w, what has jumped included; 0 where the tool neither wears in the run nor has jumped.
     fn wear(&self) -> f64 {
-        if self.wears() { self.settings.wear(self.used_life) } else { 0.0 }
+        let passed = if self.wears() { self.settings.wear(self.used_life) } else { 0.0 };
+        if self.jumped_mm > 0.0 {
+            math::limit(passed + self.jumped_mm / self.settings.flank_end_mm, 0.0, WEAR_MAX)
+        } else {
+            passed
+        }
     }
 
     /// Whether wear, force and life are such as their curves know: beyond
-    /// [`WEAR_MAX`](crate::models::wear::WEAR_MAX) the edge is gone, and nobody has measured what is left.
+    /// [`WEAR_MAX`] the edge is gone, and nobody has measured what is left.
     #[must_use]
     pub fn is_known(&self) -> bool {
         let wear = || self.settings.wear_valued(self.used_life);
         let force = || self.settings.force_valued(self.wear());
-        !self.wears() || (self.life_is_known && wear().valid && force().valid)
+        let jumped = self.jumped_mm > 0.0;
+        (!self.wears() || (self.life_is_known && wear().valid && force().valid))
+            && (!jumped || (self.wear() < WEAR_MAX && force().valid))
     }
 
-    /// Factor on the force; 1 where the tool does not wear in the run.
+    /// Factor on the force; 1 where the tool neither wears in the run nor has jumped.
     #[must_use]
     pub fn force_factor(&self) -> f64 {
-        if self.wears() { self.settings.force_factor(self.wear()) } else { 1.0 }
+        if self.is_worn() { self.settings.force_factor(self.wear()) } else { 1.0 }
     }
 
-    /// Factor on the stiffness of the tooth; 1 where the tool does not wear in the run.
+    /// Factor on the stiffness of the tooth; 1 where the tool neither wears in the run nor has jumped.
     #[must_use]
     pub fn stiffness_factor(&self) -> f64 {
-        if self.wears() { self.settings.stiffness_factor(self.wear()) } else { 1.0 }
+        if self.is_worn() { self.settings.stiffness_factor(self.wear()) } else { 1.0 }
     }
 
     /// Process damping in N s/m of a tooth in the cut at an axial depth in mm and a speed in 1/min.
@@ -100,7 +126,6 @@ impl ToolWear {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::math;
 
     /// Feed for 0.135 mm per tooth at 80 m/min, and that speed.
     const SPEED_RPM: f64 = 80_000.0 / (math::PI * 16.0);
@@ -133,6 +158,24 @@ mod tests {
         assert!(!tool.is_known());
         let fixed = WearSettings { model: WearModel::Fixed, ..fast };
         assert!(worn(&fixed, 1).is_known());
+    }
+
+    #[test]
+    fn a_jump_of_the_wear_land_counts_whether_the_tool_wears_or_not() {
+        // 0.15 of 0.3 mm are half of the wear, and half of the growth of the force.
+        let fixed = WearSettings::default();
+        let mut tool = ToolWear::new(&fixed, &Tool::default());
+        tool.jump(0.15);
+        assert!((tool.force_factor() - 1.3).abs() < 1e-12);
+        assert!(tool.is_known() && tool.used_life() == 0.0);
+        let life = WearSettings { model: WearModel::Life, used_life: 0.5, ..fixed };
+        let mut worn = ToolWear::new(&life, &Tool::default());
+        let before = worn.force_factor();
+        worn.jump(0.15);
+        assert!((worn.force_factor() - before - 0.3).abs() < 1e-12);
+        worn.jump(5.0);
+        assert!((worn.force_factor() - 2.2).abs() < 1e-12, "no more than an edge that is gone");
+        assert!(!worn.is_known());
     }
 
     #[test]

@@ -2,9 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{FormulaInput, FormulaModel, FormulaOutput};
+use super::{FormulaFit, FormulaInput, FormulaModel, FormulaOutput};
 use crate::base::files::{JsonLayout, from_json, from_toml, to_json};
 use crate::base::formula::{Formula, Interval, NamedConstant, Unit};
+use crate::base::language::tr;
 use crate::models::tool::ShippedTool;
 
 /// Version of the format.
@@ -35,6 +36,8 @@ pub(in crate::models) struct ModelText {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     constants: Vec<ConstantText>,
     inputs: Vec<InputText>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    fit: Option<FormulaFit>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -71,20 +74,26 @@ fn unit(path: &str, text: &str) -> Result<Unit, String> {
 fn tool(id: &str) -> Result<ShippedTool, String> {
     ShippedTool::from_id(id).ok_or_else(|| {
         let all: Vec<&str> = ShippedTool::ALL.iter().map(|tool| tool.id()).collect();
-        format!("`tool` cannot be `{id}`: allowed is one of {}", all.join(", "))
+        tr!("`tool` cannot be `{id}`: allowed is one of {ids}", id = id, ids = all.join(", "))
     })
 }
 
 impl ModelText {
     pub(super) fn read(text: &str) -> Result<Self, String> {
         if text.len() > MAX_BYTES {
-            return Err(format!("{} bytes; at most {MAX_BYTES} are read", text.len()));
+            return Err(tr!(
+                "{n} bytes; at most {most} are read",
+                n = text.len(),
+                most = MAX_BYTES
+            ));
         }
         // The version comes first: a file of another version may hold anything.
         let Version { version } = from_text(text)?;
         if version != FORMULA_MODEL_VERSION {
-            return Err(format!(
-                "`version` cannot be {version}: allowed is {FORMULA_MODEL_VERSION}"
+            return Err(tr!(
+                "`version` cannot be {version}: allowed is {known}",
+                version = version,
+                known = FORMULA_MODEL_VERSION
             ));
         }
         from_text(text)
@@ -102,8 +111,12 @@ impl ModelText {
             self.inputs.into_iter().enumerate()
         {
             if !(low.is_finite() && high.is_finite() && low < high) {
-                return Err(format!(
-                    "`inputs[{index}]`: the range {low} to {high} of `{name}` is none: allowed is low below high"
+                return Err(tr!(
+                    "`inputs[{index}]`: the range {low} to {high} of `{name}` is none: allowed is low below high",
+                    index = index,
+                    low = low,
+                    high = high,
+                    name = name
                 ));
             }
             let unit = unit(&format!("inputs[{index}].unit"), &text)?;
@@ -112,7 +125,11 @@ impl ModelText {
         let unit = unit("output.unit", &self.output.unit)?;
         let output = FormulaOutput { name: self.output.name, unit };
         let tool = self.tool.map(|id| tool(&id)).transpose()?;
-        Ok(FormulaModel::new(formula, inputs, output, self.source)?.found_on(tool))
+        let model = FormulaModel::new(formula, inputs, output, self.source)?.found_on(tool);
+        match self.fit {
+            Some(fit) => model.with_fit(fit).map_err(|problem| format!("`fit`: {problem}")),
+            None => Ok(model),
+        }
     }
 
     pub(in crate::models) fn of(model: &FormulaModel) -> Self {
@@ -134,6 +151,7 @@ impl ModelText {
                 .map(|NamedConstant { name, value }| ConstantText { name, value })
                 .collect(),
             inputs: model.inputs().iter().map(input).collect(),
+            fit: model.fit().cloned(),
         }
     }
 

@@ -5,6 +5,7 @@
 //! the model is refused.
 
 mod file;
+mod fit;
 mod setting;
 
 pub(super) use self::file::ModelText;
@@ -14,8 +15,10 @@ use crate::base::equation::number;
 use crate::base::formula::{
     CompiledFormula, Formula, FormulaError, Interval, NumberUnits, Unit, UnitReport,
 };
+use crate::base::language::{fixed, tr};
 
 pub use file::{FORMULA_MODEL_VERSION, MAX_MODEL_INPUTS};
+pub use fit::FormulaFit;
 pub(crate) use setting::role;
 pub use setting::{FormulaRole, OwnFormula};
 
@@ -50,6 +53,7 @@ pub struct FormulaModel {
     compiled: CompiledFormula,
     slopes: Vec<CompiledFormula>,
     bounds: Interval,
+    fit: Option<FormulaFit>,
 }
 
 impl FormulaModel {
@@ -65,21 +69,35 @@ impl FormulaModel {
         source: String,
     ) -> Result<Self, String> {
         if inputs.len() > MAX_MODEL_INPUTS {
-            return Err(format!("{} inputs: allowed are at most {MAX_MODEL_INPUTS}", inputs.len()));
+            return Err(tr!(
+                "{n} inputs: allowed are at most {most}",
+                n = inputs.len(),
+                most = MAX_MODEL_INPUTS
+            ));
         }
         if !inputs.iter().map(|input| &input.name).eq(formula.inputs()) {
-            return Err("the inputs are not those of the formula".to_owned());
+            return Err(tr("the inputs are not those of the formula").to_owned());
         }
         let ranges: Vec<Interval> = inputs.iter().map(|input| input.range).collect();
-        let bounds = finite(&formula, &ranges, "the formula")?;
+        let bounds = finite(&formula, &ranges, None)?;
         let mut slopes = Vec::new();
         for (index, input) in inputs.iter().enumerate() {
             let slope = formula.derivative(index)?;
-            finite(&slope, &ranges, &format!("its slope by `{}`, {slope},", input.name))?;
+            finite(&slope, &ranges, Some(&input.name))?;
             slopes.push(slope.compile());
         }
         let compiled = formula.compile();
-        Ok(Self { formula, inputs, output, source, tool: None, compiled, slopes, bounds })
+        Ok(Self {
+            formula,
+            inputs,
+            output,
+            source,
+            tool: None,
+            compiled,
+            slopes,
+            bounds,
+            fit: None,
+        })
     }
 
     /// Reads a model file: TOML, or JSON where it begins with a brace.
@@ -136,6 +154,27 @@ impl FormulaModel {
     #[must_use]
     pub fn tool(&self) -> Option<ShippedTool> {
         self.tool
+    }
+
+    /// The same with how sure the rows make its constants.
+    ///
+    /// # Errors
+    /// Names the entry of the fit that cannot be, and what is allowed.
+    pub fn with_fit(self, fit: FormulaFit) -> Result<Self, String> {
+        fit.check(&self.formula)?;
+        Ok(Self { fit: Some(fit), ..self })
+    }
+
+    /// The same without it: a run reads the values alone.
+    #[must_use]
+    pub fn without_fit(self) -> Self {
+        Self { fit: None, ..self }
+    }
+
+    /// How sure the rows make its constants, where it says so.
+    #[must_use]
+    pub fn fit(&self) -> Option<&FormulaFit> {
+        self.fit.as_ref()
     }
 
     /// Whether it holds for a cutter that cuts as this shipped one; a model that names none is taken for one of
@@ -219,14 +258,14 @@ impl FormulaModel {
                 // A long way beyond, each digit of a small slope counts.
                 let slope = self.slope(index, inputs);
                 let digits = (1e-5..1.0).contains(&slope.abs());
-                let text = if digits { format!("{slope:.6}") } else { number(slope) };
+                let text = if digits { fixed(slope, 6) } else { number(slope) };
                 let slope = if slope < 0.0 { format!("({text})") } else { text };
                 beyond += &format!(" + {slope} · ({} - {})", number(*x), value(place));
             }
             nearest.push(value(place));
         }
         let nearest: Vec<&str> = nearest.iter().map(String::as_str).collect();
-        [self.formula.equation(names), self.formula.equation(&nearest) + &beyond]
+        [self.formula.equation(names), self.formula.equation(&nearest) + beyond.as_str()]
     }
 
     /// Whether it is right in its units, and the units of its constants.
@@ -239,22 +278,55 @@ impl FormulaModel {
     }
 }
 
-/// Bounds over the ranges, or why it may not be finite.
-fn finite(formula: &Formula, ranges: &[Interval], what: &str) -> Result<Interval, String> {
+/// A list as a sentence has it, the last one behind an `and`.
+fn all_of(texts: Vec<String>) -> String {
+    let joined =
+        |first: String, last: String| tr!("{first} and {last}", first = first, last = last);
+    texts.into_iter().reduce(joined).unwrap_or_default()
+}
+
+/// Bounds over the ranges, or why it may not be finite, of a formula or of its slope by the named input.
+fn finite(
+    formula: &Formula,
+    ranges: &[Interval],
+    slope_by: Option<&str>,
+) -> Result<Interval, String> {
     let (values, places) = formula.certify_values(ranges)?;
     let place = match (values, places.first()) {
         (Some(values), None) => return Ok(values),
         (_, place) => place,
     };
-    let Some(place) = place else { return Err(format!("{what} has no bounds on its ranges")) };
+    let Some(place) = place else {
+        return Err(match slope_by {
+            None => tr("the formula has no bounds on its ranges").to_owned(),
+            Some(input) => tr!(
+                "its slope by `{input}`, {slope}, has no bounds on its ranges",
+                input = input,
+                slope = formula.to_string()
+            ),
+        });
+    };
     let at: Vec<String> = (formula.inputs().iter().zip(&place.at))
-        .map(|(name, Interval { low, high })| format!("`{name}` from {low} to {high}"))
+        .map(|(name, Interval { low, high })| {
+            tr!("`{name}` from {low} to {high}", name = name, low = *low, high = *high)
+        })
         .collect();
-    Err(format!(
-        "{what} is not certain to have a finite value on its ranges: for {}, {}",
-        at.join(" and "),
-        place.why
-    ))
+    let (place, why) = (all_of(at), &place.why);
+    Err(match slope_by {
+        None => tr!(
+            "the formula is not certain to have a finite value on its ranges: for {place}, {why}",
+            place = place,
+            why = why
+        ),
+        Some(input) => tr!(
+            "its slope by `{input}`, {slope}, is not certain to have a finite value on its ranges: for \
+             {place}, {why}",
+            input = input,
+            slope = formula.to_string(),
+            place = place,
+            why = why
+        ),
+    })
 }
 
 #[cfg(test)]
@@ -297,6 +369,31 @@ high = 4000
         assert_eq!(FormulaModel::parse(&square.write()).unwrap(), square);
         assert_eq!(FormulaModel::parse(&square.write_line()).unwrap(), square);
         assert_eq!(model.units().unwrap().constants[0].unit, "N");
+    }
+
+    /// Two of its five numbers were fitted.
+    const FIT: &str = "\n[fit]\nrows = 20\ndeviation = 0.5\nconstants = [253.66, 8973]\ncovariance = [[0.04], [-0.1, 9]]\n";
+
+    #[test]
+    fn a_fit_is_kept_in_the_file_and_not_in_a_setting() {
+        let model = FormulaModel::parse(&format!("{MODEL}{FIT}")).unwrap();
+        let fit = model.fit().unwrap();
+        assert_eq!((fit.freedom(), fit.covariance(0, 1), fit.covariance(1, 1)), (18, -0.1, 9.0));
+        assert_eq!(FormulaModel::parse(&model.write()).unwrap(), model);
+        assert_eq!(model.clone().without_fit(), FormulaModel::parse(MODEL).unwrap());
+        for (from, to, parts) in [
+            ("rows = 20", "rows = 2", ["`rows` cannot be 2", "the 2 constants"]),
+            ("0.5", "-0.5", ["`deviation` cannot be -0.5", "0 or more"]),
+            ("8973", "8974", ["cannot have 8974", "from left to right"]),
+            ("[253.66, 8973]", "[8973, 253.66]", ["cannot have 253.66", "numbers of the formula"]),
+            (", 9]]", "]]", ["`covariance` is none of 2", "lower triangle"]),
+            (", 9]]", ", -9]]", ["`covariance` is none of 2", "diagonal"]),
+            ("rows", "row", ["unknown field `row`", "line"]),
+        ] {
+            let error = FormulaModel::parse(&format!("{MODEL}{}", FIT.replacen(from, to, 1)));
+            let error = error.unwrap_err();
+            assert!(parts.iter().all(|part| error.contains(part)), "{to}: {error}");
+        }
     }
 
     #[test]

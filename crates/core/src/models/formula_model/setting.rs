@@ -4,8 +4,9 @@
 use std::marker::PhantomData;
 use std::sync::Arc;
 
-use super::FormulaModel;
+use super::{FormulaModel, all_of};
 use crate::base::formula::Unit;
+use crate::base::language::tr;
 use crate::base::settings::{Editor, FormulaShape, Structure, Value};
 
 /// What a model stands for: the units of its inputs, in their order, and of its result.
@@ -49,7 +50,7 @@ pub struct OwnFormula<R: FormulaRole> {
 
 /// A unit as people read it.
 fn told(unit: &str) -> &str {
-    if unit.is_empty() { "a number without a unit" } else { unit }
+    if unit.is_empty() { tr("a number without a unit") } else { unit }
 }
 
 impl<R: FormulaRole> Default for OwnFormula<R> {
@@ -91,17 +92,20 @@ impl<R: FormulaRole> OwnFormula<R> {
             let given: Vec<String> = model
                 .inputs()
                 .iter()
-                .map(|input| format!("`{}` in {}", input.name, told(&input.unit.to_string())))
+                .map(|input| {
+                    let unit = input.unit.to_string();
+                    tr!("`{name}` in {unit}", name = &input.name, unit = told(&unit))
+                })
                 .collect();
-            return Err(format!(
-                "it makes {} of {}: allowed is {} of {}",
-                told(&output.to_string()),
-                given.join(" and "),
-                told(R::OUTPUT),
-                R::MEANING
+            return Err(tr!(
+                "it makes {output} of {inputs}: allowed is {wanted} of {of}",
+                output = told(&output.to_string()),
+                inputs = all_of(given),
+                wanted = told(R::OUTPUT),
+                of = tr(R::MEANING)
             ));
         };
-        let model = model.in_order(&order)?;
+        let model = model.in_order(&order)?.without_fit();
         Ok(Self { model: Some(Arc::new(model)), role: PhantomData })
     }
 
@@ -122,10 +126,10 @@ impl<R: FormulaRole> Structure for OwnFormula<R> {
         Vec::new()
     }
     fn allowed(_: [f64; 2], _: &str) -> String {
-        format!(
-            "nothing, or the text of a formula's model file: {} of {}, finite on its ranges",
-            told(R::OUTPUT),
-            R::MEANING
+        tr!(
+            "nothing, or the text of a formula's model file: {wanted} of {of}, finite on its ranges",
+            wanted = told(R::OUTPUT),
+            of = tr(R::MEANING)
         )
     }
     fn write(&self) -> Value {
@@ -142,7 +146,8 @@ impl<R: FormulaRole> Structure for OwnFormula<R> {
         let Value::Text(text) = value else { return None };
         // The line with the caret does not go into a message of one line.
         let fault = Self::from_text(text).err()?;
-        Some(format!("this text ({})", fault.lines().next().unwrap_or_default()))
+        let fault = fault.lines().next().unwrap_or_default();
+        Some(tr!("this text ({problem})", problem = fault))
     }
     fn editor(_: [f64; 2]) -> Editor {
         Editor::Formula(FormulaShape {

@@ -9,6 +9,7 @@ use super::{
     Calibration, CutsAs, FeedLaw, ForceRoughness, GeneticModels, ModelSet, OwnModels, SpeedLaw,
 };
 use crate::base::files::from_toml;
+use crate::base::language::tr;
 
 /// K1..K4 of 2007.
 #[derive(Deserialize)]
@@ -58,7 +59,12 @@ impl CurveEntry {
         if curve.is_monotone() {
             Ok(curve)
         } else {
-            Err(format!("`{name}` turns round within {low}..{high}: allowed is a monotone curve"))
+            Err(tr!(
+                "`{name}` turns round within {low}..{high}: allowed is a monotone curve",
+                name = name,
+                low = low,
+                high = high
+            ))
         }
     }
 }
@@ -101,9 +107,12 @@ impl ForceEntry {
 
 fn finite<const N: usize>(name: &str, values: [(&str, f64); N]) -> Result<(), String> {
     match values.into_iter().find(|(_, value)| !value.is_finite()) {
-        Some((field, value)) => {
-            Err(format!("`{name}.{field}` cannot be {value}: allowed is a finite number"))
-        }
+        Some((field, value)) => Err(tr!(
+            "`{name}.{field}` cannot be {value}: allowed is a finite number",
+            name = name,
+            field = field,
+            value = value
+        )),
         None => Ok(()),
     }
 }

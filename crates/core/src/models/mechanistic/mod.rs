@@ -115,6 +115,8 @@ pub struct Sliced {
     cutter: Cutter,
     slices: Vec<Slice>,
     teeth: Vec<Tooth>,
+    /// The first so many teeth are broken: they cut nothing and leave no surface.
+    broken: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -123,6 +125,28 @@ struct Tooth {
     cos_pitch: f64,
     /// rho_j - rho_(j-k) in mm for k = 1, 2, ...
     stands_out_mm: [f64; MAX_TEETH],
+}
+
+impl Tooth {
+    /// Tooth `j` of a cutter whose first `broken` teeth are gone: the surface of one that is gone stands out
+    /// infinitely little, so that it never bounds the chip.
+    fn new(cutter: &Cutter, j: usize, broken: usize) -> Self {
+        let n = cutter.teeth.clamp(1, MAX_TEETH);
+        let pitch = math::TAU * j as f64 / n as f64;
+        let stands_out = |i: usize| {
+            let before = (j + n - (i + 1) % n) % n;
+            match i < n {
+                true if before < broken => f64::INFINITY,
+                true => cutter.runout_mm[j] - cutter.runout_mm[before],
+                false => 0.0,
+            }
+        };
+        Self {
+            sin_pitch: math::sin(pitch),
+            cos_pitch: math::cos(pitch),
+            stands_out_mm: std::array::from_fn(stands_out),
+        }
+    }
 }
 
 /// How far the tool has come in mm, x and y, since the k-th tooth before stood where a tooth stands now; for
@@ -143,6 +167,16 @@ pub struct Cutting {
     /// Height of the edges in mm that cuts down from the surface of the tooth before, of the second one
     /// before, ...; summed over the teeth.
     pub height_mm: [f64; MAX_TEETH],
+}
+
+impl Cutting {
+    /// The force across the tool, N.
+    #[must_use]
+    #[inline]
+    pub fn across_n(&self) -> f64 {
+        let [x, y, _] = self.forces_n;
+        (x * x + y * y).sqrt()
+    }
 }
 
 impl Sliced {
@@ -177,22 +211,19 @@ impl Sliced {
             }
         };
         let n = cutter.teeth.clamp(1, MAX_TEETH);
-        let tooth = |j: usize| {
-            let pitch = math::TAU * j as f64 / n as f64;
-            let stands_out = |i: usize| match i < n {
-                true => cutter.runout_mm[j] - cutter.runout_mm[(j + n - (i + 1)) % n],
-                false => 0.0,
-            };
-            Tooth {
-                sin_pitch: math::sin(pitch),
-                cos_pitch: math::cos(pitch),
-                stands_out_mm: std::array::from_fn(stands_out),
-            }
-        };
         Self {
             cutter: *cutter,
             slices: (0..count).map(slice).collect(),
-            teeth: (0..n).map(tooth).collect(),
+            teeth: (0..n).map(|j| Tooth::new(cutter, j, 0)).collect(),
+            broken: 0,
+        }
+    }
+
+    /// The first so many teeth are broken, at most all but one: no surface of theirs is met any more.
+    pub fn break_teeth(&mut self, broken: usize) {
+        self.broken = broken.min(self.teeth.len() - 1);
+        for (j, tooth) in self.teeth.iter_mut().enumerate() {
+            *tooth = Tooth::new(&self.cutter, j, self.broken);
         }
     }
 
@@ -220,7 +251,7 @@ impl Sliced {
         let advances = &advances[..self.teeth.len()];
         let mut sum = [0.0; 3];
         let mut height_mm = [0.0; MAX_TEETH];
-        for Tooth { sin_pitch, cos_pitch, stands_out_mm } in &self.teeth {
+        for Tooth { sin_pitch, cos_pitch, stands_out_mm } in &self.teeth[self.broken..] {
             let sin_tooth = sin_spindle * cos_pitch - cos_spindle * sin_pitch;
             let cos_tooth = cos_spindle * cos_pitch + sin_spindle * sin_pitch;
             for slice in &self.slices {
@@ -284,6 +315,31 @@ mod tests {
             assert!(radius > 1.3 && radius < cutter.radius_mm(2.0), "{radius}");
             2.0
         });
+    }
+
+    #[test]
+    fn behind_a_broken_tooth_the_next_one_cuts_the_feed_of_both() {
+        let law = Kienzle::new(&CK45, 80.0, 12.0, 200.0);
+        let peak = |teeth: u32, broken: usize, fed_mm: f64| {
+            let tool = Tool { teeth, ..Tool::default() };
+            let mut sliced = Sliced::new(&Cutter::new(&tool, 0.0, 0.1), 2.0);
+            sliced.break_teeth(broken);
+            let at = |i: u32| {
+                let angle = math::TAU * f64::from(i) / 720.0;
+                sliced.forces(&law, angle, &steady(fed_mm), |_, _| 2.0).across_n()
+            };
+            (0..720).map(at).fold(0.0, f64::max)
+        };
+        // Of two teeth the one that is left is a cutter of one tooth with the feed of a turn.
+        let [left, alone] = [peak(2, 1, 0.08), peak(1, 0, 0.16)];
+        assert!((left / alone - 1.0).abs() < 1e-12, "{left} {alone}");
+        assert!(
+            peak(3, 1, 0.08) > 1.5 * peak(3, 0, 0.08),
+            "{} {}",
+            peak(3, 1, 0.08),
+            peak(3, 0, 0.08)
+        );
+        assert_eq!(peak(3, 7, 0.08), peak(3, 2, 0.08), "one is left at last");
     }
 
     #[test]

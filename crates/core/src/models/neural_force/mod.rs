@@ -16,6 +16,7 @@
 use std::sync::LazyLock;
 
 use super::Valued;
+use crate::base::language::tr;
 use crate::base::network::{self, Provenance, ScaledNetwork};
 
 mod cut_point;
@@ -77,8 +78,10 @@ impl NeuralForce {
         let (scaled, provenance) = network::parse(json)?;
         match scaled.network.sizes() {
             [8, hidden, 3] if *hidden <= MAX_HIDDEN => Ok(Self { scaled, provenance }),
-            sizes => Err(format!(
-                "`sizes` cannot be {sizes:?}: allowed is 8, 1 to {MAX_HIDDEN} and 3 neurons"
+            sizes => Err(tr!(
+                "`sizes` cannot be {sizes}: allowed is 8, 1 to {most} and 3 neurons",
+                sizes = format!("{sizes:?}"),
+                most = MAX_HIDDEN
             )),
         }
     }

@@ -1,5 +1,6 @@
 //! What describes a part as settings: a depth profile, straight cuts, and what belongs to each cut.
 
+use crate::base::language::tr;
 use crate::base::settings::{Column, Editor, Numbers, Rows, Structure, Value};
 
 /// A point of the depth profile: from `position_mm` along the path on, the axial depth of cut is
@@ -30,9 +31,12 @@ impl Structure for Vec<DepthStep> {
         vec![("max_position_mm", max_position_mm), ("max_depth_mm", max_depth_mm)]
     }
     fn allowed([max_depth_mm, max_position_mm]: [f64; 2], _: &str) -> String {
-        format!(
-            "at most {MAX_STEPS} pairs [position mm, depth mm], positions ascending from 0 to \
-             {max_position_mm}, depths from 0 to {max_depth_mm}"
+        tr!(
+            "at most {n} pairs [position mm, depth mm], positions ascending from 0 to {position}, \
+             depths from 0 to {depth}",
+            n = MAX_STEPS,
+            position = max_position_mm,
+            depth = max_depth_mm
         )
     }
     fn write(&self) -> Value {
@@ -77,10 +81,14 @@ impl Structure for Vec<Vec<Section>> {
         vec![("max_length_mm", max_length_mm), ("max_depth_mm", max_depth_mm)]
     }
     fn allowed([max_depth_mm, max_length_mm]: [f64; 2], _: &str) -> String {
-        format!(
-            "at most {MAX_CUTS} cuts of 1 to {MAX_SECTIONS} sections [length mm, axial depth mm, \
-             wall mm], lengths from {MIN_SECTION_MM} to {max_length_mm}, depths from 0 to \
-             {max_depth_mm}, walls from -{max_depth_mm} to {max_depth_mm}"
+        tr!(
+            "at most {n} cuts of 1 to {sections} sections [length mm, axial depth mm, wall mm], lengths \
+             from {shortest} to {length}, depths from 0 to {depth}, walls from -{depth} to {depth}",
+            n = MAX_CUTS,
+            sections = MAX_SECTIONS,
+            shortest = MIN_SECTION_MM,
+            length = max_length_mm,
+            depth = max_depth_mm
         )
     }
     fn write(&self) -> Value {
@@ -117,8 +125,14 @@ impl Structure for Vec<f64> {
         vec![("min", min), ("max", max)]
     }
     fn allowed([min, max]: [f64; 2], unit: &str) -> String {
-        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
-        format!("at most {MAX_CUTS} numbers, one for each cut, from {min} to {max}{unit}")
+        let unit_behind = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+        tr!(
+            "at most {n} numbers, one for each cut, from {min} to {max}{unit}",
+            n = MAX_CUTS,
+            min = min,
+            max = max,
+            unit = unit_behind
+        )
     }
     fn write(&self) -> Value {
         self.clone().into()

@@ -1,5 +1,6 @@
 //! Table 1 of 2019: masses, springs and dampers of the five nodes, and the sets made of it.
 
+use crate::base::language::text;
 use crate::base::math::TAU;
 
 crate::choice! {
@@ -15,7 +16,8 @@ crate::choice! {
 }
 
 /// Names of the nodes in the order of the table.
-pub const NODES: [&str; 5] = ["base console", "spindle", "tooth", "slides", "table"];
+pub const NODES: [&str; 5] =
+    [text!("base console"), text!("spindle"), text!("tooth"), text!("slides"), text!("table")];
 /// m_i in kg, as printed.
 pub const MASS_KG: [f64; 5] = [3494.0, 17.0, 0.3e-6, 305.0, 500.0];
 /// f_i in Hz, as printed: each node alone on its own spring.

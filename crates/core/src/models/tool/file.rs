@@ -1,5 +1,5 @@
 //! Tool files: versioned TOML, one cutter each. Every entry is wanted but the corner radius, which only a
-//! bull nose has; unknown ones are refused.
+//! bull nose has, and what the cutter stands; unknown ones are refused.
 //!
 //! ```toml
 //! version = 1
@@ -14,9 +14,12 @@
 //! elastic_modulus_n_mm2 = 5.8e5
 //! compliance_um_n = 0.02            # of tool and holder, in the regeneration
 //! runout_um = 3.0                   # the axis is shifted by so much towards tooth 0
+//! chip_max_mm = 0.6                 # may be left out: the thickest chip that a tooth stands
+//! force_max_n = 4000.0              # may be left out: the largest force that it stands
 //! ```
 
 use super::{EndShape, Tool};
+use crate::base::language::tr;
 use crate::base::settings::{Group, SettingError, Value};
 
 /// Version of the format.
@@ -36,7 +39,7 @@ pub struct ToolFile {
 }
 
 fn fault(problem: String) -> SettingError {
-    SettingError::Format { what: "tool file".to_owned(), problem }
+    SettingError::Format { what: tr("tool file").to_owned(), problem }
 }
 
 fn text(table: &mut toml::Table, key: &str) -> Result<String, SettingError> {
@@ -44,8 +47,10 @@ fn text(table: &mut toml::Table, key: &str) -> Result<String, SettingError> {
         Some(toml::Value::String(text)) if (1..=MAX_CHARS).contains(&text.chars().count()) => {
             Ok(text)
         }
-        Some(_) => Err(fault(format!("`{key}` must be text of 1 to {MAX_CHARS} characters"))),
-        None => Err(fault(format!("`{key}` is missing"))),
+        Some(_) => {
+            Err(fault(tr!("`{key}` must be text of 1 to {n} characters", key = key, n = MAX_CHARS)))
+        }
+        None => Err(fault(tr!("`{key}` is missing", key = key))),
     }
 }
 
@@ -64,7 +69,12 @@ fn value(found: &toml::Value) -> Option<Value> {
 
 fn refused(key: &str, found: &toml::Value, allowed: &str) -> SettingError {
     let found: String = found.to_string().chars().take(60).collect();
-    fault(format!("`{key}` cannot be {found}: allowed is {allowed}"))
+    fault(tr!(
+        "`{path}` cannot be {value}: allowed is {allowed}",
+        path = key,
+        value = found,
+        allowed = allowed
+    ))
 }
 
 impl ToolFile {
@@ -81,7 +91,12 @@ impl ToolFile {
             Some(other) => {
                 return Err(refused("version", &other, &FORMAT_VERSION.to_string()));
             }
-            None => return Err(fault(format!("`version = {FORMAT_VERSION}` is missing"))),
+            None => {
+                return Err(fault(tr!(
+                    "`version = {version}` is missing",
+                    version = FORMAT_VERSION
+                )));
+            }
         }
         let (title, source) = (text(&mut table, "title")?, text(&mut table, "source")?);
         let mut tool = Tool::default();
@@ -89,10 +104,16 @@ impl ToolFile {
         for spec in &specs {
             let allowed = || spec.allowed.allowed(spec.unit);
             let Some(found) = table.remove(spec.key) else {
-                if spec.key == "corner_radius_mm" && tool.shape != EndShape::BullNose {
+                let no_corner = spec.key == "corner_radius_mm" && tool.shape != EndShape::BullNose;
+                // What it stands may be unknown: then it stands anything.
+                if no_corner || ["chip_max_mm", "force_max_n"].contains(&spec.key) {
                     continue;
                 }
-                return Err(fault(format!("`{}` is missing: {}", spec.key, allowed())));
+                return Err(fault(tr!(
+                    "`{key}` is missing: {allowed}",
+                    key = spec.key,
+                    allowed = allowed()
+                )));
             };
             value(&found)
                 .and_then(|value| tool.set(spec.key, &value, &spec.allowed))
@@ -101,14 +122,18 @@ impl ToolFile {
         if let Some(key) = table.keys().next() {
             let known: Vec<&str> = specs.iter().map(|spec| spec.key).collect();
             let known = known.join(", ");
-            let problem =
-                format!("unknown entry `{key}`; there are version, title, source, {known}");
+            let problem = tr!(
+                "unknown entry `{key}`; there are version, title, source, {known}",
+                key = key,
+                known = known
+            );
             return Err(fault(problem));
         }
         if let Some(most) = tool.corner_too_large_mm() {
-            let problem = format!(
-                "`corner_radius_mm` cannot be {} mm: allowed is at most half of `diameter_mm`, {most} mm",
-                tool.corner_radius_mm
+            let problem = tr!(
+                "`corner_radius_mm` cannot be {radius} mm: allowed is at most half of `diameter_mm`, {most} mm",
+                radius = tool.corner_radius_mm,
+                most = most
             );
             return Err(fault(problem));
         }

@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{FILES, SIZES, UnksNetworks, UnksStart};
 use crate::base::files::{JsonLayout, from_json, to_json};
+use crate::base::language::tr;
 use crate::base::network::{Network, NetworkFile, Provenance, ScaledNetwork, parse};
 use crate::base::settings::{Editor, Structure, Value};
 
@@ -53,18 +54,30 @@ impl Stored {
     /// is allowed.
     pub fn parse(text: &str) -> Result<Self, String> {
         if text.len() > MAX_BYTES {
-            return Err(format!("{} bytes; at most {MAX_BYTES} are read", text.len()));
+            return Err(tr!(
+                "{n} bytes; at most {most} are read",
+                n = text.len(),
+                most = MAX_BYTES
+            ));
         }
         // The version comes first: a file of another version may hold anything.
         let Version { version } = from_json(text)?;
         if version != VERSION {
-            return Err(format!("`version` cannot be {version}: allowed is {VERSION}"));
+            return Err(tr!(
+                "`version` cannot be {version}: allowed is {known}",
+                version = version,
+                known = VERSION
+            ));
         }
         let file: StoredFile = from_json(text)?;
         let start = UnksStart::from_id(&file.start).ok_or_else(|| {
             let shown: String = file.start.chars().take(40).collect();
             let ids: Vec<&str> = UnksStart::ALL.iter().map(|start| start.id()).collect();
-            format!("`start` cannot be {shown:?}: allowed is one of {}", ids.join(", "))
+            tr!(
+                "`start` cannot be {found}: allowed is one of {ids}",
+                found = format!("{shown:?}"),
+                ids = ids.join(", ")
+            )
         })?;
         let network = |i: usize, fields: NetworkFile| {
             let named = |error: String| format!("{}: {error}", NAMES[i]);
@@ -73,7 +86,11 @@ impl Stored {
             if sizes == allowed {
                 Ok((scaled, origin))
             } else {
-                Err(named(format!("`sizes` cannot be {sizes:?}: allowed is {allowed:?}")))
+                Err(named(tr!(
+                    "`sizes` cannot be {sizes}: allowed is {allowed}",
+                    sizes = format!("{sizes:?}"),
+                    allowed = format!("{allowed:?}")
+                )))
             }
         };
         let (reference, a) = network(0, file.nm_r)?;
@@ -159,9 +176,9 @@ impl Structure for StoredNetworks {
         Vec::new()
     }
     fn allowed(_: [f64; 2], _: &str) -> String {
-        "nothing, or the text of a file that `steadycut unks --save` writes: finite weights of NM-R \
-         2-12-1, NM-1 4-8-1, NM-2 4-8-1"
-            .to_owned()
+        tr("nothing, or the text of a file that `steadycut unks --save` writes: finite weights of NM-R \
+            2-12-1, NM-1 4-8-1, NM-2 4-8-1")
+        .to_owned()
     }
     fn write(&self) -> Value {
         self.get().map_or_else(|| Value::Text(String::new()), Self::value_of)

@@ -48,6 +48,12 @@ impl Clock {
         self.tick as f64 * self.dt_s
     }
 
+    /// Plant step, s.
+    #[must_use]
+    pub fn dt_s(&self) -> f64 {
+        self.dt_s
+    }
+
     /// Control period, s.
     #[must_use]
     pub fn period_s(&self) -> f64 {

@@ -7,6 +7,7 @@ use crate::blocks::cutting::process::Force;
 use crate::blocks::cutting::wear::ToolWear;
 use crate::blocks::machine::coupled::{Coupled, CoupledSetup, CutState};
 use crate::blocks::surface::produced::ToothPlace;
+use crate::models::mechanistic::Cutting;
 use crate::run::scenario::Scenario;
 
 /// Micrometres in a metre, and millimetres.
@@ -66,12 +67,13 @@ impl Machine {
         self.largest.restart();
     }
 
-    /// Plant step `tick` under a force, up to `position_mm`: shakes the force, and calls `mark` with where the
-    /// tooth was in every machine step.
+    /// Plant step `tick` under a force, and what the teeth do where they are simulated, up to `position_mm`:
+    /// shakes both, and calls `mark` with where the tooth was in every machine step.
     #[inline]
     pub fn shake(
         &mut self,
         force: &mut Force,
+        teeth: Option<&mut Cutting>,
         cut: &CutState,
         tick: u64,
         position_mm: f64,
@@ -80,7 +82,7 @@ impl Machine {
         self.coupled.begin();
         let turns = self.coupled.turns(cut.speed_rpm);
         let in_cut = !force.air;
-        match &mut force.teeth_n {
+        match teeth {
             None => {
                 let steps = self.coupled.steps();
                 let advance_mm = (position_mm - self.position_mm) / f64::from(steps);
@@ -97,14 +99,13 @@ impl Machine {
                 }
             }
             // The same direction with another size.
-            Some(forces_n) => {
-                let [x, y, _] = *forces_n;
-                let across_n = (x * x + y * y).sqrt();
-                let motion = self.coupled.instant(across_n, &force.height_mm, cut);
+            Some(teeth) => {
+                let across_n = teeth.across_n();
+                let motion = self.coupled.instant(across_n, &teeth.height_mm, cut);
                 let displacement_m = motion.displacement_m;
                 mark(&ToothPlace { turns, position_mm, displacement_m, in_cut });
                 let share = if across_n > 0.0 { motion.force_n / across_n } else { 0.0 };
-                *forces_n = forces_n.map(|force| force * share);
+                teeth.forces_n = teeth.forces_n.map(|force| force * share);
                 [force.dynamic_n] = self.largest.push(tick, [across_n * share]);
             }
         }

@@ -19,18 +19,23 @@
 //! Order of events in tick k (from t = k dt to (k + 1) dt):
 //! 0. Every `steps_per_control` ticks the tool wears by what it cut since the last time; where the speed
 //!    is adjusted to the tool's life ([`life`]), its sound is observed.
+//!    Disturbances along the way are looked up by place: those of tool, sensor, dead time and operator then, those of
+//!    part and force in 4 and 5.
 //! 1. Every `steps_per_control` ticks the controller sees the force sensed at the end of tick
-//!    k - 1 and asks for a command, limited by the overrides; it is held until the next sample.
+//!    k - 1 and asks for a command, limited by the overrides; it is held until the next sample. One
+//!    with a limit of its own may ask for a stop, which does not wait for the dead time.
 //! 2. The command enters the dead-time queue; what leaves it is what the drives get.
 //! 3. The drives advance over dt with that command held: feed f_a, speed n_a.
 //! 4. The tool moves on by f_a dt, at the end of a cut to the next one; the workpiece gives the depth. A
-//!    tool fed into it faster than its teeth clear it ends the run: a crash.
+//!    tool fed into it faster than its teeth clear it ends the run: a crash. A tooth loaded beyond what it stands
+//!    breaks; the last one ends the run ([`crate::blocks::cutting::breakage`]).
 //! 5. Force and dynamic component follow from f_a, n_a and depth; a coupled machine makes its steps of
 //!    at most 0.1 ms over dt under that force and shakes it.
 //! 6. The sensor takes the force, the overload guard looks at it, the surface is left.
 //! 7. The row is written; it belongs to the time (k + 1) dt. Row 0 is the state before tick 0.
 
 mod clock;
+mod disturbed;
 pub mod life;
 pub mod machine;
 mod plant;
@@ -45,10 +50,13 @@ use self::plant::Plant;
 use self::record::{Sample, bit};
 pub use self::setup::limits;
 use super::signals::{Row, flag};
+use crate::base::language::tr;
 use crate::blocks::cnc::channel::Channel;
 use crate::blocks::cnc::overload::Overload;
+use crate::blocks::control::script::ScriptProblem;
 use crate::blocks::control::unks::Learning;
-use crate::blocks::control::{ControlInput, Controller};
+use crate::blocks::control::{ControlInput, Controller, Exceeded, OverloadReaction};
+use crate::blocks::cutting::breakage::Breakage;
 use crate::blocks::cutting::crash::Crash;
 use crate::blocks::reference::Desired;
 use crate::blocks::sensing::force_sensor::ForceSensor;
@@ -56,7 +64,7 @@ use crate::blocks::surface::produced::Surface;
 
 /// A value that stopped being finite: the run ends there, before anything spreads.
 #[derive(Clone, Debug, PartialEq, Serialize, thiserror::Error)]
-#[error("`{signal}` is not finite at tick {tick}: the run ends")]
+#[error("{}", tr!("`{signal}` is not finite at tick {tick}: the run ends", signal = *signal, tick = *tick))]
 pub struct Fault {
     /// The signal.
     pub signal: &'static str,
@@ -64,13 +72,28 @@ pub struct Fault {
     pub tick: u64,
 }
 
+/// A script that failed: the run ends at that control sample.
+#[derive(Clone, Debug, PartialEq, Serialize, thiserror::Error)]
+#[error("{}", tr!("The script failed at {time:.2} s, {problem}: the run ends", time = *time_s, problem = problem.to_string()))]
+pub struct ScriptFault {
+    /// What went wrong, and where in the script.
+    #[serde(flatten)]
+    pub problem: ScriptProblem,
+    /// When, s.
+    pub time_s: f64,
+}
+
 /// What ends a run within a step: the row of that step is not written.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Halt {
     /// The tool was fed into the work without cutting its way.
     Crash(Crash),
+    /// The last tooth broke.
+    Breakage(Breakage),
     /// A signal stopped being finite.
     Fault(Fault),
+    /// The controller's script failed.
+    Script(ScriptFault),
 }
 
 /// The loop with all its blocks and their state.
@@ -100,7 +123,7 @@ impl ClosedLoop {
     pub fn step(&mut self) -> Result<(), Halt> {
         if let Some(sample) = self.clock.control_sample() {
             self.wear();
-            self.control(sample);
+            self.control(sample).map_err(Halt::Script)?;
         }
         let motion = self.cnc.advance();
         let (tick, air_n) = (self.clock.advance(), self.desired.air_n());
@@ -112,10 +135,15 @@ impl ClosedLoop {
         if self.plant.crashes() {
             return Err(Halt::Crash(self.plant.crash(self.clock.time_s())));
         }
+        if self.plant.is_overloaded()
+            && let Some(broke) = self.plant.break_tooth(self.clock.time_s())
+        {
+            return Err(Halt::Breakage(broke));
+        }
         let cut = self.plant.now();
         let force = &cut.force;
-        self.sensor.take(tick, force.dynamic_n, force.across_n());
-        self.cnc.guard(force.acting_n(), cut.position_mm, self.clock.time_s());
+        self.sensor.take(tick, force.dynamic_n, self.plant.across_n());
+        self.cnc.guard(self.plant.acting_n(), cut.position_mm, self.clock.time_s());
         let ra = self.surface.leave(force.model.value, force.dynamic_n, force.air);
         self.record(ra);
         self.check().map_err(Halt::Fault)
@@ -141,9 +169,20 @@ impl ClosedLoop {
         }
     }
 
+    /// What disturbs sensor and channel where the tool is: gives what the sensor tells of a force in N.
+    fn disturb(&mut self, read_n: f64) -> f64 {
+        let Some(all) = self.plant.disturbances() else {
+            return read_n;
+        };
+        let position_mm = self.plant.now().position_mm;
+        let added_ticks = (all.added_dead_time_s(position_mm) / self.clock.dt_s()).round() as usize;
+        self.cnc.disturb(added_ticks, all.operator_factor(position_mm));
+        all.sensed_n(position_mm, read_n)
+    }
+
     /// The controller's turn: from the sensed force to the command that is sent.
-    fn control(&mut self, sample: u64) {
-        let force_measured_n = self.sensor.read(sample);
+    fn control(&mut self, sample: u64) -> Result<(), ScriptFault> {
+        let force_measured_n = self.disturb(self.sensor.read(sample));
         let programmed = self.cnc.programmed();
         let (cut, x_mm) = self.plant.place_in_cut();
         let output = self.controller.update(&ControlInput {
@@ -155,7 +194,11 @@ impl ClosedLoop {
             models: &self.desired.models,
             cut,
             x_mm,
+            by_hand: self.cnc.by_hand(),
         });
+        if let Some(problem) = self.controller.problem() {
+            return Err(ScriptFault { problem: problem.clone(), time_s: self.clock.time_s() });
+        }
         self.cnc.command(output.request);
         let [feed, speed] = self.cnc.sent();
         self.sample = Sample {
@@ -167,8 +210,26 @@ impl ClosedLoop {
                 | bit(feed.rate_limited, flag::FEED_RATE_LIMITED)
                 | bit(speed.rate_limited, flag::SPEED_RATE_LIMITED)
                 | bit(!output.feed_model_valid, flag::K2_OUTSIDE)
-                | bit(!output.speed_model_valid, flag::K3_OUTSIDE),
+                | bit(!output.speed_model_valid, flag::K3_OUTSIDE)
+                | bit(output.exceeded.is_some(), flag::OVER_LIMIT)
+                | bit(output.switched_off, flag::CONTROL_OFF),
         };
+        if let Some(exceeded) = output.exceeded {
+            self.react(&exceeded, force_measured_n);
+        }
+        Ok(())
+    }
+
+    /// A controller's own limit is exceeded: what it wants done.
+    fn react(&mut self, exceeded: &Exceeded, force_n: f64) {
+        let retracted = match exceeded.reaction {
+            OverloadReaction::Message => return,
+            OverloadReaction::Stop => false,
+            OverloadReaction::RetractStop => true,
+        };
+        let (limit_n, time_s) = (exceeded.limit_n, self.clock.time_s());
+        let position_mm = self.plant.now().position_mm;
+        self.cnc.stop(Overload { force_n, limit_n, position_mm, time_s, retracted });
     }
 
     /// Steps done so far.
@@ -187,6 +248,12 @@ impl ClosedLoop {
     #[must_use]
     pub fn used_life(&self) -> f64 {
         self.plant.used_life()
+    }
+
+    /// The teeth that broke under their load so far, in order.
+    #[must_use]
+    pub fn breakages(&self) -> &[Breakage] {
+        self.plant.breakages()
     }
 
     /// The row of the present moment.

@@ -1,8 +1,10 @@
 //! The plant: the part, the tool and the machine that cuts it. One call in a plant step enters it.
 
+use super::disturbed::Disturbed;
 use super::machine::{Machine, Vibration};
 use crate::base::units::mm_s_from_mm_min;
 use crate::blocks::control::FeedSpeed;
+use crate::blocks::cutting::breakage::{Breakage, LoadMoment, Strength};
 use crate::blocks::cutting::crash::{self, Crash};
 use crate::blocks::cutting::disturbance::DynamicForce;
 use crate::blocks::cutting::process::{CutStep, Force, Process};
@@ -10,6 +12,8 @@ use crate::blocks::cutting::tool_path::{Engagement, ToolPath};
 use crate::blocks::cutting::wear::ToolWear;
 use crate::blocks::machine::coupled::CutState;
 use crate::blocks::surface::produced::ToothPlace;
+use crate::models::disturbances::Disturbances;
+use crate::models::mechanistic::Cutting;
 use crate::run::scenario::Scenario;
 
 /// The plant with its state.
@@ -23,8 +27,10 @@ pub struct Plant {
     disturbance: DynamicForce,
     process: Process,
     wear: ToolWear,
-    /// Factor of the wear on the force.
+    /// Factor of the wear on the force, and of what disturbs it.
     life_factor: f64,
+    disturbed: Disturbed,
+    strength: Strength,
     /// Whether the wear is within the curve that gives it.
     wear_is_known: bool,
     /// The machine, where it is coupled to the cut.
@@ -71,7 +77,8 @@ impl Plant {
     #[must_use]
     pub fn new(scenario: &Scenario, motion: FeedSpeed) -> Self {
         let dt_s = scenario.dt_s();
-        let path = ToolPath::new(&scenario.workpiece, scenario.tool.outline());
+        let path = ToolPath::new(&scenario.workpiece, scenario.tool.outline())
+            .disturbed(&scenario.disturbances);
         let wear = ToolWear::new(&scenario.wear, &scenario.tool);
         let now = CutNow {
             motion,
@@ -94,6 +101,8 @@ impl Plant {
                 dt_s,
             ),
             life_factor: wear.force_factor(),
+            disturbed: Disturbed::new(&scenario.disturbances),
+            strength: Strength::new(&scenario.tool, scenario.control_period_s()),
             wear_is_known: wear.is_known(),
             wear,
             machine: Machine::new(scenario),
@@ -103,10 +112,15 @@ impl Plant {
 
     /// Takes over changed live settings; path, tool, machine and disturbance go on.
     pub fn reconfigure(&mut self, scenario: &Scenario) {
-        self.path.reconfigure(&scenario.workpiece);
+        self.path.reconfigure(&scenario.workpiece, &scenario.disturbances);
+        self.disturbed = Disturbed::new(&scenario.disturbances);
+        self.strength.reconfigure(&scenario.tool);
         let place = self.path.place(self.now.position_mm);
         self.process.reconfigure(process(scenario, &self.path, place.radial_depth_mm, self.dt_s));
         self.wear.reconfigure(&scenario.wear);
+        if scenario.disturbances.is_empty() {
+            self.wear.jump(0.0);
+        }
         self.follow_wear();
         self.disturbance.reconfigure(&scenario.noise, self.dt_s);
     }
@@ -114,6 +128,7 @@ impl Plant {
     /// The next cut begins at its start; the tool comes to it through the air.
     fn restart(&mut self, position_mm: f64) {
         self.now.position_mm = position_mm;
+        self.disturbed.look_again();
         self.process.restart();
         if let Some(machine) = &mut self.machine {
             machine.restart(position_mm);
@@ -131,6 +146,9 @@ impl Plant {
 
     /// Lets force and machine feel the wear of the tool as it is.
     pub fn apply_wear(&mut self) {
+        if let Some(all) = self.disturbed.all() {
+            self.wear.jump(all.wear_land_mm(self.now.position_mm));
+        }
         if let Some(machine) = &mut self.machine {
             machine.wear(&self.wear, &self.now.cut());
         }
@@ -175,7 +193,8 @@ impl Plant {
                 axial_depth_mm: loaded.axial_depth_mm,
                 radial_depth_mm: loaded.radial_depth_mm,
             };
-            machine.shake(&mut self.now.force, &cut, tick, position_mm, mark);
+            let teeth = self.process.teeth_mut();
+            machine.shake(&mut self.now.force, teeth, &cut, tick, position_mm, mark);
             self.now.vibration = machine.vibration();
         }
         began
@@ -186,17 +205,23 @@ impl Plant {
     pub fn cut(&mut self, tick: u64, motion: FeedSpeed, air_n: f64) {
         let FeedSpeed { feed_mm_min, speed_rpm } = motion;
         let position_mm = self.now.position_mm;
+        if self.disturbed.is_due(position_mm) {
+            self.disturbed.meet(position_mm, &mut self.process, &mut self.strength);
+        }
         let place = self.path.place(position_mm);
-        self.now.force = self.process.cut(&CutStep {
+        let step = CutStep {
             tick,
             feed_mm_min,
             speed_rpm,
             place,
             under: self.path.cut_at(position_mm),
-            dynamic: self.disturbance.update(tick, position_mm, speed_rpm),
-            life_factor: self.life_factor,
+            life_factor: self.life_factor * self.disturbed.force_factor(),
             air_n,
-        });
+        };
+        let disturbance = &mut self.disturbance;
+        let chatter = self.disturbed.chatter(tick as f64 * self.dt_s);
+        let dynamic = || disturbance.update(tick, position_mm, speed_rpm) + chatter;
+        self.now.force = self.process.cut(&step, dynamic);
         self.now.force.model.valid &= self.wear_is_known;
         (self.now.motion, self.now.place) = (motion, place);
     }
@@ -213,6 +238,43 @@ impl Plant {
         loaded.axial_depth_mm * loaded.radial_depth_mm > 0.0
     }
 
+    /// Whether a tooth is loaded by more than it stands.
+    #[must_use]
+    #[inline]
+    pub fn is_overloaded(&self) -> bool {
+        let CutNow { motion, force, .. } = &self.now;
+        let FeedSpeed { feed_mm_min, speed_rpm } = *motion;
+        self.strength.is_exceeded(feed_mm_min, speed_rpm, force.dynamic_n)
+            && !force.air
+            && motion.feeds()
+    }
+
+    /// Breaks a tooth that is overloaded at a time in s; gives what happened where no tooth is left, or where a
+    /// machine in the cut counts every one.
+    #[cold]
+    pub fn break_tooth(&mut self, time_s: f64) -> Option<Breakage> {
+        let CutNow { motion, position_mm, force, .. } = self.now;
+        let FeedSpeed { feed_mm_min, speed_rpm } = motion;
+        let force_n = force.dynamic_n;
+        let moment = LoadMoment { feed_mm_min, speed_rpm, force_n, position_mm, time_s };
+        let broke = self.strength.break_tooth(&moment)?;
+        self.disturbed.break_teeth(&self.strength, &mut self.process);
+        (self.strength.is_gone() || self.machine.is_some()).then_some(broke)
+    }
+
+    /// The teeth that broke under their load, in order.
+    #[must_use]
+    pub fn breakages(&self) -> &[Breakage] {
+        self.strength.breakages()
+    }
+
+    /// How many teeth are broken, by load or by a disturbance.
+    #[must_use]
+    #[inline]
+    pub fn broken_teeth(&self) -> usize {
+        self.strength.broken()
+    }
+
     /// The crash of this moment, at a time in s.
     #[must_use]
     pub fn crash(&self, time_s: f64) -> Crash {
@@ -221,11 +283,34 @@ impl Plant {
         Crash { feed_mm_min, speed_rpm, radius_mm: self.radius_mm, position_mm, time_s }
     }
 
+    /// All disturbances of the cut; none where there are none.
+    #[must_use]
+    pub fn disturbances(&self) -> Option<&Disturbances> {
+        self.disturbed.all()
+    }
+
     /// What is cut now.
     #[must_use]
     #[inline]
     pub fn now(&self) -> &CutNow {
         &self.now
+    }
+
+    /// F_x and F_y of this instant, N; of a map its largest force.
+    #[must_use]
+    #[inline]
+    pub fn across_n(&self) -> [f64; 2] {
+        match self.process.teeth() {
+            Some(Cutting { forces_n: [x, y, _], .. }) => [*x, *y],
+            None => [self.now.force.dynamic_n, 0.0],
+        }
+    }
+
+    /// The force across the tool that acts in this plant step, N.
+    #[must_use]
+    #[inline]
+    pub fn acting_n(&self) -> f64 {
+        self.process.teeth().map_or(self.now.force.dynamic_n, Cutting::across_n)
     }
 
     /// The cut that the machine is in, counted from 0, and where along it the tool's axis stands, mm.
@@ -244,7 +329,8 @@ impl Plant {
     /// force is simulated tooth by tooth.
     #[must_use]
     pub fn teeth(&self) -> Option<([f64; 3], f64)> {
-        self.now.force.teeth_n.zip(self.process.spindle_turn())
+        let teeth = self.process.teeth()?;
+        Some((teeth.forces_n, self.process.spindle_turn()?))
     }
 }
 

@@ -37,11 +37,12 @@ impl ClosedLoop {
         let [feed, speed] = self.cnc.sent();
         let flags = self.sample.flags
             | bit(!self.desired.force.valid, flag::K1_OUTSIDE)
-            | bit(!cut.force.model.valid, flag::K4_OUTSIDE)
+            | bit(!cut.force.model.valid || !self.cnc.drives_are_known(), flag::K4_OUTSIDE)
             | bit(!ra.valid, flag::K5_OUTSIDE)
             | bit(!ra_dyn.valid, flag::K6_OUTSIDE)
             | bit(cut.force.air, flag::AIR)
-            | bit(cut.vibration.lost_contact, flag::LOST_CONTACT);
+            | bit(cut.vibration.lost_contact, flag::LOST_CONTACT)
+            | bit(self.plant.broken_teeth() > 0, flag::TOOTH_BROKEN);
         self.row = Row {
             time_s: self.clock.time_s(),
             position_mm: cut.position_mm,

@@ -19,7 +19,7 @@ use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 
 impl ClosedLoop {
-    /// The loop at rest at the programmed feed and speed, at the start of the path.
+    /// The loop at rest where the drives come to at the programmed feed and speed, at the start of the path.
     #[must_use]
     pub fn new(scenario: &Scenario) -> Self {
         let cnc = Channel::new(&channel(scenario));
@@ -28,7 +28,7 @@ impl ClosedLoop {
             clock: Clock::new(scenario.dt_s(), scenario.run.steps_per_control),
             controller: Controller::new(&scenario.control_setup(), cnc.programmed()),
             life: ToolLife::new(scenario),
-            plant: Plant::new(scenario, cnc.programmed()),
+            plant: Plant::new(scenario, cnc.actual()),
             cnc,
             sensor: ForceSensor::new(&sensor(scenario)),
             surface: Surface::new(true_models(scenario), finish(scenario)),
@@ -36,11 +36,11 @@ impl ClosedLoop {
             desired,
             row: Row::default(),
         };
-        this.plant.cut(0, this.cnc.programmed(), this.desired.air_n());
+        this.plant.cut(0, this.cnc.actual(), this.desired.air_n());
         let cut = this.plant.now();
-        this.sensor.take(0, cut.force.dynamic_n, cut.force.across_n());
+        this.sensor.take(0, cut.force.dynamic_n, this.plant.across_n());
         this.sample.force_measured_n = cut.force.dynamic_n;
-        this.cnc.guard(cut.force.acting_n(), cut.position_mm, 0.0);
+        this.cnc.guard(this.plant.acting_n(), cut.position_mm, 0.0);
         let ra = this.surface.leave(cut.force.model.value, cut.force.dynamic_n, cut.force.air);
         this.record(ra);
         this
@@ -58,6 +58,9 @@ impl ClosedLoop {
         self.controller.reconfigure(&scenario.control_setup(), &running);
         self.cnc.reconfigure(&channel(scenario), cut);
         self.plant.reconfigure(scenario);
+        if scenario.disturbances.is_empty() {
+            self.cnc.disturb(0, 1.0);
+        }
         match (&mut self.life, ToolLife::new(scenario)) {
             (Some(life), Some(_)) => life.reconfigure(scenario),
             (life, new) => *life = new,

@@ -13,6 +13,7 @@ pub use wires::{WIRES, Wire};
 
 use super::scenario::{Scenario, table};
 use super::signals::flag;
+use crate::base::language::text;
 use crate::blocks::control::law::Held;
 
 /// A box of the block diagram, in signal order.
@@ -87,10 +88,12 @@ pub const BLOCKS: &[BlockInfo] = &[
     BlockInfo {
         block: Block::Reference,
         id: "reference",
-        name: "Reference",
+        name: text!("Reference"),
         models: &[1],
-        meaning: "Turns the target roughness into the cutting force that leaves it. The loop \
-                  then holds this force: a constant force keeps the finish constant.",
+        meaning: text!(
+            "Turns the target roughness into the cutting force that leaves it. The loop \
+                  then holds this force: a constant force keeps the finish constant."
+        ),
         own: &[],
         of_machine: &[],
         settings: &["belief.model_set", "belief.calibration", "formula.force_of_ra"],
@@ -99,25 +102,34 @@ pub const BLOCKS: &[BlockInfo] = &[
     BlockInfo {
         block: Block::Controller,
         id: "controller",
-        name: "Controller",
+        name: text!("Controller"),
         models: &[2, 3],
-        meaning: "Compares the measured force with the desired one every control period and \
+        meaning: text!(
+            "Compares the measured force with the desired one every control period and \
                   asks for feed and spindle speed. The models it computes with are its belief: \
-                  they need not be those of the cut.",
+                  they need not be those of the cut."
+        ),
         own: &["force_setpoint_n", "gain_estimate"],
         of_machine: &[],
         settings: &["controller.kind", "formula.feed", "formula.speed"],
-        lamps: &[lamp(flag::K2_OUTSIDE, "K2"), lamp(flag::K3_OUTSIDE, "K3")],
+        lamps: &[
+            lamp(flag::K2_OUTSIDE, "K2"),
+            lamp(flag::K3_OUTSIDE, "K3"),
+            lamp(flag::OVER_LIMIT, text!("limit")),
+            lamp(flag::CONTROL_OFF, text!("off")),
+        ],
     },
     BlockInfo {
         block: Block::Override,
         id: "override",
-        name: "Override limits",
+        name: text!("Override limits"),
         models: &[],
-        meaning: "The CNC takes commands as percent of the programmed feed (DNCFRO) and speed \
+        meaning: text!(
+            "The CNC takes commands as percent of the programmed feed (DNCFRO) and speed \
                   (DNCSPO), within limits. What the controller asks beyond them is cut off; the \
                   lamp shows it. A real CNC takes whole percents and moves to a new override at \
-                  a rate: both can be switched on.",
+                  a rate: both can be switched on."
+        ),
         own: &[],
         of_machine: &[],
         settings: &[
@@ -128,18 +140,20 @@ pub const BLOCKS: &[BlockInfo] = &[
             "cnc.override_rate_percent_s",
         ],
         lamps: &[
-            lamp(flag::FEED_SATURATED, "feed"),
-            lamp(flag::SPEED_SATURATED, "speed"),
-            lamp(flag::RATE_LIMITED, "rate"),
+            lamp(flag::FEED_SATURATED, text!("feed")),
+            lamp(flag::SPEED_SATURATED, text!("speed")),
+            lamp(flag::RATE_LIMITED, text!("rate")),
         ],
     },
     BlockInfo {
         block: Block::DeadTime,
         id: "dead_time",
-        name: "Dead time",
+        name: text!("Dead time"),
         models: &[],
-        meaning: "The PLC of the machine passes every command on after a fixed time. Each dot \
-                  is one command under way; its height shows its size against the others.",
+        meaning: text!(
+            "The PLC of the machine passes every command on after a fixed time. Each dot \
+                  is one command under way; its height shows its size against the others."
+        ),
         own: &[],
         of_machine: &[],
         settings: &["cnc.dead_time_s", "belief.dead_time_s"],
@@ -148,34 +162,44 @@ pub const BLOCKS: &[BlockInfo] = &[
     BlockInfo {
         block: Block::FeedDrive,
         id: "feed_drive",
-        name: "Feed drive",
+        name: text!("Feed drive"),
         models: &[],
-        meaning: "The servo system follows the command with the lag of its transfer function, \
-                  computed exactly at every step.",
+        meaning: text!(
+            "The servo system follows the command with the lag of its transfer function, \
+                  computed exactly at every step."
+        ),
         own: &[],
         of_machine: &[],
-        settings: &["feed_drive.kind"],
+        settings: &["feed_drive.kind", "feed_drive.curve"],
         lamps: &[],
     },
     BlockInfo {
         block: Block::SpindleDrive,
         id: "spindle_drive",
-        name: "Spindle drive",
+        name: text!("Spindle drive"),
         models: &[],
-        meaning: "The spindle follows its command as a first-order lag that cannot change speed \
-                  faster than its rate limit.",
+        meaning: text!(
+            "The spindle follows its command as a first-order lag that cannot change speed \
+                  faster than its rate limit."
+        ),
         own: &[],
         of_machine: &[],
-        settings: &["spindle_drive.time_constant_s", "spindle_drive.rate_rpm_s"],
+        settings: &[
+            "spindle_drive.time_constant_s",
+            "spindle_drive.rate_rpm_s",
+            "spindle_drive.curve",
+        ],
         lamps: &[],
     },
     BlockInfo {
         block: Block::Cutting,
         id: "cutting",
-        name: "Cutting process",
+        name: text!("Cutting process"),
         models: &[4],
-        meaning: "The true cut: maximum cutting force from feed and speed, times what the model \
-                  does not know: material and hardness, cross-section of the cut, tool wear.",
+        meaning: text!(
+            "The true cut: maximum cutting force from feed and speed, times what the model \
+                  does not know: material and hardness, cross-section of the cut, tool wear."
+        ),
         own: &["radial_depth_mm", "used_life"],
         of_machine: &[],
         settings: &[
@@ -187,28 +211,36 @@ pub const BLOCKS: &[BlockInfo] = &[
             "formula.material",
             "formula.specific_force",
         ],
-        lamps: &[lamp(flag::K4_OUTSIDE, "K4"), lamp(flag::AIR, "air")],
+        lamps: &[
+            lamp(flag::K4_OUTSIDE, "K4"),
+            lamp(flag::TOOTH_BROKEN, text!("tooth")),
+            lamp(flag::AIR, text!("air")),
+        ],
     },
     BlockInfo {
         block: Block::Dynamic,
         id: "dynamic",
-        name: "Dynamic component",
+        name: text!("Dynamic component"),
         models: &[],
-        meaning: "What a real force adds to the model: band-limited noise, the ripple of the \
+        meaning: text!(
+            "What a real force adds to the model: band-limited noise, the ripple of the \
                   teeth, slow changes of the material along the path; each with its own seeded \
-                  stream.",
+                  stream."
+        ),
         own: &[],
         of_machine: &["vibration_um", "sound_mm_s"],
         settings: &["noise.level"],
-        lamps: &[lamp(flag::LOST_CONTACT, "contact")],
+        lamps: &[lamp(flag::LOST_CONTACT, text!("contact"))],
     },
     BlockInfo {
         block: Block::Dynamometer,
         id: "dynamometer",
-        name: "Dynamometer",
+        name: text!("Dynamometer"),
         models: &[],
-        meaning: "The force sensor: reads the dynamic force once per control period and adds \
-                  its own noise. The controller sees only this.",
+        meaning: text!(
+            "The force sensor: reads the dynamic force once per control period and adds \
+                  its own noise. The controller sees only this."
+        ),
         own: &[],
         of_machine: &[],
         settings: &["noise.level", "noise.sensor_n"],
@@ -217,11 +249,13 @@ pub const BLOCKS: &[BlockInfo] = &[
     BlockInfo {
         block: Block::Surface,
         id: "surface",
-        name: "Surface",
+        name: text!("Surface"),
         models: &[5],
-        meaning: "The roughness that the force leaves on the part, without machine dynamics. \
+        meaning: text!(
+            "The roughness that the force leaves on the part, without machine dynamics. \
                   Identified models invert that of the reference exactly, so that a force held \
-                  at its desired value leaves the desired roughness.",
+                  at its desired value leaves the desired roughness."
+        ),
         own: &["ra_target_um"],
         of_machine: &[],
         settings: &["plant.model_set", "plant.calibration", "formula.ra"],
@@ -230,10 +264,12 @@ pub const BLOCKS: &[BlockInfo] = &[
     BlockInfo {
         block: Block::SurfaceDynamic,
         id: "surface_dynamic",
-        name: "Surface",
+        name: text!("Surface"),
         models: &[6],
-        meaning: "The roughness with machine dynamics: the same equation, fed with the force and \
-                  its dynamic component.",
+        meaning: text!(
+            "The roughness with machine dynamics: the same equation, fed with the force and \
+                  its dynamic component."
+        ),
         own: &["ra_target_um"],
         of_machine: &[],
         settings: &["plant.model_set", "plant.calibration", "formula.ra"],
@@ -267,7 +303,10 @@ impl Block {
         let by_models = self != Self::Controller || kind.held() == Held::Roughness;
         let own = self.info().settings.iter().copied();
         let own = own.filter(move |path| by_models || !path.starts_with("formula."));
-        own.chain(of_kind.map(|param| param.path.as_str()))
+        // Gains are looked for more often than formulas of one's own, which stand last.
+        let (formulas, first): (Vec<_>, Vec<_>) =
+            own.partition(|path| path.starts_with("formula."));
+        first.into_iter().chain(of_kind.map(|param| param.path.as_str())).chain(formulas)
     }
 
     /// Ids of the signals to look at: those that enter it, its own, and those that leave it, each once.
@@ -312,7 +351,7 @@ mod tests {
         let scenario = crate::run::presets::load("table3-5").unwrap();
         let found: Vec<&str> = Block::Controller.settings(&scenario).collect();
         let formulas = ["formula.feed", "formula.speed"];
-        assert_eq!(found, [&["controller.kind"], &formulas[..], &["controller.sdnrp.kp"]].concat());
+        assert_eq!(found, [&["controller.kind", "controller.sdnrp.kp"], &formulas[..]].concat());
         let kind = crate::blocks::control::ControllerKind::ConstantFeed;
         let constant = scenario.with(|s| s.controller.kind = kind).unwrap();
         assert!(Block::Controller.settings(&constant).all(|path| !formulas.contains(&path)));

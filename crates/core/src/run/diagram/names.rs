@@ -3,14 +3,17 @@
 use super::super::scenario::Scenario;
 use super::super::signals::{FlagInfo, flag};
 use super::{Block, BlockInfo, Lamp};
+use crate::base::language::tr;
+use crate::blocks::control::ControllerKind;
 use crate::blocks::control::law::Held;
 use crate::blocks::cutting::process::{ForceModel, PlantSettings};
+use crate::models::disturbances::Disturbance;
 use crate::models::genetic::{Calibration, ModelSet};
 
 /// The models that a box computes with.
 #[derive(Clone, Copy, Debug)]
 pub struct Using {
-    /// Whose models they are.
+    /// Whose models they are, in the chosen language.
     pub whose: &'static str,
     /// Their set.
     pub set: ModelSet,
@@ -26,12 +29,12 @@ impl Block {
             Self::Reference | Self::Controller => {
                 let belief = &scenario.belief;
                 let (set, calibration) = (belief.model_set, belief.calibration);
-                Some(Using { whose: "the controller's belief", set, calibration })
+                Some(Using { whose: tr("the controller's belief"), set, calibration })
             }
             Self::Cutting | Self::Surface | Self::SurfaceDynamic => {
                 let plant = &scenario.plant;
                 let (set, calibration) = (plant.model_set, plant.calibration);
-                Some(Using { whose: "the plant", set, calibration })
+                Some(Using { whose: tr("the plant"), set, calibration })
             }
             Self::Override
             | Self::DeadTime
@@ -50,12 +53,12 @@ impl Block {
             return String::new();
         };
         if calibration != Calibration::Formula {
-            return calibration.label().to_owned();
+            return tr(calibration.label()).to_owned();
         }
         let names = Names::of(scenario);
         let of_model = |number: &u32| {
             let own = set != ModelSet::Milling2005 && has_formula(*number, scenario);
-            let origin = if own { "own formula" } else { Calibration::Identified.label() };
+            let origin = if own { tr("own formula") } else { tr(Calibration::Identified.label()) };
             (names.model(*number), origin)
         };
         let each: Vec<(String, &str)> = self.info().models.iter().map(of_model).collect();
@@ -77,12 +80,18 @@ impl Block {
         let force = scenario.plant.force_model;
         match self.using(scenario) {
             Some(Using { whose, .. }) if self == Self::Cutting && !force.is_formula() => {
-                format!("Now, {whose}: {}", force.label())
+                tr!("Now, {whose}: {force}", whose = whose, force = tr(force.label()))
             }
             Some(Using { whose, set, .. }) => {
-                format!("Now, {whose}: {}, {}", set.label(), self.origin(scenario))
+                let (models, origin) = (tr(set.label()), self.origin(scenario));
+                tr!(
+                    "Now, {whose}: {models}, {origin}",
+                    whose = whose,
+                    models = models,
+                    origin = origin
+                )
             }
-            None => "Now".to_owned(),
+            None => tr("Now").to_owned(),
         }
     }
 }
@@ -130,20 +139,43 @@ impl Names {
         }
     }
 
-    /// A text that begins with the name that a model has in the set of 2007, with its present one.
-    fn renamed(self, text: &str) -> String {
+    /// What the model with this number gives, in plain words of the chosen language; empty for a number that
+    /// no model has.
+    #[must_use]
+    pub fn gives(number: u32) -> &'static str {
+        match number {
+            1 => tr("force for a target Ra"),
+            2 => tr("feed for a force"),
+            3 => tr("speed for a force"),
+            4 => tr("cutting force"),
+            5 => tr("Ra"),
+            6 => tr("Ra with dynamics"),
+            _ => "",
+        }
+    }
+
+    /// The present name of the model whose name in the set of 2007 a text begins with, if it begins with one.
+    fn named_in(self, text: &str) -> Option<String> {
         let mut chars = text.chars();
-        let number = match (chars.next(), chars.next()) {
-            (Some('K'), Some(digit)) => digit.to_digit(10),
+        match (chars.next(), chars.next()) {
+            (Some('K'), Some(digit)) => digit.to_digit(10).map(|number| self.model(number)),
             _ => None,
-        };
-        number.map_or(text.to_owned(), |number| format!("{}{}", self.model(number), &text[2..]))
+        }
+    }
+
+    /// The model that a flag is of, by its present name; none of a flag of something else.
+    #[must_use]
+    pub fn model_of(self, flag: &FlagInfo) -> Option<String> {
+        self.named_in(flag.label)
     }
 
     /// A flag in words: the table of flags calls models by their names of 2007.
     #[must_use]
     pub fn flag(self, flag: &FlagInfo) -> String {
-        self.renamed(flag.label)
+        match self.model_of(flag) {
+            Some(model) => tr!("{model} outside its range", model = model),
+            None => tr(flag.label).to_owned(),
+        }
     }
 }
 
@@ -166,22 +198,35 @@ impl BlockInfo {
     /// The box's name with its models.
     #[must_use]
     pub fn title(&self, scenario: &Scenario) -> String {
-        format!("{} {}", self.name, self.models(scenario)).trim_end().to_owned()
+        format!("{} {}", tr(self.name), self.models(scenario)).trim_end().to_owned()
     }
+}
+
+/// Whether a tooth can break in this cut, under its load or by a disturbance.
+fn can_break(scenario: &Scenario) -> bool {
+    let tool = &scenario.tool;
+    let by_load = tool.chip_max_mm > 0.0 || tool.force_max_n > 0.0;
+    by_load || !scenario.disturbances.of(Disturbance::BrokenTooth).is_empty()
 }
 
 impl Lamp {
     /// Its name.
     #[must_use]
     pub fn name(&self, scenario: &Scenario) -> String {
-        Names::of(scenario).renamed(self.label)
+        let model = Names::of(scenario).named_in(self.label);
+        model.unwrap_or_else(|| tr(self.label).to_owned())
     }
 
-    /// Whether it can be lit at all: without a rate limit or a machine there is no lamp for it.
+    /// Whether it can be lit at all: without a rate limit, a machine or a controller with a limit of its
+    /// own there is no lamp for it.
     #[must_use]
     pub fn serves(&self, scenario: &Scenario) -> bool {
         let limited = self.bits & flag::RATE_LIMITED == 0 || scenario.cnc.override_rate_limited;
-        limited && (self.bits & flag::LOST_CONTACT == 0 || scenario.machine.coupled)
+        let guarded = scenario.controller.kind == ControllerKind::Afc;
+        limited
+            && (self.bits & flag::LOST_CONTACT == 0 || scenario.machine.coupled)
+            && (self.bits & flag::TOOTH_BROKEN == 0 || can_break(scenario))
+            && (self.bits & (flag::OVER_LIMIT | flag::CONTROL_OFF) == 0 || guarded)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::scenario::Scenario;
 use super::Block;
+use crate::base::language::text;
 use crate::blocks::control::law::Held;
 use crate::models::feed_drive::FeedDriveKind;
 use crate::models::genetic::ModelSet;
@@ -11,18 +12,18 @@ const fn eq(formula: &'static str, source: &'static str) -> Printed {
     Printed::new(formula, source)
 }
 
-const K1: Printed = eq("F_d = 293 - 593 / √(39.37 Ra)", "SDNRP 2007, eq. 4");
-const K2: Printed = eq("f_c = 25.4 (189 - 5926160 / F_s^2)", "SDNRP 2007, eq. 5");
-const K3: Printed = eq("n_c = √(30064193 - 2.28 F_s^3)", "SDNRP 2007, eq. 6");
-const K5: Printed = eq("Ra = 0.0254 (593 / (293 - F))^2", "SDNRP 2007, eq. 8");
+const K1: Printed = eq("F_d = 293 - 593 / √(39.37 Ra)", text!("SDNRP 2007, eq. 4"));
+const K2: Printed = eq("f_c = 25.4 (189 - 5926160 / F_s^2)", text!("SDNRP 2007, eq. 5"));
+const K3: Printed = eq("n_c = √(30064193 - 2.28 F_s^3)", text!("SDNRP 2007, eq. 6"));
+const K5: Printed = eq("Ra = 0.0254 (593 / (293 - F))^2", text!("SDNRP 2007, eq. 8"));
 const M1: Printed =
-    eq("F = 69.306 Ra^3 - 270.18 Ra^2 + 398.82 Ra + 14.875", "Control strategy 2013, eq. 2");
+    eq("F = 69.306 Ra^3 - 270.18 Ra^2 + 398.82 Ra + 14.875", text!("Control strategy 2013, eq. 2"));
 const M2: Printed = eq(
     "f_c = 10^{05} F^4 - 0.01 F^3 + 2.7568 F^2 - 333.75 F + 15348",
-    "Control strategy 2013, eq. 3 (\"10^05\" can only be 10^-5)",
+    text!("Control strategy 2013, eq. 3 (\"10^05\" can only be 10^-5)"),
 );
-const M3: Printed = eq("n_c = 7641.3 e^{-0.004 F}", "Control strategy 2013, eq. 4");
-const M5: Printed = eq("Ra = 0.0001 F^2 - 0.0341 F + 3.018", "Control strategy 2013, eq. 6");
+const M3: Printed = eq("n_c = 7641.3 e^{-0.004 F}", text!("Control strategy 2013, eq. 4"));
+const M5: Printed = eq("Ra = 0.0001 F^2 - 0.0341 F + 3.018", text!("Control strategy 2013, eq. 6"));
 
 /// The transfer function of a drive.
 fn drive(kind: FeedDriveKind) -> Printed {
@@ -30,23 +31,23 @@ fn drive(kind: FeedDriveKind) -> Printed {
         FeedDriveKind::Eq1Of2007 => eq(
             "f_a / f_c = K_i K_{ip} K_t e^{-st} / (J_e L_a s^3 + J_e (R + K_H K_{ip}) s^2 \
              + K_t (K_p K_{ip} + K_b) s + K_t K_i K_{ip})",
-            "SDNRP 2007, eq. 1, with the constants of its Table 1",
+            text!("SDNRP 2007, eq. 1, with the constants of its Table 1"),
         ),
         FeedDriveKind::Eq2Of2007 => eq(
             "f_a / f_c = 497000 e^{-0.08 s} / ((s + 14.0) + (s^2 + 155 s + 35500))",
-            "SDNRP 2007, eq. 2 (the sum is a misprint: a product has the gain 1)",
+            text!("SDNRP 2007, eq. 2 (the sum is a misprint: a product has the gain 1)"),
         ),
         FeedDriveKind::Eq3Of2007 => eq(
             "f_a / f_c = 14.0 e^{-0.08 s} / (s + 14.0)",
-            "SDNRP 2007, eq. 3: the drive that the paper simulates with",
+            text!("SDNRP 2007, eq. 3: the drive that the paper simulates with"),
         ),
         FeedDriveKind::SecondOrder2013 => eq(
             "f_a / f_c = 1 / (0.001024 s^2 + 0.064 s + 1)",
-            "Control strategy 2013, eq. 1 (\"natural frequency of 3 Hz\" does not fit it)",
+            text!("Control strategy 2013, eq. 1 (\"natural frequency of 3 Hz\" does not fit it)"),
         ),
         FeedDriveKind::Measured3Hz => eq(
-            "second order, natural frequency 3 Hz, settling time 0.4 s",
-            "Control strategy 2013, section 2.2: measured step responses, in words only",
+            text!("second order, natural frequency 3 Hz, settling time 0.4 s"),
+            text!("Control strategy 2013, section 2.2: measured step responses, in words only"),
         ),
     }
 }
@@ -54,11 +55,12 @@ fn drive(kind: FeedDriveKind) -> Printed {
 /// The dead time published with a drive.
 fn dead_time(kind: FeedDriveKind) -> Printed {
     match kind {
-        FeedDriveKind::Eq1Of2007 | FeedDriveKind::Eq2Of2007 | FeedDriveKind::Eq3Of2007 => {
-            eq("e^{-0.08 s}", "SDNRP 2007, eq. 2 and 3 (the text's \"t = 8 s\" is a misprint)")
-        }
+        FeedDriveKind::Eq1Of2007 | FeedDriveKind::Eq2Of2007 | FeedDriveKind::Eq3Of2007 => eq(
+            "G(s) = e^{-0.08 s}",
+            text!("SDNRP 2007, eq. 2 and 3 (the text's \"t = 8 s\" is a misprint)"),
+        ),
         FeedDriveKind::SecondOrder2013 | FeedDriveKind::Measured3Hz => {
-            eq("t = 0.04 s", "Control strategy 2013, section 2.2, below eq. 1")
+            eq("t = 0.04 s", text!("Control strategy 2013, section 2.2, below eq. 1"))
         }
     }
 }
@@ -84,22 +86,26 @@ impl Block {
             }
             Self::Override => vec![eq(
                 "f_c = DNCFRO · f_p,  n_c = DNCSPO · n_p,  0..250 %",
-                "Control strategy 2013, section 2; whole percents and rate: CNC practice, chosen",
+                text!(
+                    "Control strategy 2013, section 2; whole percents and rate: CNC practice, chosen"
+                ),
             )],
             Self::DeadTime => vec![dead_time(kind)],
             Self::FeedDrive => vec![drive(kind)],
             Self::SpindleDrive => vec![eq(
                 "n_a' = limit((n_c - n_a) / τ, ± rate)",
-                "chosen: no paper gives a spindle drive",
+                text!("chosen: no paper gives a spindle drive"),
             )],
             Self::Cutting => scenario.plant.force_model.printed(set).to_vec(),
             Self::Dynamic => vec![eq(
                 "F_{dyn} = F (1 + level (b(t) + ripple sin θ + w(x)))",
-                "SDNRP 2007, Fig. 10 (lost): random, sized like measured oscillations; form chosen",
+                text!(
+                    "SDNRP 2007, Fig. 10 (lost): random, sized like measured oscillations; form chosen"
+                ),
             )],
             Self::Dynamometer => vec![eq(
                 "F_m = F_{dyn} + sensor noise",
-                "SDNRP 2007, section 1: Kistler force transducer; noise chosen",
+                text!("SDNRP 2007, section 1: Kistler force transducer; noise chosen"),
             )],
             Self::Surface | Self::SurfaceDynamic => vec![if of_2007 { K5 } else { M5 }],
         }

@@ -7,6 +7,8 @@ use super::Block::{
     SpindleDrive, Surface, SurfaceDynamic,
 };
 
+use crate::base::language::{text, tr};
+
 /// A wire of the diagram.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wire {
@@ -43,10 +45,10 @@ pub const DESIRED_FORCE: Wire = wire("force_ref_n", "F_d", Some(Reference), &[Co
 pub const MEASURED_FORCE: Wire = wire("force_measured_n", "F_m", Some(Dynamometer), &[Controller]);
 /// Feed command in percent.
 pub const FEED_OVERRIDE: Wire =
-    wire("feed_override_percent", "feed", Some(Controller), &[Override]);
+    wire("feed_override_percent", text!("feed"), Some(Controller), &[Override]);
 /// Spindle command in percent.
 pub const SPINDLE_OVERRIDE: Wire =
-    wire("spindle_override_percent", "spindle", Some(Controller), &[Override]);
+    wire("spindle_override_percent", text!("spindle"), Some(Controller), &[Override]);
 /// Feed command into the dead time.
 pub const FEED_COMMAND: Wire = wire("feed_command_mm_min", "f_c", Some(Override), &[DeadTime]);
 /// Spindle command into the dead time.
@@ -104,17 +106,21 @@ impl Wire {
     /// What its signal is called here.
     #[must_use]
     pub fn name(self) -> String {
-        let delay = if self.delayed { ", after dead time" } else { "" };
-        format!("{}{delay}", self.info().label)
+        let signal = tr(self.info().label);
+        if self.delayed {
+            tr!("{signal}, after dead time", signal = signal)
+        } else {
+            signal.to_owned()
+        }
     }
 
     /// Its symbol in plain text, with a unit of percent and with what the queue did.
     #[must_use]
     pub fn plain_symbol(self) -> String {
-        let symbol = self.symbol.replace(['{', '}'], "");
+        let symbol = tr(self.symbol).replace(['{', '}'], "");
         let unit = if self.info().unit == "%" { " %" } else { "" };
-        let delay = if self.delayed { " delayed" } else { "" };
-        format!("{symbol}{unit}{delay}")
+        let symbol = format!("{symbol}{unit}");
+        if self.delayed { tr!("{symbol} delayed", symbol = symbol) } else { symbol }
     }
 }
 

@@ -21,6 +21,8 @@ pub struct Judged {
     tolerance: f64,
     /// What the tolerance is of.
     reference: Reference,
+    /// Whether Ra is to be held and the machine vibrates in the cut, so that there is an Ra with that, too.
+    shakes: bool,
     /// Plant steps in a control period.
     control_every: u64,
 }
@@ -31,18 +33,58 @@ impl Judged {
     pub fn by(scenario: &Scenario, control_every: u64) -> Self {
         let target = &scenario.target;
         let tolerance = ratio_from_percent(target.tolerance_percent);
-        Self { tolerance, reference: target.reference, control_every }
+        let shakes = scenario.machine.coupled && target.reference == Reference::Ra;
+        Self { tolerance, reference: target.reference, shakes, control_every }
+    }
+
+    /// Whether Ra with dynamics is judged as well: Ra is to be held, and the machine vibrates in the cut.
+    #[must_use]
+    pub fn shakes(&self) -> bool {
+        self.shakes
     }
 
     /// Whether there is a value to judge.
-    fn knows(&self, row: &Row) -> bool {
+    #[must_use]
+    pub fn knows(&self, row: &Row) -> bool {
         match self.reference {
             Reference::Ra => !row.ra_has_ended(),
             Reference::Force => true,
         }
     }
 
-    fn in_tolerance(&self, row: &Row) -> bool {
+    /// Whether that lies beyond the upper end of the tolerance: rougher than allowed, or the force above it. Where
+    /// the roughness model has ended at zero the surface is smoother than it can tell.
+    #[must_use]
+    pub fn above(&self, row: &Row) -> bool {
+        match self.reference {
+            Reference::Ra => row.ra_um - row.ra_target_um > self.tolerance * row.ra_target_um,
+            Reference::Force => relative_error(row) > self.tolerance,
+        }
+    }
+
+    /// Whether vibration takes Ra beyond the upper end of its tolerance; where a force is held it is judged without.
+    #[must_use]
+    pub fn shaken_above(&self, row: &Row) -> bool {
+        match self.reference {
+            Reference::Ra => row.ra_dyn_um - row.ra_target_um > self.tolerance * row.ra_target_um,
+            Reference::Force => false,
+        }
+    }
+
+    /// Whether Ra with dynamics lies within the tolerance of its target.
+    pub(in crate::run) fn shaken_in_tolerance(&self, row: &Row) -> bool {
+        (row.ra_dyn_um - row.ra_target_um).abs() <= self.tolerance * row.ra_target_um
+    }
+
+    /// Whether the tool cuts and what is judged, with dynamics where that is, is known and lies outside the tolerance.
+    pub(in crate::run) fn strays(&self, row: &Row) -> bool {
+        let inside =
+            if self.shakes { self.shaken_in_tolerance(row) } else { self.in_tolerance(row) };
+        !row.has(flag::AIR) && self.knows(row) && !inside
+    }
+
+    /// Whether that lies within the tolerance.
+    pub(in crate::run) fn in_tolerance(&self, row: &Row) -> bool {
         match self.reference {
             Reference::Ra => {
                 (row.ra_um - row.ra_target_um).abs() <= self.tolerance * row.ra_target_um
@@ -125,6 +167,11 @@ pub struct Tally {
     /// Path in contact, and the part of it in tolerance, mm.
     pub(super) in_contact_mm: f64,
     pub(super) good_mm: f64,
+    /// Path in contact beyond the upper end of the tolerance, mm.
+    pub(super) above_mm: f64,
+    /// The same two of Ra with dynamics, where that is judged, mm.
+    pub(super) shaken_good_mm: f64,
+    pub(super) shaken_above_mm: f64,
     /// Path in contact on which there is nothing to judge: Ra is held and lies outside the model, mm.
     pub(super) unknown_mm: f64,
     pub(super) removed_mm3: f64,
@@ -162,6 +209,9 @@ impl Tally {
             time_s: row.time_s,
             in_contact_mm: 0.0,
             good_mm: 0.0,
+            above_mm: 0.0,
+            shaken_good_mm: 0.0,
+            shaken_above_mm: 0.0,
             unknown_mm: 0.0,
             removed_mm3: 0.0,
             max_force_n: row.force_n,
@@ -194,8 +244,17 @@ impl Tally {
             self.in_contact_mm += step_mm;
             if self.judged.in_tolerance(row) {
                 self.good_mm += step_mm;
+            } else if self.judged.above(row) {
+                self.above_mm += step_mm;
             } else if !self.judged.knows(row) {
                 self.unknown_mm += step_mm;
+            }
+            if self.judged.shakes && self.judged.knows(row) {
+                if self.judged.shaken_in_tolerance(row) {
+                    self.shaken_good_mm += step_mm;
+                } else if self.judged.shaken_above(row) {
+                    self.shaken_above_mm += step_mm;
+                }
             }
             let error = relative_error(row);
             let larger = self.worst.is_none_or(|worst| error.abs() > worst.abs());
@@ -243,6 +302,11 @@ impl Tally {
         self.axial_depth_mm = row.axial_depth_mm;
         self.force_ref_n = row.force_ref_n;
         self.time_s = row.time_s;
+    }
+
+    /// What it is judged by.
+    pub(super) fn judged(&self) -> &Judged {
+        &self.judged
     }
 
     /// The present control period, whole at its control sample.

@@ -1,5 +1,6 @@
 //! The groups of settings: everything a run depends on besides its edits, as plain data.
 
+use super::compared::TwinSettings;
 use super::table::Param;
 use crate::base::settings::{Group, Spec, Value};
 use crate::blocks::cnc::feed_drive::FeedDriveSettings;
@@ -10,6 +11,8 @@ use crate::blocks::cutting::disturbance::NoiseSettings;
 use crate::blocks::cutting::process::PlantSettings;
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::Target;
+use crate::models::disturbances::Disturbances;
+use crate::models::economics::Economics;
 use crate::models::genetic::{FormulaSettings, GeneticModels};
 use crate::models::machine_trend::LifeSettings;
 use crate::models::part::ProgrammedPart;
@@ -116,11 +119,14 @@ scenario! {
     "program", program: Program;
     "plan", plan: PlanSettings;
     "workpiece", workpiece: Workpiece;
+    "disturbances", disturbances: Disturbances;
+    "economics", economics: Economics;
     "run", run: RunSettings;
     "machine", machine: MachineSettings;
     "wear", wear: WearSettings;
     "life", life: LifeSettings;
     "profile", profile: ProfileSettings;
+    "twin", twin: TwinSettings;
 }
 
 impl Settings {

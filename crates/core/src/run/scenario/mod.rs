@@ -6,6 +6,7 @@
 //! [`Scenario::set_all`] and [`Scenario::change`], all of which check.
 
 mod companions;
+mod compared;
 mod groups;
 mod renamed;
 mod rules;
@@ -19,6 +20,7 @@ use std::sync::Arc;
 
 pub(super) use companions::companion;
 pub use companions::{COMPANIONS, Companion};
+pub use compared::{TwinKind, TwinSettings};
 pub use groups::{Info, RunSettings, Settings};
 pub use renamed::RENAMED;
 pub(super) use rules::joins;

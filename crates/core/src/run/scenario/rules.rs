@@ -2,7 +2,10 @@
 //! checked with, and `steadycut list`.
 
 use super::groups::Settings;
+use crate::base::language::{decimal, tr};
 use crate::base::settings::SettingError;
+use crate::blocks::cutting::tool_path::ToolPath;
+use crate::models::disturbances::{CHATTER_RESOLVED, DEEPEST_MM};
 use crate::models::genetic::{Calibration, ModelSet};
 
 /// Most rows that a run may record: a row takes 184 bytes, and 256 more where steps are left out; a console holds up to four recordings,
@@ -42,10 +45,10 @@ pub const RULES: &[Rule] = &[
         },
         broken: |_| {
             [
-                "formula without a formula for the plant".to_owned(),
-                "formula together with `formula.force` or `formula.ra`: set both at once, or first \
-                 the formula and last take it away"
-                    .to_owned(),
+                tr("formula without a formula for the plant").to_owned(),
+                tr("formula together with `formula.force` or `formula.ra`: set both at once, or first \
+                    the formula and last take it away")
+                .to_owned(),
             ]
         },
     },
@@ -68,11 +71,11 @@ pub const RULES: &[Rule] = &[
         },
         broken: |_| {
             [
-                "formula without a formula".to_owned(),
-                "formula together with one of `formula.force_of_ra`, `formula.feed`, \
-                 `formula.speed`, `formula.force`, `formula.ra`: set both at once, or first the \
-                 formula and last take it away"
-                    .to_owned(),
+                tr("formula without a formula").to_owned(),
+                tr("formula together with one of `formula.force_of_ra`, `formula.feed`, \
+                    `formula.speed`, `formula.force`, `formula.ra`: set both at once, or first the \
+                    formula and last take it away")
+                .to_owned(),
             ]
         },
     },
@@ -84,10 +87,12 @@ pub const RULES: &[Rule] = &[
             let (model, longest_s) = (s.plant.force_model, s.plant.force_model.longest_step_s());
             let steps = (s.control_period_s() / longest_s).ceil();
             [
-                format!("{} with plant steps of {} s", model.id(), s.dt_s()),
-                format!(
-                    "plant steps of at most {longest_s} s: `run.steps_per_control` from {steps} on \
-                     (576 give 28.8 kHz)"
+                tr!("{model} with plant steps of {step} s", model = model.id(), step = s.dt_s()),
+                tr!(
+                    "plant steps of at most {longest} s: `run.steps_per_control` from {steps} on \
+                     (576 give 28.8 kHz)",
+                    longest = longest_s,
+                    steps = steps
                 ),
             ]
         },
@@ -104,8 +109,11 @@ pub const RULES: &[Rule] = &[
         broken: |s| {
             let parameters = s.machine.parameters.id();
             [
-                format!("{parameters} with `machine.coupled` = true (overdamped modes)"),
-                "D or T in a coupled run".to_owned(),
+                tr!(
+                    "{parameters} with `machine.coupled` = true (overdamped modes)",
+                    parameters = parameters
+                ),
+                tr("D or T in a coupled run").to_owned(),
             ]
         },
     },
@@ -115,8 +123,8 @@ pub const RULES: &[Rule] = &[
         keeps: |c| !c.settings.wear.adjust_speed || c.settings.machine.coupled,
         broken: |_| {
             [
-                "true without the machine's sound".to_owned(),
-                "true with `machine.coupled` = true".to_owned(),
+                tr("true without the machine's sound").to_owned(),
+                tr("true with `machine.coupled` = true").to_owned(),
             ]
         },
     },
@@ -130,11 +138,11 @@ pub const RULES: &[Rule] = &[
         broken: |s| {
             let unks = &s.controller.unks;
             let start = unks.networks.get().map_or("none", |stored| stored.start.id());
-            let wanted = unks.start.id();
             [
-                format!("networks of the start `{start}`"),
-                format!(
-                    "networks of `controller.unks.start`, {wanted}, or none; set both together"
+                tr!("networks of the start `{start}`", start = start),
+                tr!(
+                    "networks of `controller.unks.start`, {wanted}, or none; set both together",
+                    wanted = unks.start.id()
                 ),
             ]
         },
@@ -145,8 +153,11 @@ pub const RULES: &[Rule] = &[
         keeps: |c| c.settings.tool.corner_too_large_mm().is_none(),
         broken: |s| {
             [
-                format!("{} mm", s.tool.corner_radius_mm),
-                format!("at most half of `tool.diameter_mm`, {} mm", 0.5 * s.tool.diameter_mm),
+                decimal(format!("{} mm", s.tool.corner_radius_mm)),
+                tr!(
+                    "at most half of `tool.diameter_mm`, {half} mm",
+                    half = 0.5 * s.tool.diameter_mm
+                ),
             ]
         },
     },
@@ -159,8 +170,95 @@ pub const RULES: &[Rule] = &[
         },
         broken: |s| {
             [
-                format!("{} mm", s.workpiece.radial_depth_mm),
-                format!("at most `tool.diameter_mm`, {} mm", s.tool.diameter_mm),
+                decimal(format!("{} mm", s.workpiece.radial_depth_mm)),
+                tr!("at most `tool.diameter_mm`, {diameter} mm", diameter = s.tool.diameter_mm),
+            ]
+        },
+    },
+    Rule {
+        paths: &["disturbances.broken_teeth", "tool.teeth"],
+        words: "a cutter keeps a tooth",
+        keeps: |c| {
+            let Settings { disturbances, tool, .. } = c.settings;
+            (disturbances.broken_teeth.zones().len() as u32) < tool.teeth
+        },
+        broken: |s| {
+            let (most, teeth) = (s.tool.teeth - 1, s.tool.teeth);
+            [
+                tr!("{n} broken teeth", n = s.disturbances.broken_teeth.zones().len()),
+                tr!(
+                    "at most {most}, one fewer than `tool.teeth`, {teeth}",
+                    most = most,
+                    teeth = teeth
+                ),
+            ]
+        },
+    },
+    Rule {
+        paths: &["disturbances.broken_teeth", "machine.coupled"],
+        words: "a machine in the running cut has all its teeth",
+        keeps: |c| {
+            let Settings { disturbances, machine, .. } = c.settings;
+            !machine.coupled || disturbances.broken_teeth.zones().is_empty()
+        },
+        broken: |s| {
+            [
+                tr!(
+                    "{n} with `machine.coupled` = true",
+                    n = s.disturbances.broken_teeth.zones().len()
+                ),
+                tr("none there: the machine's regeneration and the marks of the teeth count every tooth")
+                    .to_owned(),
+            ]
+        },
+    },
+    Rule {
+        paths: &[
+            "disturbances.chatter_hz",
+            "disturbances.chatter_bursts",
+            "run.control_period_ms",
+            "run.steps_per_control",
+        ],
+        words: "plant steps are short enough to show the chatter",
+        keeps: |c| {
+            let bursts = c.settings.disturbances.chatter_bursts.zones();
+            bursts.is_empty() || c.settings.disturbances.chatter_hz <= most_chatter_hz(c.settings)
+        },
+        broken: |s| {
+            [
+                tr!(
+                    "{frequency} Hz with bursts and plant steps of {step} s",
+                    frequency = s.disturbances.chatter_hz,
+                    step = s.dt_s()
+                ),
+                tr!(
+                    "at most {most:.1} Hz, three steps to a period; more `run.steps_per_control` allow more",
+                    most = most_chatter_hz(s)
+                ),
+            ]
+        },
+    },
+    Rule {
+        paths: &[
+            "disturbances.depth_steps",
+            "disturbances.gaps",
+            "workpiece.axial_depth_mm",
+            "workpiece.depth_steps",
+            "workpiece.cuts",
+        ],
+        words: "a part that surprises is nowhere deeper than a cut may be",
+        keeps: |c| {
+            c.settings.disturbances.depth_steps.zones().is_empty()
+                || deepest_mm(c.settings) <= DEEPEST_MM
+        },
+        broken: |s| {
+            [
+                tr!("so much: the cut would be {deepest} mm deep", deepest = deepest_mm(s)),
+                tr!(
+                    "what leaves it at most {most} mm deep everywhere, with \
+                     `workpiece.axial_depth_mm` or the depth of the cuts",
+                    most = DEEPEST_MM
+                ),
             ]
         },
     },
@@ -170,8 +268,8 @@ pub const RULES: &[Rule] = &[
         keeps: |c| c.settings.noise.band_low_hz < c.settings.noise.band_high_hz,
         broken: |s| {
             [
-                format!("{} Hz", s.noise.band_low_hz),
-                format!("below `noise.band_high_hz`, {} Hz", s.noise.band_high_hz),
+                decimal(format!("{} Hz", s.noise.band_low_hz)),
+                tr!("below `noise.band_high_hz`, {high} Hz", high = s.noise.band_high_hz),
             ]
         },
     },
@@ -183,8 +281,9 @@ pub const RULES: &[Rule] = &[
             let steps = s.run.steps_per_control;
             [
                 s.run.record_every.to_string(),
-                format!(
-                    "a divisor of `run.steps_per_control`, {steps}: every control sample is recorded"
+                tr!(
+                    "a divisor of `run.steps_per_control`, {steps}: every control sample is recorded",
+                    steps = steps
                 ),
             ]
         },
@@ -201,15 +300,29 @@ pub const RULES: &[Rule] = &[
         broken: |s| {
             let (row_s, longest_s) = (row_s(s), MAX_ROWS * row_s(s));
             [
-                format!("{} s", s.run.duration_s),
-                format!(
-                    "at most {longest_s} s with a row every {row_s} s ({MAX_ROWS} rows); record \
-                     less often with `run.record_every`"
+                decimal(format!("{} s", s.run.duration_s)),
+                tr!(
+                    "at most {longest} s with a row every {row} s ({rows} rows); record less often \
+                     with `run.record_every`",
+                    longest = longest_s,
+                    row = row_s,
+                    rows = MAX_ROWS
                 ),
             ]
         },
     },
 ];
+
+/// The highest frequency of a chatter that the plant steps show, Hz.
+fn most_chatter_hz(settings: &Settings) -> f64 {
+    CHATTER_RESOLVED / settings.dt_s()
+}
+
+/// The largest depth of the disturbed part, mm.
+fn deepest_mm(settings: &Settings) -> f64 {
+    let Settings { workpiece, disturbances, tool, .. } = settings;
+    ToolPath::new(workpiece, tool.outline()).disturbed(disturbances).depth_max_mm()
+}
 
 /// Time between two rows, s.
 fn row_s(settings: &Settings) -> f64 {

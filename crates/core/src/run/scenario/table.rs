@@ -5,7 +5,9 @@ use std::sync::LazyLock;
 
 use super::groups::build_table;
 use super::renamed::{current, was_a_group};
+use crate::base::language::decimal;
 use crate::base::settings::{Kind, SettingError, Spec, Value};
+use crate::base::text::nearest;
 
 /// One entry of the table of settings.
 #[derive(Clone, Debug)]
@@ -39,12 +41,9 @@ pub(super) fn index_of(path: &str) -> Result<usize, SettingError> {
     INDEX.get(current(path)).copied().ok_or_else(|| {
         // A long or binary path is cut: the message must stay readable, and the search short.
         let path: String = path.chars().take(80).collect();
-        let near = TABLE
-            .iter()
-            .map(|param| (strsim::jaro_winkler(&path, &param.path), &param.path))
-            .max_by(|a, b| a.0.total_cmp(&b.0))
-            .filter(|(likeness, _)| *likeness > 0.8);
-        SettingError::Unknown { path, suggestion: near.map(|(_, path)| path.clone()) }
+        let near = nearest(&path, TABLE.iter().map(|param| param.path.as_str()), 0.8);
+        let suggestion = near.map(str::to_owned);
+        SettingError::Unknown { path, suggestion }
     })
 }
 
@@ -69,11 +68,14 @@ pub(super) fn refused(param: &Param, value: &Value) -> SettingError {
         (Some(fault), _) => fault,
         (None, Value::Text(text)) => format!("{:?}", text.chars().take(60).collect::<String>()),
         // Written out, 1e300 would be cut to another number.
-        (None, Value::Float(x)) if x.abs() >= 1e15 => format!("{x:e}"),
+        (None, Value::Float(x)) if x.abs() >= 1e15 => decimal(format!("{x:e}")),
         (None, other) => {
             let unit = param.spec.unit;
             let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
-            format!("{}{unit}", other.to_string().chars().take(60).collect::<String>())
+            let text: String = other.to_string().chars().take(60).collect();
+            // The point of a number alone: in a list, commas tell its numbers apart.
+            let text = if other.number().is_some() { decimal(text) } else { text };
+            format!("{text}{unit}")
         }
     };
     let allowed = param.spec.allowed.allowed(param.spec.unit);

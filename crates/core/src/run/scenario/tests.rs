@@ -97,6 +97,10 @@ fn edits_that_do_not_fit_another_base_are_told_and_never_dropped_in_a_run() {
     assert!((1.9..=2.0).contains(&end_s), "{end_s}");
 }
 
+fn list(settings: &mut Settings, path: &str, rows: Vec<Vec<f64>>) {
+    settings.set_param(param(path).unwrap(), &rows.into()).unwrap();
+}
+
 /// Settings that break a rule and no other one.
 fn breaking(rule: &Rule) -> Settings {
     let mut s = Settings::default();
@@ -119,6 +123,16 @@ fn breaking(rule: &Rule) -> Settings {
         }
         "workpiece.radial_depth_mm" => s.workpiece.radial_depth_mm = 20.0,
         "noise.band_low_hz" => s.noise.band_low_hz = 50.0,
+        "disturbances.broken_teeth" if rule.paths[1] == "machine.coupled" => {
+            list(&mut s, rule.paths[0], vec![vec![10.0]]);
+            s.machine.coupled = true;
+        }
+        "disturbances.broken_teeth" => list(&mut s, rule.paths[0], vec![vec![1.0], vec![2.0]]),
+        "disturbances.chatter_hz" => {
+            list(&mut s, "disturbances.chatter_bursts", vec![vec![10.0, 5.0, 20.0]]);
+            s.disturbances.chatter_hz = 500.0;
+        }
+        "disturbances.depth_steps" => list(&mut s, rule.paths[0], vec![vec![10.0, 5.0, 7.0]]),
         "run.record_every" => s.run.record_every = 3,
         "run.duration_s" => (s.run.duration_s, s.run.steps_per_control) = (3600.0, 1000),
         other => panic!("no settings here break the rule on {other}"),

@@ -9,6 +9,7 @@
 
 use super::groups::Settings;
 use super::table::{Param, param};
+use crate::base::language::{text, tr};
 use crate::base::settings::SettingError;
 use crate::blocks::reference::Reference;
 use crate::models::genetic::{Calibration, ModelSet};
@@ -49,6 +50,11 @@ fn adjusts_speed(s: &Settings) -> bool {
     s.wear.adjust_speed && s.wear.model == WearModel::Life
 }
 
+/// Whether the tool's wear jumps somewhere.
+fn wear_jumps(s: &Settings) -> bool {
+    !s.disturbances.wear_jumps.zones().is_empty()
+}
+
 /// Whether a coupled machine's vibration makes Ra with dynamics.
 fn marks_measured(s: &Settings) -> bool {
     s.machine.coupled && s.machine.roughness_from == RoughnessFrom::Vibration
@@ -78,11 +84,11 @@ fn no_noise(s: &Settings) -> bool {
 }
 
 /// Why a run leaves out the settings of a controller that is not chosen.
-pub const ANOTHER_CONTROLLER: &str = "`controller.kind` is another one";
+pub const ANOTHER_CONTROLLER: &str = text!("`controller.kind` is another one");
 /// Why it leaves out a setting of the chosen one.
-pub const LEFT_OUT: &str = "the controller does not ask for it as its other settings stand";
+pub const LEFT_OUT: &str = text!("the controller does not ask for it as its other settings stand");
 /// Why it leaves out a belief.
-pub const NOT_BELIEVED: &str = "the controller, as it is set, does not ask for it";
+pub const NOT_BELIEVED: &str = text!("the controller, as it is set, does not ask for it");
 
 /// Why settings of the wear's curves are left out where a formula stands in their place.
 pub const BY_CURVES: [Unused; 4] = [
@@ -95,17 +101,17 @@ pub const BY_CURVES: [Unused; 4] = [
             "wear.failure_span",
         ],
         |s| s.wear.curve.get().is_some(),
-        "`wear.curve` gives the wear over the life",
+        text!("`wear.curve` gives the wear over the life"),
     ),
     unused(
         &["wear.force_growth"],
         |s| s.wear.force_curve.get().is_some(),
-        "`wear.force_curve` gives the force over the wear",
+        text!("`wear.force_curve` gives the force over the wear"),
     ),
     unused(
         &["wear.tooth_softening"],
         |s| s.wear.stiffness_curve.get().is_some(),
-        "`wear.stiffness_curve` gives the stiffness over the wear",
+        text!("`wear.stiffness_curve` gives the stiffness over the wear"),
     ),
     unused(
         &[
@@ -117,7 +123,7 @@ pub const BY_CURVES: [Unused; 4] = [
             "wear.depth_exponent",
         ],
         |s| s.wear.life_curve.get().is_some(),
-        "`wear.life_curve` gives the life over the cut",
+        text!("`wear.life_curve` gives the life over the cut"),
     ),
 ];
 
@@ -126,32 +132,32 @@ pub const UNUSED: &[Unused] = &[
     unused(
         &["target.ra_um"],
         |s| s.target.reference == Reference::Force,
-        "`target.reference` is force",
+        text!("`target.reference` is force"),
     ),
     unused(
         &["target.force_n"],
         |s| s.target.reference == Reference::Ra,
-        "`target.reference` is ra",
+        text!("`target.reference` is ra"),
     ),
     unused(
         &["belief.calibration"],
         |s| s.belief.model_set == ModelSet::Milling2005,
-        "`belief.model_set` is milling_2005, which has one calibration",
+        text!("`belief.model_set` is milling_2005, which has one calibration"),
     ),
     unused(
         &["plant.calibration"],
         |s| s.plant.model_set == ModelSet::Milling2005,
-        "`plant.model_set` is milling_2005, which has one calibration",
+        text!("`plant.model_set` is milling_2005, which has one calibration"),
     ),
     unused(
         &["formula.force_of_ra"],
         |s| s.target.reference == Reference::Force,
-        "`target.reference` is force",
+        text!("`target.reference` is force"),
     ),
     unused(
         &["formula.force_of_ra", "formula.feed", "formula.speed"],
         |s| !believes_formulas(s),
-        "`belief.calibration` is not formula, or `belief.model_set` milling_2005",
+        text!("`belief.calibration` is not formula, or `belief.model_set` milling_2005"),
     ),
     unused(
         &["formula.force"],
@@ -159,69 +165,75 @@ pub const UNUSED: &[Unused] = &[
             let cut = cut_by_formulas(s) && s.plant.force_model.is_formula();
             !cut && !believes_formulas(s)
         },
-        "neither `belief.calibration` nor `plant.calibration`, where `plant.force_model` is formula, is formula",
+        text!(
+            "neither `belief.calibration` nor `plant.calibration`, where `plant.force_model` is formula, is formula"
+        ),
     ),
     unused(
         &["formula.ra"],
         |s| !cut_by_formulas(s) && !believes_formulas(s),
-        "neither `belief.calibration` nor `plant.calibration` is formula",
+        text!("neither `belief.calibration` nor `plant.calibration` is formula"),
     ),
     unused(
         &["tool.corner_radius_mm"],
         |s| s.tool.shape != EndShape::BullNose,
-        "`tool.shape` is no bull_nose",
+        text!("`tool.shape` is no bull_nose"),
     ),
     never(
         &["tool.overhang_mm", "tool.elastic_modulus_n_mm2"],
-        "only the off-line plan bends the cutter",
+        text!("only the off-line plan bends the cutter"),
     ),
     unused(
         &["tool.compliance_um_n", "tool.runout_um", "plant.slice_mm", "formula.specific_force"],
         |s| !by_teeth(s),
-        "`plant.force_model` is a map, not mechanistic",
+        text!("`plant.force_model` is a map, not mechanistic"),
     ),
     unused(
         &["tool.compliance_um_n"],
         |s| s.machine.coupled,
-        "`machine.coupled` is true: the machine is what gives way",
+        text!("`machine.coupled` is true: the machine is what gives way"),
     ),
     unused(
         &["plant.force_offset_n"],
         by_teeth,
-        "`plant.force_model` is mechanistic: the teeth's force has no intercept",
+        text!("`plant.force_model` is mechanistic: the teeth's force has no intercept"),
     ),
     Unused {
         paths: &["noise."],
         but: &["noise.level"],
         when: Some(|s| s.noise.level == 0.0),
-        because: "`noise.level` is 0",
+        because: text!("`noise.level` is 0"),
     },
     unused(
         &["noise.band_low_hz", "noise.band_high_hz"],
         |s| s.noise.band_percent == 0.0,
-        "`noise.band_percent` is 0",
+        text!("`noise.band_percent` is 0"),
     ),
     unused(
         &["noise.correlation_mm"],
         |s| s.noise.inhomogeneity_percent == 0.0,
-        "`noise.inhomogeneity_percent` is 0",
+        text!("`noise.inhomogeneity_percent` is 0"),
     ),
-    unused(&["run.seed"], no_noise, "nothing is random: `noise.level` or every size of noise is 0"),
+    unused(
+        &["run.seed"],
+        no_noise,
+        text!("nothing is random: `noise.level` or every size of noise is 0"),
+    ),
     unused(
         &["cnc.override_rate_percent_s"],
         |s| !s.cnc.override_rate_limited,
-        "`cnc.override_rate_limited` is false",
+        text!("`cnc.override_rate_limited` is false"),
     ),
-    unused(&["cnc.force_stop_n"], |s| !s.cnc.force_stop, "`cnc.force_stop` is false"),
+    unused(&["cnc.force_stop_n"], |s| !s.cnc.force_stop, text!("`cnc.force_stop` is false")),
     unused(
         &["program.cut_feeds_mm_min"],
         |s| s.workpiece.cuts.is_empty(),
-        "`workpiece.cuts` is empty",
+        text!("`workpiece.cuts` is empty"),
     ),
     unused(
         &["program.feed_mm_min"],
         all_cuts_have_feeds,
-        "`program.cut_feeds_mm_min` programs every cut",
+        text!("`program.cut_feeds_mm_min` programs every cut"),
     ),
     unused(
         &[
@@ -231,29 +243,51 @@ pub const UNUSED: &[Unused] = &[
             "workpiece.depth_steps",
         ],
         |s| !s.workpiece.cuts.is_empty(),
-        "`workpiece.cuts` gives lengths and depths",
+        text!("`workpiece.cuts` gives lengths and depths"),
     ),
     Unused {
         paths: &["machine."],
         but: &["machine.coupled"],
         when: Some(|s| !s.machine.coupled),
-        because: "`machine.coupled` is false: the cut does not feel the machine",
+        because: text!("`machine.coupled` is false: the cut does not feel the machine"),
     },
     Unused {
         paths: &["wear."],
         but: &["wear.model", "wear.used_life"],
-        when: Some(|s| s.wear.model == WearModel::Fixed),
-        because: "`wear.model` is fixed",
+        when: Some(|s| s.wear.model == WearModel::Fixed && !wear_jumps(s)),
+        because: text!("`wear.model` is fixed"),
     },
-    unused(
-        &[
+    Unused {
+        paths: &["wear."],
+        but: &[
+            "wear.model",
+            "wear.used_life",
+            "wear.flank_end_mm",
+            "wear.force_growth",
+            "wear.force_curve",
             "wear.tooth_softening",
             "wear.stiffness_curve",
             "wear.indentation_n_mm3",
-            "wear.flank_end_mm",
         ],
+        when: Some(|s| s.wear.model == WearModel::Fixed),
+        because: text!(
+            "`wear.model` is fixed: the tool is worn by `disturbances.wear_jumps` alone"
+        ),
+    },
+    unused(
+        &["wear.tooth_softening", "wear.stiffness_curve", "wear.indentation_n_mm3"],
         |s| !s.machine.coupled,
-        "`machine.coupled` is false: nothing vibrates",
+        text!("`machine.coupled` is false: nothing vibrates"),
+    ),
+    unused(
+        &["wear.flank_end_mm"],
+        |s| !s.machine.coupled && !wear_jumps(s),
+        text!("`machine.coupled` is false: nothing vibrates"),
+    ),
+    unused(
+        &["disturbances.chatter_hz"],
+        |s| s.disturbances.chatter_bursts.zones().is_empty(),
+        text!("`disturbances.chatter_bursts` is empty"),
     ),
     BY_CURVES[0],
     BY_CURVES[1],
@@ -262,17 +296,17 @@ pub const UNUSED: &[Unused] = &[
     unused(
         &["wear.taylor_exponent"],
         |s| s.wear.life_curve.get().is_some() && !adjusts_speed(s),
-        "`wear.life_curve` gives the life over the cut, and nothing adjusts the speed",
+        text!("`wear.life_curve` gives the life over the cut, and nothing adjusts the speed"),
     ),
     unused(
         &["wear.flank_end_mm"],
-        |s| s.wear.indentation_n_mm3 == 0.0,
-        "`wear.indentation_n_mm3` is 0",
+        |s| s.wear.indentation_n_mm3 == 0.0 && !wear_jumps(s),
+        text!("`wear.indentation_n_mm3` is 0"),
     ),
     unused(
         &["life.tool_life_min", "life.sigma_percent", "life.correlated_min", "life.prior_spread"],
         |s| !adjusts_speed(s),
-        "`wear.adjust_speed` is false, or `wear.model` fixed",
+        text!("`wear.adjust_speed` is false, or `wear.model` fixed"),
     ),
     never(
         &[
@@ -284,19 +318,22 @@ pub const UNUSED: &[Unused] = &[
             "life.slow_min",
             "life.spectrum_ratio",
         ],
-        "only trends over the tool's life have it; a run has the force of its own cut",
+        text!("only trends over the tool's life have it; a run has the force of its own cut"),
     ),
     never(
         &["profile.short_um"],
-        "Ra with dynamics in the running cut leaves out waves below 50 um whatever is set",
+        text!("Ra with dynamics in the running cut leaves out waves below 50 um whatever is set"),
     ),
     unused(
         &["profile.long_mm", "profile.normal_share"],
         |s| !marks_measured(s),
-        "no vibration of a coupled machine makes Ra with dynamics (`machine.coupled`, \
-         `machine.roughness_from`)",
+        text!(
+            "no vibration of a coupled machine makes Ra with dynamics (`machine.coupled`, \
+         `machine.roughness_from`)"
+        ),
     ),
-    never(&["plan."], "the off-line plan has it, not a run"),
+    never(&["plan."], text!("the off-line plan has it, not a run")),
+    never(&["twin."], text!("it chooses what a cut is compared with, and moves none")),
 ];
 
 impl Unused {
@@ -315,12 +352,12 @@ impl Unused {
 }
 
 impl Settings {
-    /// Why a run of these settings leaves out the one at `path`; none where it is used.
+    /// Why a run of these settings leaves out the one at `path`, in the chosen language; none where it is used.
     ///
     /// # Errors
     /// [`SettingError::Unknown`].
     pub fn unused(&self, path: &str) -> Result<Option<&'static str>, SettingError> {
-        Ok(self.unused_param(param(path)?))
+        Ok(self.unused_param(param(path)?).map(tr))
     }
 
     fn unused_param(&self, Param { path, group, spec }: &Param) -> Option<&'static str> {

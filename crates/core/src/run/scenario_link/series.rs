@@ -4,6 +4,7 @@
 //! one before, all of them as whole numbers of the last decimal.
 
 use super::super::edits::Edit;
+use crate::base::language::tr;
 use crate::base::settings::Value;
 
 /// What the key of a series begins with; the setting's path follows.
@@ -63,13 +64,22 @@ fn power_of_ten(decimals: u32) -> f64 {
 pub(super) fn read(path: &str, text: &str) -> Result<Vec<Edit>, String> {
     let parts: Vec<&str> = text.split(':').collect();
     let [time_decimals, times, value_decimals, values] = parts[..] else {
-        return Err(format!("the series of `{path}` has {} parts, not 4", parts.len()));
+        return Err(tr!(
+            "the series of `{path}` has {n} parts, not 4",
+            path = path,
+            n = parts.len()
+        ));
     };
     let times = numbers(path, time_decimals, times)?;
     let values = numbers(path, value_decimals, values)?;
     if times.len() != values.len() {
         let [times, values] = [times.len(), values.len()];
-        return Err(format!("the series of `{path}` has {times} times and {values} values"));
+        return Err(tr!(
+            "the series of `{path}` has {times} times and {values} values",
+            path = path,
+            times = times,
+            values = values
+        ));
     }
     let edit = |(at_s, value)| Edit { at_s, path: path.to_owned(), value: Value::Float(value) };
     Ok(times.into_iter().zip(values).map(edit).collect())
@@ -79,8 +89,11 @@ fn numbers(path: &str, decimals: &str, steps: &str) -> Result<Vec<f64>, String> 
     let decimals: u32 = match decimals.parse() {
         Ok(decimals) if decimals <= MOST_DECIMALS => decimals,
         _ => {
-            return Err(format!(
-                "the series of `{path}` has `{decimals}` decimals; allowed are 0 to {MOST_DECIMALS}"
+            return Err(tr!(
+                "the series of `{path}` has `{decimals}` decimals; allowed are 0 to {most}",
+                path = path,
+                decimals = decimals,
+                most = MOST_DECIMALS
             ));
         }
     };
@@ -88,7 +101,11 @@ fn numbers(path: &str, decimals: &str, steps: &str) -> Result<Vec<f64>, String> 
     let each = steps.split(',').map(|step| {
         let added = step.parse().ok().and_then(|step: i64| sum.checked_add(step));
         sum = added.filter(|sum| (sum.unsigned_abs() as f64) <= LARGEST).ok_or_else(|| {
-            format!("the series of `{path}` has `{step}` where a whole number must stand")
+            tr!(
+                "the series of `{path}` has `{step}` where a whole number must stand",
+                path = path,
+                step = step
+            )
         })?;
         Ok(sum as f64 / power_of_ten(decimals))
     });

@@ -1,5 +1,6 @@
 //! Where something changes in a run: the start, a depth, a target, a setting, air and contact. What
-//! comes within a moment is one change, as the depth is along a ramp, or a target under a drag.
+//! comes within a moment is one change, as the depth is along a ramp; what a hand drags is one, from the
+//! value before the drag to the value at its end.
 
 use serde::Serialize;
 
@@ -8,11 +9,15 @@ use super::super::one_run::Run;
 use super::super::scenario::{Param, param};
 use super::super::signals::{Row, flag};
 use super::scan::{RowSpan, Scan, joined};
+use crate::base::language::{decimal, tr};
 use crate::base::settings::{Kind, Value};
 use crate::blocks::reference::Reference;
+use crate::models::disturbances::Disturbance;
 
 /// Changes nearer than this are one, s (chosen).
 const ONE_S: f64 = 0.25;
+/// Changes of the same setting nearer than this are one, s (chosen): a hand drags it.
+pub const ONE_DRAG_S: f64 = 1.0;
 /// The air between two contacts shorter than this is no event of its own, s (chosen).
 pub(super) const LEAST_AIR_S: f64 = 0.1;
 
@@ -54,6 +59,17 @@ pub enum Cause {
         /// After.
         to_n: f64,
     },
+    /// A disturbance along the way.
+    Disturbance {
+        /// Its kind.
+        kind: Disturbance,
+        /// Whether it begins here; otherwise it ends.
+        begins: bool,
+        /// Its length, mm; none of one that stays.
+        length_mm: Option<f64>,
+        /// Its size in the unit of its kind; none of one without a size.
+        size: Option<f64>,
+    },
     /// Another setting.
     Setting {
         /// Its path.
@@ -70,6 +86,23 @@ pub enum Cause {
 pub(super) struct Change {
     pub rows: RowSpan,
     pub causes: Vec<Cause>,
+}
+
+impl Change {
+    /// The row with which what it does begins: the last one of what a hand moves, the first one of what the way
+    /// brings.
+    pub fn begins(&self) -> usize {
+        let by_hand = self.causes.iter().all(|cause| match cause {
+            Cause::TargetRa { .. } | Cause::ReferenceForce { .. } | Cause::Setting { .. } => true,
+            Cause::Start
+            | Cause::Contact
+            | Cause::Air
+            | Cause::Depth { .. }
+            | Cause::RadialDepth { .. }
+            | Cause::Disturbance { .. } => false,
+        });
+        if by_hand { self.rows.last } else { self.rows.first }
+    }
 }
 
 fn depth(rows: &[Row], span: RowSpan) -> Vec<Cause> {
@@ -103,18 +136,20 @@ fn text(param: &Param, value: &Value) -> String {
     let words = match (&param.spec.allowed, value) {
         (Kind::Choice { options }, Value::Text(id)) => {
             let option = options.iter().find(|option| option.id == *id);
-            option.map_or(id.clone(), |option| option.label.to_owned())
+            option.map_or(id.clone(), |option| tr(option.label).to_owned())
         }
-        (_, Value::Bool(on)) => if *on { "on" } else { "off" }.to_owned(),
-        (_, Value::List(_)) => "another one".to_owned(),
-        (_, value) => value.to_string(),
+        (_, Value::Bool(on)) => if *on { tr("on") } else { tr("off") }.to_owned(),
+        (_, Value::List(_)) => tr("another one").to_owned(),
+        (_, Value::Text(text)) => text.clone(),
+        (_, value @ (Value::Int(_) | Value::Float(_))) => decimal(value.to_string()),
     };
     format!("{words} {}", param.spec.unit.replace("um", "µm")).trim_end().to_owned()
 }
 
 /// What an edit changes; none where that is seen in the rows, or where it only judges.
 fn setting(edit: &Edit, before: Option<&Value>) -> Option<Cause> {
-    let seen = ["target.", "workpiece."].iter().any(|group| edit.path.starts_with(group));
+    let seen =
+        ["target.", "workpiece.", "disturbances."].iter().any(|group| edit.path.starts_with(group));
     let param = param(&edit.path).ok().filter(|_| !seen)?;
     let from = before.map_or(String::new(), |value| text(param, value));
     let to = text(param, &edit.value);
@@ -147,7 +182,7 @@ pub(super) fn changes(run: &Run, scan: &Scan, rows: &[Row]) -> Vec<Change> {
     for span in joined(scan.depth(), gap(ONE_S)).into_iter().filter(in_contact) {
         all.push(Change { rows: span, causes: depth(rows, span) });
     }
-    for span in joined(scan.reference(), gap(ONE_S)) {
+    for span in joined(scan.reference(), gap(ONE_DRAG_S)) {
         all.push(Change { rows: span, causes: reference(rows, span, held) });
     }
     let mut now = run.scenario().clone();
@@ -164,14 +199,27 @@ pub(super) fn changes(run: &Run, scan: &Scan, rows: &[Row]) -> Vec<Change> {
             all.push(Change { rows: one(row), causes: vec![cause] });
         }
     }
+    all.extend(super::met::disturbances(run, rows));
     all.retain(|change| !change.causes.is_empty());
     all.sort_by_key(|change| change.rows.first);
-    merged(all, gap(ONE_S))
+    merged(all, gap(ONE_S), gap(ONE_DRAG_S))
 }
 
-fn merged(all: Vec<Change>, gap: usize) -> Vec<Change> {
+/// Whether two changes are of the same setting or target and of nothing else.
+fn are_of_one(a: &[Cause], b: &[Cause]) -> bool {
+    match (a, b) {
+        ([Cause::Setting { path: a, .. }], [Cause::Setting { path: b, .. }]) => a == b,
+        ([Cause::TargetRa { .. }], [Cause::TargetRa { .. }])
+        | ([Cause::ReferenceForce { .. }], [Cause::ReferenceForce { .. }]) => true,
+        ([..], [..]) => false,
+    }
+}
+
+fn merged(all: Vec<Change>, near: usize, drag: usize) -> Vec<Change> {
     let mut found: Vec<Change> = Vec::new();
     for change in all {
+        let dragged = found.last().is_some_and(|last| are_of_one(&last.causes, &change.causes));
+        let gap = if dragged { drag } else { near };
         match found.last_mut() {
             Some(last) if change.rows.first <= last.rows.last + gap => {
                 last.rows.last = last.rows.last.max(change.rows.last);
@@ -183,16 +231,33 @@ fn merged(all: Vec<Change>, gap: usize) -> Vec<Change> {
     found
 }
 
-/// A setting that is changed again and again goes from its first value to its last.
+/// What is changed again and again goes from its first value to its last.
 fn take_in(causes: &mut Vec<Cause>, cause: Cause) {
-    if let Cause::Setting { path, to, .. } = &cause {
-        for known in causes.iter_mut() {
-            if let Cause::Setting { path: same, to: last, .. } = known
-                && same == path
+    for known in causes.iter_mut() {
+        match (known, &cause) {
+            (Cause::Setting { path: same, to: last, .. }, Cause::Setting { path, to, .. })
+                if same == path =>
             {
                 last.clone_from(to);
                 return;
             }
+            (Cause::TargetRa { to_um: last, .. }, Cause::TargetRa { to_um: to, .. })
+            | (Cause::ReferenceForce { to_n: last, .. }, Cause::ReferenceForce { to_n: to, .. }) => {
+                *last = *to;
+                return;
+            }
+            (
+                Cause::Start
+                | Cause::Contact
+                | Cause::Air
+                | Cause::Depth { .. }
+                | Cause::RadialDepth { .. }
+                | Cause::TargetRa { .. }
+                | Cause::ReferenceForce { .. }
+                | Cause::Disturbance { .. }
+                | Cause::Setting { .. },
+                _,
+            ) => {}
         }
     }
     causes.push(cause);

@@ -2,18 +2,25 @@
 //! cycles, wear; and the end.
 
 use super::super::edits::Edit;
+use super::super::metrics::Judged;
 use super::super::one_run::{End, Run};
 use super::super::scenario::Scenario;
 use super::super::signals::{Row, flag};
 use super::changes::{Cause, Change};
-use super::figures::{AirCut, ChangeEffect, Figures, FirstAnswer, LimitCycle, WayDone, WearEffect};
-use super::means::{StretchMeans, deviation};
+use super::figures::{
+    AirCut, ChangeEffect, Excursion, Figures, FirstAnswer, LimitCycle, WayDone, WearEffect,
+};
+use super::means::{StretchMeans, deviation, produced_ra_um, shaken_deviation, shaken_ra_um};
 use super::response::{ResponseEnd, Sampling, StepResponse, at_the_end};
+use super::scan::Scan;
+use super::verdict::CutVerdict;
 use super::{EventKind, StoryEvent, words};
+use crate::base::language::tr;
 use crate::base::math::extent;
 use crate::base::units::percent_from_ratio;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::tool_path::ToolPath;
+use crate::blocks::reference::Reference;
 
 /// A signal answers once it leaves what it was in the second before by this fraction (chosen).
 const ANSWERS: f64 = 0.002;
@@ -21,6 +28,37 @@ const ANSWERS: f64 = 0.002;
 const NEAR_MM: f64 = 0.1;
 /// Wear of less than this fraction of the tool's life over a run is not told of (chosen).
 const LEAST_WEAR: f64 = 0.01;
+
+/// A stretch that is still being cut is judged from this on after its change, s (chosen), and the time in which
+/// nothing can answer: what has not begun to move would count as being at rest.
+const JUDGED_FROM_S: f64 = 2.0;
+
+/// What is told of.
+pub(super) struct Told<'a> {
+    pub run: &'a Run,
+    /// The rows that are known.
+    pub rows: &'a [Row],
+    pub twin: Option<&'a Run>,
+    /// Whether the cut goes on after them.
+    pub so_far: bool,
+    /// What is found in all rows of the run: the program's way is known before it is cut.
+    pub ahead: &'a Scan,
+}
+
+impl Told<'_> {
+    /// When the depth changes next after a row, s; that it does not, where the run is over; nothing where that is
+    /// not known yet.
+    fn next_depth_s(&self, row: usize) -> Option<Option<f64>> {
+        let next = self.ahead.depth().iter().find(|span| span.first > row);
+        match (next, self.run.end()) {
+            (Some(span), _) => {
+                Some(self.run.recording().rows().get(span.first).map(|row| row.time_s))
+            }
+            (None, Some(_)) => Some(None),
+            (None, None) => None,
+        }
+    }
+}
 
 /// The scenario as its edits leave it, taken on in the order of time.
 pub(super) struct Moment<'a> {
@@ -60,13 +98,10 @@ impl<'a> Place<'a> {
 }
 
 /// The events of changes and of what follows from them.
-pub(super) fn tell(
-    run: &Run,
-    rows: &[Row],
-    twin: Option<&Run>,
-    changes: &[Change],
-) -> Vec<StoryEvent> {
+pub(super) fn tell(told: &Told<'_>, changes: &[Change]) -> Vec<StoryEvent> {
+    let Told { run, rows, twin, .. } = *told;
     let row_s = run.recording().row_s();
+    let control_every = run.recording().control_every();
     let sampling = Sampling { stride: run.recording().control_stride(), row_s };
     let mut events = Vec::new();
     let mut moment = Moment::start(run);
@@ -80,9 +115,11 @@ pub(super) fn tell(
         let scenario = &moment.scenario;
         let (held, tolerance) = (scenario.target.reference, scenario.target.tolerance_percent);
         let first = change.rows.first;
-        let changed_s = rows[first.saturating_sub(1)].time_s;
-        if change.causes == [Cause::Air] {
-            events.push(air(&place, first));
+        let goes_on = told.so_far && end == rows.len();
+        // What a hand drags is there at the end of the drag.
+        let changed_s = rows[change.begins().saturating_sub(1)].time_s;
+        if leaves_part(&change.causes) {
+            events.push(air(&place, first, &change.causes));
             before = None;
             before_from = end;
             continue;
@@ -93,6 +130,9 @@ pub(super) fn tell(
         }
         let after = at_the_end(place.stretch(), row_s, held, tolerance);
         let response = StepResponse::of(place.stretch(), changed_s, held, sampling);
+        let judged_from_s = changed_s + JUDGED_FROM_S + scenario.cnc.dead_time_s;
+        let too_soon = goes_on && rows[end - 1].time_s < judged_from_s;
+        let response = response.map(|found| if too_soon { StepResponse::TOO_SHORT } else { found });
         let twin_of = |from: usize, end: usize| {
             let uncontrolled = scenario.controller.kind == ControllerKind::ConstantFeed;
             twin.filter(|_| !uncontrolled)
@@ -105,18 +145,23 @@ pub(super) fn tell(
             twin_before: if begins { None } else { twin_of(before_from, first) },
             twin_after: twin_of(place.from, end),
             response,
+            excursion: excursion(place.stretch(), row_s, (scenario, control_every)),
         };
         let mut event = StoryEvent {
             id: words::kind(&change.causes),
             from_s: rows[first].time_s,
             to_s: rows[end - 1].time_s,
             position_mm: rows[first].position_mm,
-            sentence: words::change(&effect, scenario),
+            sentence: words::change(&effect, scenario, twin.map(Run::scenario), goes_on)
+                + told
+                    .next_depth_s(change.rows.last)
+                    .map_or(String::new(), |next_s| words::shows_later(&effect, scenario, next_s))
+                    .as_str(),
             figures: Figures::Change(Box::new(effect)),
         };
         if let Some(answer) = first_answer(&place, change, scenario) {
             let figures = Figures::Answer(answer);
-            let to_s = changed_s + answer.feed_after_s;
+            let to_s = rows[first.saturating_sub(1)].time_s + answer.feed_after_s;
             let sentence = words::first_answer(&answer, &change.causes, scenario);
             let dead =
                 StoryEvent { id: EventKind::DeadTime, to_s, figures, sentence, ..event.clone() };
@@ -140,11 +185,47 @@ pub(super) fn tell(
         before = after;
         before_from = place.from;
     }
-    events.extend(wear(run, rows, twin, changes));
+    events.extend(wear(told, changes));
     events
 }
 
-fn air(place: &Place<'_>, first: usize) -> StoryEvent {
+/// How far what is judged was out of its tolerance within a stretch.
+fn excursion(
+    stretch: &[Row],
+    row_s: f64,
+    (scenario, control_every): (&Scenario, u64),
+) -> Option<Excursion> {
+    let held = scenario.target.reference;
+    let judged = Judged::by(scenario, control_every);
+    let value = |row: &Row| match (held, judged.shakes()) {
+        (Reference::Ra, true) => shaken_deviation(row).zip(shaken_ra_um(row)),
+        (Reference::Ra, false) => deviation(row, held).zip(produced_ra_um(row)),
+        (Reference::Force, _) => deviation(row, held).map(|off| (off, row.force_n)),
+    };
+    // Below the range of its model nothing is known but that it is smooth.
+    let in_range = |row: &Row| held == Reference::Force || !row.has(flag::K5_OUTSIDE);
+    let strays = stretch.iter().filter(|row| judged.strays(row));
+    let outside =
+        strays.filter_map(|row| value(row).filter(|(off, _)| *off > 0.0 || in_range(row)));
+    // What is too rough is scrap, and comes before what is smoother, however far that is off.
+    let rank = |off: f64| if off > 0.0 { (true, off) } else { (false, -off) };
+    let (mut rows, mut furthest) = (0_usize, ((false, 0.0_f64), 0.0));
+    for (off, value) in outside {
+        rows += 1;
+        if rank(off) > furthest.0 {
+            furthest = (rank(off), value);
+        }
+    }
+    (rows > 0).then_some(Excursion { outside_s: rows as f64 * row_s, furthest: furthest.1 })
+}
+
+/// Whether the tool comes into the air, and nothing but a disturbance goes with it.
+fn leaves_part(causes: &[Cause]) -> bool {
+    causes.contains(&Cause::Air)
+        && causes.iter().all(|cause| matches!(cause, Cause::Air | Cause::Disturbance { .. }))
+}
+
+fn air(place: &Place<'_>, first: usize, causes: &[Cause]) -> StoryEvent {
     let (from, to) = (&place.rows[first], &place.rows[place.end - 1]);
     let cut = AirCut { length_mm: to.position_mm - from.position_mm, feed_mm_min: to.feed_mm_min };
     StoryEvent {
@@ -152,7 +233,7 @@ fn air(place: &Place<'_>, first: usize) -> StoryEvent {
         from_s: from.time_s,
         to_s: to.time_s,
         position_mm: from.position_mm,
-        sentence: words::air(&cut),
+        sentence: words::air(&cut, causes),
         figures: Figures::Air(cut),
     }
 }
@@ -224,7 +305,8 @@ fn first_answer(place: &Place<'_>, change: &Change, scenario: &Scenario) -> Opti
 }
 
 /// Wear over the whole run, with its effect where nothing else differs between start and end.
-fn wear(run: &Run, rows: &[Row], twin: Option<&Run>, changes: &[Change]) -> Option<StoryEvent> {
+fn wear(told: &Told<'_>, changes: &[Change]) -> Option<StoryEvent> {
+    let Told { run, rows, twin, .. } = *told;
     let (first, last) = (rows.first()?, rows.last()?);
     if last.used_life - first.used_life < LEAST_WEAR {
         return None;
@@ -236,7 +318,10 @@ fn wear(run: &Run, rows: &[Row], twin: Option<&Run>, changes: &[Change]) -> Opti
     let unchanged = !settings.into_iter().any(|cause| {
         matches!(
             cause,
-            Cause::Setting { .. } | Cause::TargetRa { .. } | Cause::ReferenceForce { .. }
+            Cause::Setting { .. }
+                | Cause::TargetRa { .. }
+                | Cause::ReferenceForce { .. }
+                | Cause::Disturbance { .. }
         )
     });
     // A second of the start once the loop has had a second to come to rest, and the last one.
@@ -269,7 +354,7 @@ fn wear(run: &Run, rows: &[Row], twin: Option<&Run>, changes: &[Change]) -> Opti
         from_s: first.time_s,
         to_s: last.time_s,
         position_mm: first.position_mm,
-        sentence: words::wear(&effect),
+        sentence: words::wear(&effect, twin.map(Run::scenario), told.so_far),
         figures: Figures::Wear(Box::new(effect)),
     })
 }
@@ -300,12 +385,17 @@ pub(super) fn spans(events: &[StoryEvent], kind: EventKind) -> Vec<[f64; 2]> {
 
 /// What the cut was on the way and is not at its end: who sees the end alone is told of it.
 fn was(events: &[StoryEvent]) -> String {
-    let kinds = [(EventKind::LimitCycle, "was unstable"), (EventKind::Chatter, "chattered")];
-    let told = kinds.map(|(kind, words)| match &spans(events, kind)[..] {
-        [] => String::new(),
-        some => format!(" It {words} {}.", words::stretches(some)),
-    });
-    told.concat()
+    let stretches = |kind| words::stretches(&spans(events, kind));
+    let mut told = String::new();
+    let unstable = stretches(EventKind::LimitCycle);
+    if !unstable.is_empty() {
+        told = format!(" {}", tr!("It was unstable {stretches}.", stretches = unstable));
+    }
+    let chattered = stretches(EventKind::Chatter);
+    if !chattered.is_empty() {
+        told += &format!(" {}", tr!("It chattered {stretches}.", stretches = chattered));
+    }
+    told
 }
 
 /// The end of the run, with its cause, and with what its events say against it.
@@ -314,19 +404,28 @@ pub(super) fn end(run: &Run, rows: &[Row], events: &[StoryEvent]) -> Option<Stor
     let done = WayDone {
         path_mm: last.position_mm,
         of_mm: ToolPath::length_of(&run.scenario().workpiece),
+        verdict: CutVerdict::of(run),
     };
     let sentence = match run.end()? {
-        End::PathDone => format!("The cut is finished: {} of path.", words::mm(done.path_mm)),
-        End::TimeLimit => format!(
-            "The time limit ends the run with {} of {} cut.",
-            words::mm(done.path_mm),
-            words::mm(done.of_mm)
+        End::PathDone => {
+            tr!("The cut is finished: {length} of path.", length = words::mm(done.path_mm))
+        }
+        End::TimeLimit => tr!(
+            "The time limit ends the run with {done} of {whole} cut.",
+            done = words::mm(done.path_mm),
+            whole = words::mm(done.of_mm)
         ),
-        end @ (End::Overload(_) | End::Crash(_) | End::Fault(_) | End::Refused(_)) => {
+        end @ (End::Overload(_)
+        | End::Crash(_)
+        | End::Breakage(_)
+        | End::Fault(_)
+        | End::Refused(_)
+        | End::Script(_)) => {
             format!("{end}.")
         }
     };
-    let sentence = sentence + &was(events);
+    let judged = words::verdict(&done.verdict, run.scenario());
+    let sentence = sentence + judged.as_str() + was(events).as_str();
     Some(StoryEvent {
         id: EventKind::End,
         from_s: last.time_s,

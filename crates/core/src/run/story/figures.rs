@@ -6,6 +6,7 @@ use super::changes::Cause;
 use super::means::StretchMeans;
 use super::oscillation::Oscillation;
 use super::response::StepResponse;
+use super::verdict::CutVerdict;
 
 /// A change and what it does, measured in the run and in the constant-feed twin.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -22,6 +23,17 @@ pub struct ChangeEffect {
     pub twin_after: Option<StretchMeans>,
     /// How the loop answers.
     pub response: Option<StepResponse>,
+    /// How far what is judged was out of the tolerance on the way; none where it never was.
+    pub excursion: Option<Excursion>,
+}
+
+/// What is judged, out of its tolerance for a while: the ends of a stretch do not tell of it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Excursion {
+    /// Time outside in all, s.
+    pub outside_s: f64,
+    /// The value furthest from its target: Ra in um, or the force in N.
+    pub furthest: f64,
 }
 
 /// The first answer to a change.
@@ -64,6 +76,10 @@ pub struct LimitReached {
     pub deviation_percent: Option<f64>,
     /// Whether that lies within the tolerance.
     pub in_tolerance: Option<bool>,
+    /// Mean deviation of Ra with dynamics from the target Ra meanwhile, percent.
+    pub deviation_dyn_percent: Option<f64>,
+    /// Whether that lies within the tolerance.
+    pub in_tolerance_dyn: Option<bool>,
 }
 
 /// A model used outside its range.
@@ -71,17 +87,45 @@ pub struct LimitReached {
 pub struct RangeLeft {
     /// The model's name.
     pub model: String,
+    /// Its number, 1 to 6.
+    #[serde(skip)]
+    pub number: u32,
+    /// What it gives, in plain words.
+    pub gives: &'static str,
     /// The input that is outside; none where the model belongs to another cutter or cannot say.
     pub input: Option<RangedInput>,
     /// Fraction of the time from begin to end at which it is outside, percent.
     pub share_percent: f64,
 }
 
+/// What a model is asked with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum ModelInput {
+    /// The target roughness.
+    #[serde(rename = "target Ra")]
+    TargetRa,
+    /// The force setpoint of the controller.
+    #[serde(rename = "force asked for")]
+    ForceAskedFor,
+    /// The actual feed.
+    #[serde(rename = "feed")]
+    Feed,
+    /// The actual spindle speed.
+    #[serde(rename = "spindle speed")]
+    SpindleSpeed,
+    /// The cutting force.
+    #[serde(rename = "force")]
+    Force,
+    /// The cutting force with its dynamic component.
+    #[serde(rename = "force with dynamics")]
+    ForceWithDynamics,
+}
+
 /// An input, the value furthest outside, and its range; an end that there is not is infinite.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct RangedInput {
-    /// Its name.
-    pub name: &'static str,
+    /// What it is.
+    pub name: ModelInput,
     /// Its unit.
     pub unit: &'static str,
     /// Its value furthest outside.
@@ -102,9 +146,11 @@ pub enum ChatterEnd {
     Itself,
     /// It goes on to the end of the run.
     GoesOn,
+    /// It goes on where the playhead stands; what comes is not known.
+    SoFar,
 }
 
-/// Chatter, seen as a tooth that jumps out of the cut.
+/// Chatter: a tooth that jumps out of the cut, or vibration that grows or stays from tooth to tooth.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Chatter {
     /// Depth of cut where it begins, mm.
@@ -117,6 +163,12 @@ pub struct Chatter {
     pub largest_force_n: f64,
     /// Mean force without vibration, N.
     pub mean_force_n: f64,
+    /// Whether teeth jump out of the cut.
+    pub loses_contact: bool,
+    /// Amplitude of what differs from tooth to tooth, at most meanwhile, um.
+    pub from_tooth_to_tooth_um: f64,
+    /// Mean Ra with and without dynamics, um; none where their models have ended on more than half of it.
+    pub ra_um: Option<[f64; 2]>,
     /// Why it ends.
     pub ends: ChatterEnd,
 }
@@ -148,13 +200,15 @@ pub struct LimitCycle {
     pub dead_time_s: f64,
 }
 
-/// How far the way is done at the end.
+/// How far the way is done at the end, and what the cut comes to.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct WayDone {
     /// Length of path done, mm.
     pub path_mm: f64,
     /// Length of the whole path, mm.
     pub of_mm: f64,
+    /// What the cut comes to.
+    pub verdict: CutVerdict,
 }
 
 /// The tool in the air.

@@ -32,21 +32,42 @@ pub fn force_error(row: &Row) -> f64 {
     (row.force_n - row.force_ref_n) / row.force_ref_n
 }
 
+/// Deviation of Ra with dynamics from the target, as a fraction of that; none in the air, and where its model or that
+/// of Ra has ended at zero.
+#[must_use]
+pub fn shaken_deviation(row: &Row) -> Option<f64> {
+    shaken_ra_um(row).map(|ra_um| (ra_um - row.ra_target_um) / row.ra_target_um)
+}
+
+/// Ra with dynamics of a row, um; none as [`shaken_deviation`] has it.
+pub(super) fn shaken_ra_um(row: &Row) -> Option<f64> {
+    let ended = row.has(flag::K6_OUTSIDE) && row.ra_dyn_um == 0.0;
+    produced_ra_um(row).and((!ended).then_some(row.ra_dyn_um))
+}
+
 /// Means over a stretch of rows in contact.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct StretchMeans {
     /// Produced Ra, um; none where it has no value on more than half of the stretch.
     pub ra_um: Option<f64>,
+    /// Ra with dynamics, um; none as before.
+    pub ra_dyn_um: Option<f64>,
     /// Force, N.
     pub force_n: f64,
     /// Feed, mm/min.
     pub feed_mm_min: f64,
+    /// Standard deviation of the feed within the stretch, mm/min: what noise moves it by.
+    pub feed_scatter_mm_min: f64,
     /// Spindle speed, 1/min.
     pub spindle_rpm: f64,
     /// Deviation of what is to be held from its reference, percent.
     pub deviation_percent: Option<f64>,
     /// Whether that lies within the tolerance.
     pub in_tolerance: Option<bool>,
+    /// Deviation of Ra with dynamics from the target Ra, percent.
+    pub deviation_dyn_percent: Option<f64>,
+    /// Whether that lies within the tolerance.
+    pub in_tolerance_dyn: Option<bool>,
 }
 
 impl StretchMeans {
@@ -62,13 +83,22 @@ impl StretchMeans {
             if 2 * values.len() > taken.len() { stats::mean(values) } else { None }
         };
         let deviation_percent = known(&|row| deviation(row, held)).map(percent_from_ratio);
+        let deviation_dyn_percent = known(&shaken_deviation).map(percent_from_ratio);
+        let inside = |percent: f64| percent.abs() <= tolerance_percent;
         Some(Self {
             ra_um: known(&produced_ra_um),
+            ra_dyn_um: known(&shaken_ra_um),
             force_n: mean(|row| row.force_n)?,
             feed_mm_min: mean(|row| row.feed_mm_min)?,
+            feed_scatter_mm_min: {
+                let feeds: Vec<f64> = taken.iter().map(|row| row.feed_mm_min).collect();
+                stats::deviation(&feeds)?
+            },
             spindle_rpm: mean(|row| row.spindle_rpm)?,
             deviation_percent,
-            in_tolerance: deviation_percent.map(|percent| percent.abs() <= tolerance_percent),
+            in_tolerance: deviation_percent.map(inside),
+            deviation_dyn_percent,
+            in_tolerance_dyn: deviation_dyn_percent.map(inside),
         })
     }
 }

@@ -19,28 +19,33 @@
 //! ```
 
 mod changes;
+mod chatter;
 mod effects;
 mod figures;
 mod means;
+mod met;
 mod oscillation;
 mod response;
 mod scan;
 mod spans;
+mod verdict;
 mod words;
 
 use serde::Serialize;
 
-pub use changes::Cause;
+pub use changes::{Cause, ONE_DRAG_S};
 pub use figures::{
-    AirCut, ChangeEffect, Chatter, ChatterEnd, Figures, FirstAnswer, LimitCycle, LimitReached,
-    LimitedCommand, RangeLeft, RangedInput, WayDone, WearEffect,
+    AirCut, ChangeEffect, Chatter, ChatterEnd, Excursion, Figures, FirstAnswer, LimitCycle,
+    LimitReached, LimitedCommand, ModelInput, RangeLeft, RangedInput, WayDone, WearEffect,
 };
-pub use means::{StretchMeans, deviation, force_error, produced_ra_um};
+pub use means::{StretchMeans, deviation, force_error, produced_ra_um, shaken_deviation};
 pub use oscillation::{Oscillation, undamped};
 pub use response::{ResponseEnd, Sampling, StepResponse};
 pub use scan::{RowSpan, Scan};
+pub use verdict::CutVerdict;
 
 use super::one_run::Run;
+use crate::base::language::text;
 
 /// What times may be off by, having been summed or written in decimals, s.
 const HAIR_S: f64 = 1e-6;
@@ -59,6 +64,8 @@ pub enum EventKind {
     DepthStep,
     /// The target changes.
     TargetChange,
+    /// A disturbance begins or ends.
+    Disturbance,
     /// Another setting changes.
     SettingChange,
     /// Nothing answers yet.
@@ -67,7 +74,7 @@ pub enum EventKind {
     Saturation,
     /// A model is used outside its range.
     OutsideModel,
-    /// A tooth jumps out of the cut.
+    /// The machine chatters: a tooth jumps out of the cut, or its vibration does not die down.
     Chatter,
     /// The tool wears.
     Wear,
@@ -99,6 +106,9 @@ pub struct StoryEvent {
 pub struct Story {
     /// What happens, by its beginning.
     pub events: Vec<StoryEvent>,
+    /// Time of the last row that is told of a run that goes on, s; none of one that is over.
+    #[serde(skip)]
+    told_to_s: Option<f64>,
 }
 
 impl Story {
@@ -113,19 +123,32 @@ impl Story {
     /// The same from a scan of the run's recording.
     #[must_use]
     pub fn told(run: &Run, scan: &Scan, twin: Option<&Run>) -> Self {
-        let rows = run.recording().rows();
-        let rows = &rows[..scan.rows().min(rows.len())];
+        Self::until(run, scan, run.recording().rows().len(), twin)
+    }
+
+    /// The story of the first `rows` rows alone: what is known when the cut has come so far.
+    #[must_use]
+    pub fn until(run: &Run, scan: &Scan, rows: usize, twin: Option<&Run>) -> Self {
+        let all = run.recording().rows();
+        let rows = &all[..rows.min(scan.rows()).min(all.len())];
         if rows.is_empty() {
             return Self::default();
         }
-        let changes = changes::changes(run, scan, rows);
-        let mut events = effects::tell(run, rows, twin, &changes);
-        events.extend(spans::tell(run, scan, rows));
-        let end = effects::end(run, rows, &events);
-        events.extend(end);
+        let so_far = run.end().is_none() || rows.len() < all.len();
+        let mut seen = scan.clone();
+        seen.truncate(rows.len());
+        let changes = changes::changes(run, &seen, rows);
+        let told = effects::Told { run, rows, twin, so_far, ahead: scan };
+        let mut events = effects::tell(&told, &changes);
+        events.extend(spans::tell(run, &seen, rows, so_far));
+        if !so_far {
+            let end = effects::end(run, rows, &events);
+            events.extend(end);
+        }
         // In the order of time; what comes at the same time stays in the order of causes.
         events.sort_by(|a, b| a.from_s.total_cmp(&b.from_s));
-        Self { events }
+        let told_to_s = rows.last().filter(|_| so_far).map(|row| row.time_s);
+        Self { events, told_to_s }
     }
 
     /// The change that the loop answers to at a time in s, with its response.
@@ -143,11 +166,32 @@ impl Story {
         begun.map(|[from_s, to_s]| [from_s, to_s.min(time_s)]).collect()
     }
 
+    /// What the whole cut comes to, once it is over.
+    #[must_use]
+    pub fn verdict(&self) -> Option<&CutVerdict> {
+        self.events.iter().rev().find_map(|event| match &event.figures {
+            Figures::End(done) => Some(&done.verdict),
+            Figures::Change(_)
+            | Figures::Air(_)
+            | Figures::Answer(_)
+            | Figures::Limit(_)
+            | Figures::Outside(_)
+            | Figures::Chatter(_)
+            | Figures::Wear(_)
+            | Figures::LimitCycle(_) => None,
+        })
+    }
+
     /// Whether the cut was unstable or chattered at any time.
     #[must_use]
     pub fn has_swung(&self) -> bool {
-        let mut kinds = self.events.iter().map(|event| event.id);
-        kinds.any(|kind| matches!(kind, EventKind::LimitCycle | EventKind::Chatter))
+        self.has(EventKind::LimitCycle) || self.has(EventKind::Chatter)
+    }
+
+    /// Whether it tells of an event of a kind.
+    #[must_use]
+    pub fn has(&self, kind: EventKind) -> bool {
+        self.events.iter().any(|event| event.id == kind)
     }
 
     /// The change that a time in s stands behind: the last start, step, contact, air or end before it.
@@ -162,7 +206,9 @@ impl Story {
     #[must_use]
     pub fn lasting_at(&self, time_s: f64) -> Option<&StoryEvent> {
         let lasting = self.events.iter().filter(|event| {
-            let now = (event.from_s..=event.to_s + HAIR_S).contains(&time_s);
+            // What lasts at the last moment told lasts until more is: the playhead is a little ahead of it.
+            let goes_on = self.told_to_s.is_some_and(|told_s| event.to_s + HAIR_S >= told_s);
+            let now = event.from_s <= time_s && (goes_on || time_s <= event.to_s + HAIR_S);
             now && !event.id.is_change()
         });
         lasting.min_by_key(|event| event.id.rank())
@@ -174,19 +220,20 @@ impl EventKind {
     #[must_use]
     pub fn label(self) -> &'static str {
         match self {
-            Self::Start => "Start",
-            Self::Contact => "Contact",
-            Self::Air => "Air",
-            Self::DepthStep => "Depth step",
-            Self::TargetChange => "Target",
-            Self::SettingChange => "Setting",
-            Self::DeadTime => "First answer",
-            Self::Saturation => "At a limit",
-            Self::OutsideModel => "Outside model",
-            Self::Chatter => "Chatter",
-            Self::Wear => "Wear",
-            Self::LimitCycle => "Unstable",
-            Self::End => "End",
+            Self::Start => text!("Start"),
+            Self::Contact => text!("Contact"),
+            Self::Air => text!("Air"),
+            Self::DepthStep => text!("Depth step"),
+            Self::TargetChange => text!("Target"),
+            Self::Disturbance => text!("Disturbance"),
+            Self::SettingChange => text!("Setting"),
+            Self::DeadTime => text!("First answer"),
+            Self::Saturation => text!("At a limit"),
+            Self::OutsideModel => text!("Outside model"),
+            Self::Chatter => text!("Chatter"),
+            Self::Wear => text!("Wear"),
+            Self::LimitCycle => text!("Unstable"),
+            Self::End => text!("End"),
         }
     }
 
@@ -204,6 +251,7 @@ impl EventKind {
             | Self::Air
             | Self::DepthStep
             | Self::TargetChange
+            | Self::Disturbance
             | Self::SettingChange
             | Self::End => 0,
             Self::LimitCycle => 1,

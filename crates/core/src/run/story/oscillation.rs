@@ -28,7 +28,7 @@ pub struct Oscillation {
 }
 
 /// Amplitude over the root mean square of the noise from which on noise alone does not explain it (measured).
-const ABOVE_NOISE: f64 = 1.6;
+pub(super) const ABOVE_NOISE: f64 = 1.6;
 /// Amplitudes below this fraction are no oscillation that anybody would call one (chosen).
 const LEAST_AMPLITUDE: f64 = 0.01;
 /// Periods after which the autocorrelation is looked at, and what it must still be: a damping ratio

@@ -6,9 +6,14 @@
 //! - Settling time: from the change until the force stays within a band around its value at rest for good. The
 //!   band is 2 %, wider by what noise still moves the force at rest: the settling time of the textbooks, which
 //!   does not jump with single samples of noise. Zero where the force never leaves the band: then the change
-//!   makes no transient.
+//!   makes no transient. None where the force or what is to be held swings by more than the band at rest: nothing
+//!   settles there, whatever moves it.
 //! - Overshoot: the force's furthest excursion beyond its value at rest, on the side away from where it was
 //!   right after the change, percent of that value; none of what noise does at rest as well.
+//! - Jump: its furthest excursion on the side where it was right after the change, percent of that value: what the
+//!   change itself makes before the loop can answer, which is no overshoot.
+//! - At rest: the means of the last two quarters are the same, and the force does not swing about them by more than
+//!   5 % that the sensor does not add.
 //! - Remaining error: mean deviation of what is to be held at rest, percent, positive above the
 //!   reference: the steady-state error. Swing: the amplitude about it.
 //! - Oscillation: see [`oscillation`](super::oscillation).
@@ -17,7 +22,7 @@ use serde::Serialize;
 
 use super::super::signals::{Row, flag};
 use super::means::{StretchMeans, deviation, force_error};
-use super::oscillation::{Oscillation, undamped};
+use super::oscillation::{ABOVE_NOISE, Oscillation, undamped};
 use crate::base::stats;
 use crate::base::units::percent_from_ratio;
 use crate::blocks::reference::Reference;
@@ -31,6 +36,9 @@ const OF_NOISE: f64 = 1.25;
 /// Means of the last two quarters of a stretch that differ by less than this fraction, and the scatter within
 /// them, are at rest (chosen).
 const AT_REST: f64 = 0.01;
+/// A force that still swings by more than this fraction of its value is not at rest, if it is not what is sensed
+/// that moves it (chosen).
+const STILL_SWINGS: f64 = 0.05;
 /// Fewest control samples that say anything about a response.
 const LEAST_SAMPLES: usize = 8;
 /// Most control samples, the last ones, that are looked at for an oscillation.
@@ -64,12 +72,15 @@ pub enum ResponseEnd {
 pub struct StepResponse {
     /// How it ends.
     pub ends: ResponseEnd,
-    /// Settling time, s: 0 where the change makes no transient; none if it does not come to rest.
+    /// Settling time, s: 0 where the change makes no transient; none if it does not come to rest, or swings by more
+    /// than the band.
     pub settling_time_s: Option<f64>,
     /// Half-width of the band that the settling time is judged by, percent of the force at rest.
     pub settling_band_percent: Option<f64>,
-    /// Overshoot of the force, percent of its value at rest; none if it does not come to rest.
+    /// Overshoot of the force, percent of its value at rest; none as before.
     pub overshoot_percent: Option<f64>,
+    /// Jump of the force, percent of its value at rest, negative below it; none as before.
+    pub jump_percent: Option<f64>,
     /// Remaining error of what is to be held, percent; none if it does not come to rest, or lies outside
     /// the model.
     pub remaining_error_percent: Option<f64>,
@@ -93,16 +104,7 @@ impl StepResponse {
         if errors.is_empty() {
             return None;
         }
-        let mut found = Self {
-            ends: ResponseEnd::TooShort,
-            settling_time_s: None,
-            settling_band_percent: None,
-            overshoot_percent: None,
-            remaining_error_percent: None,
-            swing_percent: None,
-            remaining_force_error_percent: None,
-            oscillation: None,
-        };
+        let mut found = Self::TOO_SHORT;
         if samples.len() < LEAST_SAMPLES {
             return Some(found);
         }
@@ -122,7 +124,12 @@ impl StepResponse {
         let off = |error: &f64| (error - rest) / (1.0 + rest);
         let scatter = |of: &[f64], mean: f64| stats::rms(of.iter().map(|error| error - mean));
         let scatter = 0.5 * (scatter(before, mean_before)? + scatter(end, rest)?);
-        if (rest - mean_before).abs() > AT_REST + scatter {
+        // A slow swing that is not known to last yet would pass for rest, being about its own mean.
+        let swing = 2.0_f64.sqrt() * scatter / (1.0 + rest);
+        let sensed = noise_of(&samples[samples.len() - 2 * quarter..]);
+        let sensed = 2.0_f64.sqrt() * stats::deviation(&sensed).unwrap_or(0.0);
+        let swings = swing > STILL_SWINGS && swing > ABOVE_NOISE * sensed;
+        if swings || (rest - mean_before).abs() > AT_REST + scatter {
             found.ends = ResponseEnd::Moving;
             return Some(found);
         }
@@ -138,6 +145,8 @@ impl StepResponse {
         let beyond = errors.iter().fold(0.0, |most: f64, error| most.max(-side * off(error)));
         let overshoot = if beyond > OF_NOISE * noise { beyond } else { 0.0 };
         found.overshoot_percent = Some(percent_from_ratio(overshoot));
+        let jump = errors.iter().fold(0.0, |most: f64, error| most.max(side * off(error)));
+        found.jump_percent = Some(percent_from_ratio(side * jump));
         found.remaining_force_error_percent = Some(percent_from_ratio(rest));
         let of_end = samples[samples.len() - quarter..].iter();
         let of_end: Vec<f64> = of_end.filter_map(|row| deviation(row, held)).collect();
@@ -147,8 +156,26 @@ impl StepResponse {
             let scatter = stats::rms(of_end.iter().map(|of| of - error))?;
             found.swing_percent = Some(percent_from_ratio(2.0_f64.sqrt() * scatter));
         }
+        let largest = found.swing_percent.unwrap_or(0.0).max(percent_from_ratio(swing));
+        if largest > percent_from_ratio(band) {
+            found.settling_time_s = None;
+            (found.overshoot_percent, found.jump_percent) = (None, None);
+        }
         Some(found)
     }
+
+    /// Before anything can be said.
+    pub(super) const TOO_SHORT: Self = Self {
+        ends: ResponseEnd::TooShort,
+        settling_time_s: None,
+        settling_band_percent: None,
+        overshoot_percent: None,
+        jump_percent: None,
+        remaining_error_percent: None,
+        swing_percent: None,
+        remaining_force_error_percent: None,
+        oscillation: None,
+    };
 
     /// Whether it ends in an oscillation that does not die down.
     #[must_use]
@@ -162,6 +189,19 @@ impl StepResponse {
         self.swing_percent.filter(|swing| *swing >= SWINGS_PERCENT)
     }
 
+    /// Whether it is at rest in the mean alone, and swings about that by more than the band of its settling.
+    #[must_use]
+    pub fn swings_on(&self) -> bool {
+        self.ends == ResponseEnd::AtRest && self.settling_time_s.is_none()
+    }
+
+    /// What noise adds to the half-width of the band that the settling time is judged by, percent: the rest is the
+    /// 2 % of the textbooks.
+    #[must_use]
+    pub fn band_of_noise_percent(&self) -> Option<f64> {
+        self.settling_band_percent.map(|band| (band - percent_from_ratio(SETTLED)).max(0.0))
+    }
+
     /// Whether the change makes no transient: the force never leaves the band around its value at rest.
     #[must_use]
     pub fn is_without_transient(&self) -> bool {
@@ -172,12 +212,14 @@ impl StepResponse {
 /// An oscillation in control samples with their force errors, `sample_s` apart.
 fn oscillation(samples: &[&Row], errors: &[f64], sample_s: f64) -> Option<Oscillation> {
     let feed: Vec<f64> = samples.iter().map(|row| row.feed_mm_min).collect();
+    undamped(errors, &feed, &noise_of(samples), sample_s)
+}
+
+/// What the sensor adds to the force at each control sample, a fraction of the reference.
+fn noise_of(samples: &[&Row]) -> Vec<f64> {
     // The controller reads at the end of one sample's row what the next one records.
     let read = samples.windows(2);
-    let noise: Vec<f64> = read
-        .map(|pair| (pair[1].force_measured_n - pair[0].force_n) / pair[0].force_ref_n)
-        .collect();
-    undamped(errors, &feed, &noise, sample_s)
+    read.map(|pair| (pair[1].force_measured_n - pair[0].force_n) / pair[0].force_ref_n).collect()
 }
 
 /// The means at the end of a stretch: over its last second, at most its second half.

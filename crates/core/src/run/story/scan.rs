@@ -2,6 +2,7 @@
 //! of cut and the reference move. It grows with the recording and is cut back with it.
 
 use super::super::signals::{Row, flag};
+use super::chatter::Scatter;
 
 /// Rows after one another, by their indices: the first and the last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +33,7 @@ pub struct Scan {
     flagged: [Vec<RowSpan>; WATCHED.len()],
     depth: Vec<RowSpan>,
     reference: Vec<RowSpan>,
+    scatter: Scatter,
     rows: usize,
 }
 
@@ -73,6 +75,7 @@ impl Scan {
                 note(&mut self.reference, i);
             }
         }
+        self.scatter.extend(rows);
         self.rows = self.rows.max(rows.len());
     }
 
@@ -82,6 +85,7 @@ impl Scan {
             self.rows = rows;
             let all = self.flagged.iter_mut().chain([&mut self.depth, &mut self.reference]);
             all.for_each(|spans| cut_back(spans, rows));
+            self.scatter.truncate(rows);
         }
     }
 
@@ -95,6 +99,11 @@ impl Scan {
     #[must_use]
     pub fn depth(&self) -> &[RowSpan] {
         &self.depth
+    }
+
+    /// What the tooth's place scatters by.
+    pub(super) fn scatter(&self) -> &Scatter {
+        &self.scatter
     }
 
     /// Where the reference differs from that of the row before.

@@ -7,22 +7,16 @@ use super::super::one_run::Run;
 use super::super::scenario::Scenario;
 use super::super::signals::{FLAGS, Row, flag};
 use super::effects::Moment;
-use super::figures::{
-    Chatter, ChatterEnd, Figures, LimitReached, LimitedCommand, RangeLeft, RangedInput,
-};
-use super::means::deviation;
+use super::figures::{Figures, LimitReached, LimitedCommand, ModelInput, RangeLeft, RangedInput};
+use super::means::{deviation, shaken_deviation};
 use super::scan::Scan;
-use super::{EventKind, StoryEvent, words};
+use super::{EventKind, StoryEvent, chatter, words};
 use crate::base::stats;
 use crate::base::units::percent_from_ratio;
 use crate::blocks::cutting::tool_path::ToolPath;
 
 /// Gaps up to this are closed for limits and ranges, s (chosen).
 const GAP_S: f64 = 5.0;
-/// The same for chatter, s (chosen).
-const CHATTER_GAP_S: f64 = 0.5;
-/// A tooth that jumps out for less than this meets a step and no chatter, s (chosen).
-const LEAST_CHATTER_S: f64 = 0.3;
 
 /// A span with the scenario as it stands where it begins.
 struct Lasting<'a> {
@@ -52,7 +46,7 @@ impl<'a> Lasting<'a> {
 }
 
 /// The events of flags.
-pub(super) fn tell(run: &Run, scan: &Scan, rows: &[Row]) -> Vec<StoryEvent> {
+pub(super) fn tell(run: &Run, scan: &Scan, rows: &[Row], so_far: bool) -> Vec<StoryEvent> {
     let mut events = Vec::new();
     for (bit, command) in [
         (flag::FEED_SATURATED, LimitedCommand::Feed),
@@ -61,7 +55,7 @@ pub(super) fn tell(run: &Run, scan: &Scan, rows: &[Row]) -> Vec<StoryEvent> {
         each(run, scan, rows, bit, |lasting, _| {
             events.extend([false, true].into_iter().filter_map(|upper| {
                 let (reached, [first, last]) = limit_reached(lasting, command, upper)?;
-                let sentence = words::limit(&reached, lasting.scenario.target.reference);
+                let sentence = words::limit(&reached, lasting.scenario);
                 let figures = Figures::Limit(reached);
                 Some(event(EventKind::Saturation, [first, last], figures, sentence))
             }));
@@ -92,25 +86,22 @@ pub(super) fn tell(run: &Run, scan: &Scan, rows: &[Row]) -> Vec<StoryEvent> {
             events.push(event(EventKind::OutsideModel, ends, Figures::Outside(left), sentence));
         });
     }
-    each(run, scan, rows, flag::LOST_CONTACT, |lasting, last| {
-        if last.time_s - lasting.first().time_s < LEAST_CHATTER_S {
-            return;
-        }
-        let found = chatter(lasting, rows, run.recording().index_at(last.time_s));
+    let row_s = run.recording().row_s();
+    for span in chatter::spans(scan, rows, row_s) {
+        let found = chatter::chatter(span, scan, rows, row_s, so_far);
         let sentence = words::chatter(&found);
-        let ends = [lasting.first(), last];
+        let ends = [&rows[span.first], &rows[span.last]];
         events.push(event(EventKind::Chatter, ends, Figures::Chatter(found), sentence));
-    });
+    }
     events
 }
 
 /// Goes over the spans of a flag, with their last row.
 fn each(run: &Run, scan: &Scan, rows: &[Row], bit: u32, mut tell: impl FnMut(&Lasting<'_>, &Row)) {
-    let gap_s = if bit == flag::LOST_CONTACT { CHATTER_GAP_S } else { GAP_S };
     let row_s = run.recording().row_s();
     let stride = run.recording().control_stride();
     let mut moment = Moment::start(run);
-    for span in scan.flagged(bit, (gap_s / row_s) as usize) {
+    for span in scan.flagged(bit, (GAP_S / row_s) as usize) {
         moment.advance(rows[span.first].time_s);
         let scenario = &moment.scenario;
         let spanned = &rows[span.first..=span.last];
@@ -156,6 +147,9 @@ fn limit_reached<'a>(
     let target = &scenario.target;
     let deviations = looked_at().filter_map(|row| deviation(row, target.reference));
     let deviation_percent = stats::mean(deviations).map(percent_from_ratio);
+    let deviations = looked_at().filter_map(shaken_deviation);
+    let deviation_dyn_percent = stats::mean(deviations).map(percent_from_ratio);
+    let inside = |percent: f64| percent.abs() <= target.tolerance_percent;
     let count = lasting.rows.iter().filter(there).count();
     let long = (last.time_s - first.time_s) / lasting.row_s + 1.0;
     let reached = LimitReached {
@@ -165,7 +159,9 @@ fn limit_reached<'a>(
         override_percent: mean(&|row| values(row).1),
         share_percent: percent_from_ratio(count as f64 / long).min(100.0),
         deviation_percent,
-        in_tolerance: deviation_percent.map(|percent| percent.abs() <= target.tolerance_percent),
+        in_tolerance: deviation_percent.map(inside),
+        deviation_dyn_percent,
+        in_tolerance_dyn: deviation_dyn_percent.map(inside),
     };
     Some((reached, [first, last]))
 }
@@ -180,10 +176,11 @@ fn furthest(values: impl Iterator<Item = f64>, [low, high]: [f64; 2]) -> Option<
 fn range_left(lasting: &Lasting<'_>, number: u32) -> RangeLeft {
     let scenario = lasting.scenario;
     let info = FLAGS.iter().find(|info| info.bit == lasting.bit);
-    let label = info.map_or(String::new(), |info| Names::of(scenario).flag(info));
-    let model = label.split(' ').next().unwrap_or_default().to_owned();
+    let model = info.and_then(|info| Names::of(scenario).model_of(info)).unwrap_or_default();
     RangeLeft {
         model,
+        number,
+        gives: Names::gives(number),
         input: outside_input(lasting, number),
         share_percent: lasting.share_percent(),
     }
@@ -199,49 +196,29 @@ fn outside_input(lasting: &Lasting<'_>, number: u32) -> Option<RangedInput> {
         Some(RangedInput { name, unit, value, range })
     };
     match number {
-        1 => input("target Ra", "µm", |row| row.ra_target_um, belief.ra_range_um()),
+        1 => input(ModelInput::TargetRa, "µm", |row| row.ra_target_um, belief.ra_range_um()),
         2 => {
             let range = belief.feed_range_n()?;
-            input("force asked for", "N", |row| row.force_setpoint_n, range)
+            input(ModelInput::ForceAskedFor, "N", |row| row.force_setpoint_n, range)
         }
-        3 => input("force asked for", "N", |row| row.force_setpoint_n, belief.speed_range_n()),
+        3 => input(
+            ModelInput::ForceAskedFor,
+            "N",
+            |row| row.force_setpoint_n,
+            belief.speed_range_n(),
+        ),
         4 if plant.force_model.is_formula() => {
             let speed = |row: &Row| row.spindle_rpm;
             let [feed, turns] = of_plant.cut_ranges();
-            input("feed", "mm/min", |row| row.feed_mm_min, feed)
-                .or_else(|| input("spindle speed", "1/min", speed, turns))
+            input(ModelInput::Feed, "mm/min", |row| row.feed_mm_min, feed)
+                .or_else(|| input(ModelInput::SpindleSpeed, "1/min", speed, turns))
         }
-        5 => input("force", "N", |row| row.force_n, of_plant.roughness_range_n()),
+        5 => input(ModelInput::Force, "N", |row| row.force_n, of_plant.roughness_range_n()),
         6 => {
             let range = of_plant.roughness_range_n();
-            input("force with dynamics", "N", |row| row.force_dyn_n, range)
-                .or_else(|| input("force", "N", |row| row.force_n, range))
+            input(ModelInput::ForceWithDynamics, "N", |row| row.force_dyn_n, range)
+                .or_else(|| input(ModelInput::Force, "N", |row| row.force_n, range))
         }
         _ => None,
-    }
-}
-
-fn chatter(lasting: &Lasting<'_>, rows: &[Row], last: usize) -> Chatter {
-    let first = lasting.first();
-    let most = |of: fn(&Row) -> f64| lasting.rows.iter().map(of).fold(0.0, f64::max);
-    // What changes around the last row has ended it.
-    let gap = (CHATTER_GAP_S / lasting.row_s) as usize;
-    let near = &rows[last.saturating_sub(gap)..(last + gap).min(rows.len())];
-    let ends = if last + gap >= rows.len() {
-        ChatterEnd::GoesOn
-    } else if near.iter().any(|row| row.has(flag::AIR)) {
-        ChatterEnd::Air
-    } else if near.iter().any(|row| row.axial_depth_mm != rows[last].axial_depth_mm) {
-        ChatterEnd::Depth
-    } else {
-        ChatterEnd::Itself
-    };
-    Chatter {
-        axial_depth_mm: first.axial_depth_mm,
-        deepest_mm: most(|row| row.axial_depth_mm),
-        spindle_rpm: first.spindle_rpm,
-        largest_force_n: most(|row| row.force_dyn_n),
-        mean_force_n: stats::mean(lasting.rows.iter().map(|row| row.force_n)).unwrap_or(0.0),
-        ends,
     }
 }

@@ -1,57 +1,87 @@
-//! The sentences: figures in plain English.
+//! The sentences: figures in plain words. Each text for the languages is a whole clause, or a whole predicate.
+
+mod lasting;
+
+pub(super) use lasting::{
+    chatter, first_answer, limit, limit_cycle, outside, stretches, verdict, wear,
+};
 
 use super::EventKind;
 use super::changes::Cause;
-use super::figures::{
-    AirCut, ChangeEffect, Chatter, ChatterEnd, FirstAnswer, LimitCycle, LimitReached,
-    LimitedCommand, RangeLeft, WearEffect,
-};
+use super::figures::{AirCut, ChangeEffect, Excursion};
 use super::means::StretchMeans;
 use super::response::ResponseEnd;
 use crate::base::equation::number;
+use crate::base::language::{fixed, text, tr};
 use crate::blocks::control::ControllerKind;
+use crate::blocks::control::law::AtRest;
 use crate::blocks::reference::Reference;
-use crate::run::scenario::{Scenario, param};
+use crate::models::disturbances::Disturbance;
+use crate::run::constant_feed_twin;
+use crate::run::scenario::{Scenario, TwinKind, param};
 
 /// A feed that changes by less than this is kept, percent.
 const KEPT_PERCENT: f64 = 0.5;
+/// Nor is one that changes by less than so many times what it scatters by in a stretch (chosen): the means of two
+/// stretches of a second, some six independent values each, differ by half as much by chance alone.
+const OF_SCATTER: f64 = 1.0;
 /// A remaining error below this is none, percent.
 const NO_ERROR_PERCENT: f64 = 0.05;
-/// Most stretches of time that are told one by one.
-const MOST_STRETCHES: usize = 3;
+/// While a disturbance acts it is told how far what is judged went once it is outside for so long, s (chosen).
+const LEAST_OUTSIDE_S: f64 = 0.05;
+/// A value that differs by no more than this fraction is told as the same (chosen).
+const SAME: f64 = 0.02;
+/// Settings that act only while feed or speed moves: a loop at rest does not show them.
+const SHOW_LATER: &[&str] = &[
+    "cnc.dead_time_s",
+    "cnc.override_rate_limited",
+    "cnc.override_rate_percent_s",
+    "feed_drive.kind",
+    "spindle_drive.time_constant_s",
+    "spindle_drive.rate_rpm_s",
+    "belief.dead_time_s",
+    "belief.feed_drive",
+    "belief.spindle_time_constant_s",
+    "belief.spindle_rate_rpm_s",
+];
 /// A spindle speed that changes by less than this is not spoken of, percent.
 const SPEED_KEPT_PERCENT: f64 = 1.0;
 
 pub(super) fn mm(x: f64) -> String {
-    format!("{x:.1} mm")
+    fixed(x, 1) + " mm"
 }
 
 pub(super) fn newtons(x: f64) -> String {
-    format!("{x:.0} N")
+    fixed(x, 0) + " N"
 }
 
 fn um(x: f64) -> String {
-    format!("{x:.2} µm")
+    fixed(x, 2) + " µm"
 }
 
 fn depth(x: f64) -> String {
-    format!("{x:.2} mm")
+    fixed(x, 2) + " mm"
 }
 
 fn feed(x: f64) -> String {
-    format!("{x:.0} mm/min")
+    fixed(x, 0) + " mm/min"
 }
 
 fn rpm(x: f64) -> String {
-    format!("{x:.0} 1/min")
+    fixed(x, 0) + " 1/min"
 }
 
 fn seconds(x: f64) -> String {
-    format!("{x:.2} s")
+    fixed(x, 2) + " s"
 }
 
 fn percent(x: f64) -> String {
-    if x.abs() < 9.95 { format!("{x:.1} %") } else { format!("{x:.0} %") }
+    fixed(x, if x.abs() < 9.95 { 1 } else { 0 }) + " %"
+}
+
+/// Clauses after one another, each behind what parts it from those before.
+fn joined(first: String, more: impl IntoIterator<Item = (&'static str, String)>) -> String {
+    more.into_iter().fold(first, |all, (mark, clause)| all + mark + clause.as_str())
 }
 
 /// What happens most, for the event's kind: a depth before a target, a target before a setting.
@@ -62,11 +92,13 @@ pub(super) fn kind(causes: &[Cause]) -> EventKind {
         Cause::Air => EventKind::Air,
         Cause::Depth { .. } | Cause::RadialDepth { .. } => EventKind::DepthStep,
         Cause::TargetRa { .. } | Cause::ReferenceForce { .. } => EventKind::TargetChange,
+        Cause::Disturbance { .. } => EventKind::Disturbance,
         Cause::Setting { .. } => EventKind::SettingChange,
     };
     let found: Vec<EventKind> = causes.iter().map(of).collect();
     let order = [
         EventKind::Start,
+        EventKind::Disturbance,
         EventKind::Contact,
         EventKind::DepthStep,
         EventKind::TargetChange,
@@ -75,35 +107,115 @@ pub(super) fn kind(causes: &[Cause]) -> EventKind {
     order.into_iter().find(|kind| found.contains(kind)).unwrap_or(EventKind::Air)
 }
 
-fn deeper(what: &str, from_mm: f64, to_mm: f64) -> String {
-    let size = depth((to_mm - from_mm).abs());
-    let way = if to_mm > from_mm { "deeper" } else { "shallower" };
-    match what {
-        "" => format!("the part gets {size} {way} here"),
-        what => format!("the {what} goes from {} to {}", depth(from_mm), depth(to_mm)),
+/// A disturbance that begins: what it is, how large and how long. The sizes stand as their kinds' suffixes have them.
+fn disturbance(kind: Disturbance, length_mm: Option<f64>, size: Option<f64>) -> String {
+    let size = size.map(number).unwrap_or_default();
+    let over = length_mm.map(mm).unwrap_or_default();
+    match kind {
+        Disturbance::HardSpot => tr!(
+            "a hard spot begins here: {size} times the force over {length}",
+            size = size,
+            length = over
+        ),
+        Disturbance::Gap => tr!("a gap begins here: over {length}", length = over),
+        Disturbance::DepthStep => tr!(
+            "a depth step begins here: {size} mm deeper over {length}",
+            size = size,
+            length = over
+        ),
+        Disturbance::WearJump => {
+            tr!("the tool's wear jumps here: {size} mm more VB", size = size)
+        }
+        Disturbance::BrokenTooth => {
+            tr("a tooth breaks here: the next one cuts its feed too").to_owned()
+        }
+        Disturbance::ChatterBurst => tr!(
+            "a chatter burst begins here: {size} % of the force over {length}, imposed",
+            size = size,
+            length = over
+        ),
+        Disturbance::SensorDropout => {
+            tr!("the sensor drops out here and reads 0 over {length}", length = over)
+        }
+        Disturbance::SensorDrift => tr!(
+            "a sensor drift begins here: {size} N in the end over {length}",
+            size = size,
+            length = over
+        ),
+        Disturbance::DeadTime => tr!(
+            "a longer dead time begins here: {size} s longer over {length}",
+            size = size,
+            length = over
+        ),
+        Disturbance::Operator => tr!(
+            "an operator's override begins here: {size} % of the feed over {length}",
+            size = size,
+            length = over
+        ),
+    }
+}
+
+/// A disturbance that is over, or has come to what it stays at.
+fn disturbance_ends(kind: Disturbance) -> &'static str {
+    match kind {
+        Disturbance::HardSpot => tr("the hard spot ends here"),
+        Disturbance::Gap => tr("the gap ends here"),
+        Disturbance::DepthStep => tr("the depth step ends here"),
+        Disturbance::WearJump => tr("the wear jump has grown to its end here"),
+        Disturbance::BrokenTooth => tr("the broken tooth has grown to its end here"),
+        Disturbance::ChatterBurst => tr("the chatter burst ends here"),
+        Disturbance::SensorDropout => tr("the sensor dropout ends here"),
+        Disturbance::SensorDrift => tr("the sensor drift has grown to its end here"),
+        Disturbance::DeadTime => tr("the longer dead time ends here"),
+        Disturbance::Operator => tr("the operator's override ends here"),
     }
 }
 
 fn cause(cause: &Cause, scenario: &Scenario) -> String {
     match cause {
-        Cause::Start => format!(
-            "the cut begins at the programmed {} and {}",
-            feed(scenario.programmed(0).feed_mm_min),
-            rpm(scenario.programmed(0).speed_rpm)
+        Cause::Start => tr!(
+            "the cut begins at the programmed {feed} and {speed}",
+            feed = feed(scenario.programmed(0).feed_mm_min),
+            speed = rpm(scenario.programmed(0).speed_rpm)
         ),
-        Cause::Contact => "the tool meets the part".to_owned(),
-        Cause::Air => "the tool leaves the part".to_owned(),
-        Cause::Depth { from_mm, to_mm } => deeper("", *from_mm, *to_mm),
-        Cause::RadialDepth { from_mm, to_mm } => deeper("radial depth", *from_mm, *to_mm),
+        Cause::Contact => tr("the tool meets the part").to_owned(),
+        Cause::Air => tr("the tool leaves the part").to_owned(),
+        Cause::Depth { from_mm, to_mm } => {
+            let size = depth((to_mm - from_mm).abs());
+            if to_mm > from_mm {
+                tr!("the part gets {size} deeper here", size = size)
+            } else {
+                tr!("the part gets {size} shallower here", size = size)
+            }
+        }
+        Cause::RadialDepth { from_mm, to_mm } => tr!(
+            "the radial depth goes from {from} to {to}",
+            from = depth(*from_mm),
+            to = depth(*to_mm)
+        ),
+        Cause::TargetRa { from_um, to_um } if from_um == to_um => {
+            tr!("the target Ra is moved and comes back to {to}", to = um(*to_um))
+        }
         Cause::TargetRa { from_um, to_um } => {
-            format!("the target Ra goes from {} to {}", um(*from_um), um(*to_um))
+            tr!("the target Ra goes from {from} to {to}", from = um(*from_um), to = um(*to_um))
         }
-        Cause::ReferenceForce { from_n, to_n } => {
-            format!("the reference force goes from {} to {}", newtons(*from_n), newtons(*to_n))
+        Cause::Disturbance { kind, begins: false, .. } => disturbance_ends(*kind).to_owned(),
+        Cause::Disturbance { kind, length_mm, size, .. } => disturbance(*kind, *length_mm, *size),
+        Cause::ReferenceForce { from_n, to_n } if from_n == to_n => {
+            tr!("the reference force is moved and comes back to {to}", to = newtons(*to_n))
         }
+        Cause::ReferenceForce { from_n, to_n } => tr!(
+            "the reference force goes from {from} to {to}",
+            from = newtons(*from_n),
+            to = newtons(*to_n)
+        ),
         Cause::Setting { path, from, to } => {
-            let label = param(path).map_or(path.as_str(), |param| param.spec.label);
-            format!("{label} goes from {from} to {to}")
+            let setting = param(path).map_or(path.as_str(), |param| tr(param.spec.label));
+            if from == to {
+                tr!("{setting} is moved and comes back to {to}", setting = setting, to = to)
+            } else {
+                tr!("{setting} goes from {from} to {to}", setting = setting, from = from, to = to)
+            }
         }
     }
 }
@@ -112,7 +224,8 @@ fn causes(causes: &[Cause], scenario: &Scenario) -> String {
     // With the tool coming into the part, the depth grows from nothing: that says no more.
     let contact = causes.contains(&Cause::Contact);
     let told = causes.iter().filter(|cause| !(contact && matches!(cause, Cause::Depth { .. })));
-    told.map(|of| cause(of, scenario)).collect::<Vec<String>>().join(", and ")
+    let and = |first, next| tr!("{first}, and {next}", first = first, next = next);
+    told.map(|of| cause(of, scenario)).reduce(and).unwrap_or_default()
 }
 
 fn capital(text: &str) -> String {
@@ -121,295 +234,531 @@ fn capital(text: &str) -> String {
     first.into_iter().flatten().chain(chars).collect()
 }
 
+/// Whether Ra with dynamics is what is judged: Ra is to be held, and the machine vibrates in the cut.
+fn shakes(scenario: &Scenario) -> bool {
+    scenario.machine.coupled && scenario.target.reference == Reference::Ra
+}
+
+/// Whether what is left lies within the tolerance: with dynamics where the machine vibrates in the cut.
+fn inside(means: &StretchMeans, scenario: &Scenario) -> Option<bool> {
+    if shakes(scenario) { means.in_tolerance_dyn } else { means.in_tolerance }
+}
+
+/// A roughness, where there is one.
+fn ra(of: Option<f64>) -> String {
+    of.map_or_else(|| tr("outside the model").to_owned(), um)
+}
+
 /// What is held, with its value.
 fn held(means: &StretchMeans, reference: Reference) -> String {
     match reference {
-        Reference::Ra => means.ra_um.map_or("outside the model".to_owned(), um),
+        Reference::Ra => ra(means.ra_um),
         Reference::Force => newtons(means.force_n),
     }
 }
 
-fn held_name(reference: Reference) -> &'static str {
-    match reference {
-        Reference::Ra => "Ra",
-        Reference::Force => "the force",
+/// The name of what is held. Where the machine vibrates in the cut, there is another one with dynamics.
+fn held_name(scenario: &Scenario) -> &'static str {
+    match (scenario.target.reference, scenario.machine.coupled) {
+        (Reference::Ra, false) => "Ra",
+        (Reference::Ra, true) => tr("Ra without dynamics"),
+        (Reference::Force, false) => tr("the force"),
+        (Reference::Force, true) => tr("the force without dynamics"),
     }
 }
 
-/// How the tolerance is met before and after, as a verb.
-fn tolerance(before: Option<bool>, after: Option<bool>) -> &'static str {
-    match (before, after) {
-        (Some(true), Some(true)) => "stays within the tolerance",
-        (Some(true), Some(false)) => "leaves the tolerance",
-        (Some(false), Some(true)) => "comes into the tolerance",
-        (Some(false), Some(false)) => "stays outside the tolerance",
-        (None, Some(true)) => "is within the tolerance",
-        (None, Some(false)) => "is outside the tolerance",
-        (_, None) => "leaves a surface that the model cannot judge",
+/// How a tolerance is met.
+#[derive(Clone, Copy)]
+enum Met {
+    Stays,
+    Leaves,
+    Comes,
+    StaysOutside,
+    Is,
+    IsOutside,
+    /// A surface that the model cannot judge.
+    Unknown,
+    /// Of a twin that is safe: smoother than asked, which is no scrap.
+    Smoother,
+    /// The same of a force.
+    Below,
+}
+
+impl Met {
+    /// Before and after.
+    fn of(before: Option<bool>, after: Option<bool>) -> Self {
+        match (before, after) {
+            (Some(true), Some(true)) => Self::Stays,
+            (Some(true), Some(false)) => Self::Leaves,
+            (Some(false), Some(true)) => Self::Comes,
+            (Some(false), Some(false)) => Self::StaysOutside,
+            (None, Some(true)) => Self::Is,
+            (None, Some(false)) => Self::IsOutside,
+            (_, None) => Self::Unknown,
+        }
+    }
+
+    /// What is said of who meets it so, with the values of what is held.
+    fn told(self, held: String) -> String {
+        match self {
+            Self::Stays => tr!("stays within the tolerance {held}", held = held),
+            Self::Leaves => tr!("leaves the tolerance {held}", held = held),
+            Self::Comes => tr!("comes into the tolerance {held}", held = held),
+            Self::StaysOutside => tr!("stays outside the tolerance {held}", held = held),
+            Self::Is => tr!("is within the tolerance {held}", held = held),
+            Self::IsOutside => tr!("is outside the tolerance {held}", held = held),
+            Self::Unknown => {
+                tr!("leaves a surface that the model cannot judge {held}", held = held)
+            }
+            Self::Smoother => tr!("is smoother than asked {held}", held = held),
+            Self::Below => tr!("stays below the tolerance {held}", held = held),
+        }
+    }
+
+    /// The same where the tolerance was left on the way: that it is met at both ends says nothing of what is between.
+    fn told_with(
+        self,
+        out: Excursion,
+        ends: [Option<&StretchMeans>; 2],
+        scenario: &Scenario,
+        held: String,
+    ) -> String {
+        let furthest = match scenario.target.reference {
+            Reference::Ra => um(out.furthest),
+            Reference::Force => newtons(out.furthest),
+        };
+        let of = |end: &StretchMeans| match (scenario.target.reference, shakes(scenario)) {
+            (Reference::Ra, false) => end.ra_um,
+            (Reference::Ra, true) => end.ra_dyn_um,
+            (Reference::Force, _) => Some(end.force_n),
+        };
+        // What stands in the brackets already is not said again.
+        let mut told = ends.into_iter().flatten().filter_map(of);
+        let beyond = !told.any(|end| (out.furthest - end).abs() <= SAME * end.abs());
+        match self {
+            Self::Stays => tr!(
+                "is back in the tolerance {held} after {time} outside, furthest {value}",
+                held = held,
+                time = seconds(out.outside_s),
+                value = furthest
+            ),
+            Self::Is => tr!(
+                "comes into the tolerance {held} after {time} outside, furthest {value}",
+                held = held,
+                time = seconds(out.outside_s),
+                value = furthest
+            ),
+            Self::Leaves | Self::Comes | Self::StaysOutside | Self::IsOutside if beyond => {
+                tr!("{met}, furthest {value}", met = self.told(held), value = furthest)
+            }
+            Self::Leaves
+            | Self::Comes
+            | Self::StaysOutside
+            | Self::IsOutside
+            | Self::Unknown
+            | Self::Smoother
+            | Self::Below => self.told(held),
+        }
+    }
+
+    /// The same of a mean alone, whose swings go beyond the tolerance.
+    fn told_of_mean(self, held: String) -> String {
+        match self {
+            Self::Stays => tr!("stays within the tolerance in the mean {held}", held = held),
+            Self::Comes => tr!("comes into the tolerance in the mean {held}", held = held),
+            Self::Is => tr!("is within the tolerance in the mean {held}", held = held),
+            Self::Leaves
+            | Self::StaysOutside
+            | Self::IsOutside
+            | Self::Unknown
+            | Self::Smoother
+            | Self::Below => self.told(held),
+        }
+    }
+}
+
+/// How a twin meets the tolerance before and after: what the safe one is short of is no scrap.
+fn twin_meets(twin: &Scenario, before: Option<&StretchMeans>, after: &StretchMeans) -> Met {
+    let off = if shakes(twin) { after.deviation_dyn_percent } else { after.deviation_percent };
+    let short = inside(after, twin) == Some(false) && off.is_some_and(|d| d < 0.0);
+    match (twin.twin.kind, twin.target.reference) {
+        (TwinKind::Safe, Reference::Ra) if short => Met::Smoother,
+        (TwinKind::Safe, Reference::Force) if short => Met::Below,
+        (TwinKind::Safe | TwinKind::Programmed, _) => {
+            Met::of(before.and_then(|before| inside(before, twin)), inside(after, twin))
+        }
+    }
+}
+
+/// What Ra is called that is left on the part where the machine vibrates in the cut.
+const RA_SHAKEN: &str = text!("Ra with dynamics");
+
+/// Before and after of one of the two Ra that there are then.
+fn shaken_values(
+    before: Option<&StretchMeans>,
+    after: &StretchMeans,
+    of: fn(&StretchMeans) -> Option<f64>,
+) -> String {
+    match before {
+        Some(before) => match (of(before), of(after)) {
+            (Some(from), Some(to)) => {
+                tr!("{from} to {to}", from = fixed(from, 2), to = um(to))
+            }
+            (None, None) => ra(None),
+            (from, to) => tr!("{from} to {to}", from = ra(from), to = ra(to)),
+        },
+        None => ra(of(after)),
     }
 }
 
 /// Before and after of what is held, in brackets.
-fn from_to(before: Option<&StretchMeans>, after: &StretchMeans, reference: Reference) -> String {
-    let name = held_name(reference);
+fn from_to(before: Option<&StretchMeans>, after: &StretchMeans, scenario: &Scenario) -> String {
+    let (name, reference) = (held_name(scenario), scenario.target.reference);
+    if shakes(scenario) {
+        // Judged is what is left on the part; what the controller holds is told beside it.
+        let with = shaken_values(before, after, |of| of.ra_dyn_um);
+        let without = shaken_values(before, after, |of| of.ra_um);
+        if with == without && after.ra_um.is_none() {
+            return tr!("({name} {value})", name = "Ra", value = with);
+        }
+        return tr!("(Ra with dynamics {with}, without {without})", with = with, without = without);
+    }
     match before {
         Some(before) if before.ra_um.is_some() || after.ra_um.is_some() => {
-            format!("({name} {} to {})", held(before, reference), held(after, reference))
+            let [from, to] = [held(before, reference), held(after, reference)];
+            tr!("({name} {from} to {to})", name = name, from = from, to = to)
         }
-        Some(_) | None => format!("({name} {})", held(after, reference)),
+        Some(_) | None => {
+            tr!("({name} {value})", name = name, value = held(after, reference))
+        }
     }
+}
+
+/// Whether the feed moves by no more than noise may move it.
+fn is_kept(before: &StretchMeans, after: &StretchMeans) -> bool {
+    let by = (after.feed_mm_min - before.feed_mm_min).abs();
+    let scatter = before.feed_scatter_mm_min.max(after.feed_scatter_mm_min);
+    let least = (0.01 * KEPT_PERCENT * before.feed_mm_min).max(OF_SCATTER * scatter);
+    before.feed_mm_min <= 0.0 || by < least
 }
 
 /// What the feed and the speed do.
 fn moved(before: &StretchMeans, after: &StretchMeans) -> String {
     let change = |from: f64, to: f64| if from > 0.0 { 100.0 * (to - from) / from } else { 0.0 };
     let by = change(before.feed_mm_min, after.feed_mm_min);
-    let verb = if by < 0.0 { "lowers" } else { "raises" };
-    let of_feed = if by.abs() < KEPT_PERCENT {
-        format!("keeps the feed at {}", feed(after.feed_mm_min))
+    let (from, to) = (fixed(before.feed_mm_min, 0), feed(after.feed_mm_min));
+    let size = percent(by.abs());
+    let of_feed = if is_kept(before, after) {
+        tr!("keeps the feed at {feed}", feed = to)
+    } else if by < 0.0 {
+        tr!("lowers the feed by {size} ({from} to {to})", size = size, from = from, to = to)
     } else {
-        let (from, to) = (before.feed_mm_min, feed(after.feed_mm_min));
-        format!("{verb} the feed by {} ({from:.0} to {to})", percent(by.abs()))
+        tr!("raises the feed by {size} ({from} to {to})", size = size, from = from, to = to)
     };
     let by = change(before.spindle_rpm, after.spindle_rpm);
-    let verb = if by < 0.0 { "lowers" } else { "raises" };
     if by.abs() < SPEED_KEPT_PERCENT {
         of_feed
+    } else if by < 0.0 {
+        tr!("{moves}, lowers the speed by {size}", moves = of_feed, size = percent(-by))
     } else {
-        format!("{of_feed}, {verb} the speed by {}", percent(by.abs()))
+        tr!("{moves}, raises the speed by {size}", moves = of_feed, size = percent(by))
     }
 }
 
 /// The error that remains, named and signed, or that the loop does not come to rest.
-fn remains(effect: &ChangeEffect, reference: Reference) -> String {
+fn remains(effect: &ChangeEffect, scenario: &Scenario, goes_on: bool) -> String {
     let Some(response) = effect.response else { return String::new() };
-    let swings = response.told_swing_percent().map_or(String::new(), |swing| {
-        format!(", about which {} still moves by ±{}", held_name(reference), percent(swing))
-    });
+    let swing = response.told_swing_percent().map(percent);
+    // The error is that without dynamics, which is said already.
+    let name = match scenario.target.reference {
+        Reference::Ra => "Ra",
+        Reference::Force => tr("the force"),
+    };
+    let unsettled =
+        response.settling_band_percent.filter(|_| swing.is_some() && response.swings_on());
+    let unsettled =
+        unsettled.map(|band| (": ", tr!("nothing settles within ±{band}", band = percent(band))));
     match (response.ends, response.remaining_error_percent) {
         (ResponseEnd::AtRest, Some(error)) if error.abs() < NO_ERROR_PERCENT => {
-            format!(" No error remains{}.", swings.replace("about which", "but"))
+            let none = if scenario.machine.coupled {
+                tr("No error remains without dynamics")
+            } else {
+                tr("No error remains")
+            };
+            let told = match swing {
+                Some(swing) => tr!(
+                    "{error}, but {name} still moves by ±{swing}",
+                    error = none,
+                    name = name,
+                    swing = swing
+                ),
+                None => none.to_owned(),
+            };
+            format!(" {}.", joined(told, unsettled))
         }
         (ResponseEnd::AtRest, Some(error)) => {
-            let side = if error < 0.0 { "below" } else { "above" };
-            let of = match reference {
-                Reference::Ra => "the target Ra",
-                Reference::Force => "the reference force",
+            let told = remaining_error(scenario, error);
+            let told = match swing {
+                Some(swing) => tr!(
+                    "{error}, about which {name} still moves by ±{swing}",
+                    error = told,
+                    name = name,
+                    swing = swing
+                ),
+                None => told,
             };
-            format!(" The remaining error is {} {side} {of}{swings}.", percent(error.abs()))
+            // Why an error stays that the law itself leaves.
+            let why = stays_by_law(scenario, error)
+                .then(|| ("; ", tr("the law has no integral").to_owned()));
+            format!(" {}.", joined(told, unsettled.into_iter().chain(why)))
         }
-        (ResponseEnd::Moving, _) => " It does not come to rest in this stretch.".to_owned(),
+        (ResponseEnd::Moving, _) if goes_on => format!(" {}", tr("It is still on its way.")),
+        (ResponseEnd::Moving, _) => {
+            format!(" {}", tr("It does not come to rest in this stretch."))
+        }
         (ResponseEnd::AtRest, None) | (ResponseEnd::TooShort | ResponseEnd::Unstable, _) => {
             String::new()
         }
     }
 }
 
-/// A change and what it does.
-pub(super) fn change(effect: &ChangeEffect, scenario: &Scenario) -> String {
-    let reference = scenario.target.reference;
+/// The size of an error at rest and its side, an error in percent.
+fn remaining_error(scenario: &Scenario, error: f64) -> String {
+    let size = percent(error.abs());
+    let below = error < 0.0;
+    match (scenario.target.reference, scenario.machine.coupled) {
+        (Reference::Ra, false) if below => {
+            tr!("The remaining error is {size} below the target Ra", size = size)
+        }
+        (Reference::Ra, false) => {
+            tr!("The remaining error is {size} above the target Ra", size = size)
+        }
+        (Reference::Ra, true) if below => {
+            tr!("Without dynamics {size} below the target Ra remain", size = size)
+        }
+        (Reference::Ra, true) => {
+            tr!("Without dynamics {size} above the target Ra remain", size = size)
+        }
+        (Reference::Force, false) if below => {
+            tr!("The remaining error is {size} below the reference force", size = size)
+        }
+        (Reference::Force, false) => {
+            tr!("The remaining error is {size} above the reference force", size = size)
+        }
+        (Reference::Force, true) if below => {
+            tr!("Without dynamics {size} below the reference force remain", size = size)
+        }
+        (Reference::Force, true) => {
+            tr!("Without dynamics {size} above the reference force remain", size = size)
+        }
+    }
+}
+
+/// Errors of less are not explained, percent (chosen).
+const EXPLAINED_PERCENT: f64 = 1.0;
+
+/// Whether an error in percent is one that the controller's law leaves at rest.
+fn stays_by_law(scenario: &Scenario, error: f64) -> bool {
+    let control = &scenario.controller;
+    error.abs() >= EXPLAINED_PERCENT
+        && control.kind != ControllerKind::ConstantFeed
+        && control.at_rest() == AtRest::WhereTheLawMeetsThePlant
+}
+
+/// A change and what it does; what it has done so far where its stretch goes on.
+pub(super) fn change(
+    effect: &ChangeEffect,
+    scenario: &Scenario,
+    twin: Option<&Scenario>,
+    goes_on: bool,
+) -> String {
     let begin = capital(&causes(&effect.causes, scenario));
+    if acts_later(effect, scenario) {
+        // What feed and speed do meanwhile is the end of something else.
+        return format!("{begin}.");
+    }
     let Some(after) = &effect.after else { return format!("{begin}.") };
+    let ends = effect.response.filter(|_| goes_on).map(|response| response.ends);
+    let so_far = match ends {
+        // What has only just begun is no state that could be told, but for how far it went.
+        Some(ResponseEnd::TooShort) => {
+            let disturbed =
+                effect.causes.iter().any(|cause| matches!(cause, Cause::Disturbance { .. }));
+            let out = effect.excursion.filter(|out| disturbed && out.outside_s >= LEAST_OUTSIDE_S);
+            let furthest = out.map(|out| furthest(out, scenario));
+            return match furthest {
+                Some(furthest) => {
+                    tr!("{begin}: so far {furthest}.", begin = begin, furthest = furthest)
+                }
+                None => format!("{begin}."),
+            };
+        }
+        Some(ResponseEnd::Moving) => true,
+        Some(ResponseEnd::AtRest | ResponseEnd::Unstable) | None => false,
+    };
     let mut parts = Vec::new();
-    if let Some(twin) = &effect.twin_after {
+    if let (Some(of), Some(after)) = (twin, &effect.twin_after) {
         let before = effect.twin_before.as_ref();
-        let verb = tolerance(before.and_then(|before| before.in_tolerance), twin.in_tolerance);
-        parts.push(format!("constant feed {verb} {}", from_to(before, twin, reference)));
+        // The safe one's feed is told once, where it begins; the programmed one stands there already.
+        let names_feed = of.twin.kind == TwinKind::Safe && effect.causes.contains(&Cause::Start);
+        let values = match shakes(scenario) {
+            true => tr!(
+                "({name} {value})",
+                name = tr(RA_SHAKEN),
+                value = shaken_values(before, after, |of| of.ra_dyn_um)
+            ),
+            false => from_to(before, after, scenario),
+        };
+        let met = twin_meets(of, before, after).told(values);
+        let name = constant_feed_twin::name(of);
+        parts.push(match names_feed {
+            true => {
+                tr!("{twin}, {feed}, {met}", twin = name, feed = feed(after.feed_mm_min), met = met)
+            }
+            false => tr!("{twin} {met}", twin = name, met = met),
+        });
     }
     parts.push(own(effect, after, scenario));
-    format!("{begin}: {}.{}", parts.join(", "), remains(effect, reference))
+    let does = parts.join(", ");
+    let told = match so_far {
+        true => tr!("{begin}: so far {does}.", begin = begin, does = does),
+        false => tr!("{begin}: {does}.", begin = begin, does = does),
+    };
+    told + remains(effect, scenario, goes_on).as_str()
+}
+
+/// How far out of its tolerance what is judged was at the furthest.
+fn furthest(out: Excursion, scenario: &Scenario) -> String {
+    let time = seconds(out.outside_s);
+    match scenario.target.reference {
+        Reference::Ra => {
+            tr!(
+                "{value} Ra at the furthest, {time} outside the tolerance",
+                value = um(out.furthest),
+                time = time
+            )
+        }
+        Reference::Force => {
+            tr!(
+                "{value} at the furthest, {time} outside the tolerance",
+                value = newtons(out.furthest),
+                time = time
+            )
+        }
+    }
+}
+
+/// When a change that a loop at rest does not show will show, with the time of the next change of depth, s.
+pub(super) fn shows_later(
+    effect: &ChangeEffect,
+    scenario: &Scenario,
+    next_depth_s: Option<f64>,
+) -> String {
+    if !acts_later(effect, scenario) {
+        return String::new();
+    }
+    let lengthened =
+        effect.causes.iter().any(|cause| matches!(cause, Cause::Disturbance { begins: true, .. }));
+    if lengthened {
+        let told = tr(
+            "It acts only while feed or speed moves: where nothing changes within its length, nothing shows.",
+        );
+        return format!(" {told}");
+    }
+    if effect.causes.iter().all(|cause| matches!(cause, Cause::Disturbance { .. })) {
+        return String::new();
+    }
+    let told = match next_depth_s {
+        Some(at_s) => tr!(
+            "It acts only while feed or speed moves: it shows most at the next change of depth, at {time}.",
+            time = seconds(at_s)
+        ),
+        None => {
+            tr("It acts only while feed or speed moves: no change of depth lies ahead.").to_owned()
+        }
+    };
+    format!(" {told}")
+}
+
+/// Whether nothing changes but what a loop at rest does not show.
+fn acts_later(effect: &ChangeEffect, scenario: &Scenario) -> bool {
+    let later = effect.causes.iter().all(|cause| match cause {
+        Cause::Setting { path, .. } => SHOW_LATER.contains(&path.as_str()),
+        Cause::Start
+        | Cause::Contact
+        | Cause::Air
+        | Cause::Depth { .. }
+        | Cause::RadialDepth { .. }
+        | Cause::TargetRa { .. }
+        | Cause::ReferenceForce { .. } => false,
+        Cause::Disturbance { kind, .. } => *kind == Disturbance::DeadTime,
+    });
+    let moves = effect.response.is_some_and(|response| response.is_unstable())
+        || scenario.controller.kind == ControllerKind::ConstantFeed;
+    later && !moves
 }
 
 /// What the run itself does.
 fn own(effect: &ChangeEffect, after: &StretchMeans, scenario: &Scenario) -> String {
-    let reference = scenario.target.reference;
     if effect.response.is_some_and(|response| response.ends == ResponseEnd::Unstable) {
-        return "the controller is unstable here, feed and force swing without end".to_owned();
+        return tr("the controller is unstable here, feed and force swing without dying down")
+            .to_owned();
     }
     let before = effect.before.as_ref();
     // The first moment of contact is no state that could be kept or left.
     let contact = effect.causes.contains(&Cause::Contact);
     let settled = before.filter(|_| !contact);
-    let verb = tolerance(settled.and_then(|before| before.in_tolerance), after.in_tolerance);
+    let is_inside = inside(after, scenario);
+    let met = Met::of(settled.and_then(|before| inside(before, scenario)), is_inside);
     let swing = effect.response.and_then(|response| response.told_swing_percent());
     // A mean within the tolerance says nothing of how far the swings about it go.
     let off = after.deviation_percent.map_or(0.0, f64::abs);
     let leaves = swing.is_some_and(|swing| off + swing > scenario.target.tolerance_percent);
-    let in_the_mean = if leaves && after.in_tolerance == Some(true) { "in the mean " } else { "" };
-    let held = format!("{in_the_mean}{}", from_to(settled, after, reference));
+    let held = from_to(settled, after, scenario);
+    let met = match effect.excursion {
+        _ if leaves => met.told_of_mean(held),
+        Some(out) => met.told_with(out, [settled, Some(after)], scenario, held),
+        None => met.told(held),
+    };
     if scenario.controller.kind == ControllerKind::ConstantFeed {
-        return format!("the feed stays as programmed and {verb} {held}");
+        return tr!("the cut at the programmed feed {met}", met = met);
     }
-    let does = before.map_or(String::new(), |before| format!(" {} and", moved(before, after)));
-    format!("the controller{does} {verb} {held}")
+    match before {
+        Some(before) => {
+            tr!("the controller {moves} and {met}", moves = moved(before, after), met = met)
+        }
+        None => tr!("the controller {met}", met = met),
+    }
+}
+
+/// Words as a sentence, with a space behind it.
+fn sentence(words: &str) -> String {
+    let mut letters = words.chars();
+    let first: String = letters.next().into_iter().flat_map(char::to_uppercase).collect();
+    format!("{first}{}. ", letters.as_str())
 }
 
 /// The tool in the air.
-pub(super) fn air(cut: &AirCut) -> String {
-    format!(
-        "The tool is in the air for {}: no force and no surface; the feed goes to {}.",
-        mm(cut.length_mm),
-        feed(cut.feed_mm_min)
-    )
-}
-
-/// The first answer to a change.
-pub(super) fn first_answer(answer: &FirstAnswer, of: &[Cause], scenario: &Scenario) -> String {
-    let reference = scenario.target.reference;
-    let meanwhile = answer.deviation_percent.map_or(String::new(), |deviation| {
-        let side = if deviation < 0.0 { "below" } else { "above" };
-        let name = held_name(reference);
-        format!("; until then {name} goes {} {side} its target", percent(deviation.abs()))
+pub(super) fn air(cut: &AirCut, causes: &[Cause]) -> String {
+    let disturbed = causes.iter().filter_map(|cause| match cause {
+        Cause::Disturbance { kind, begins: true, length_mm, size } => {
+            Some(sentence(&disturbance(*kind, *length_mm, *size)))
+        }
+        Cause::Disturbance { .. }
+        | Cause::Start
+        | Cause::Contact
+        | Cause::Air
+        | Cause::Depth { .. }
+        | Cause::RadialDepth { .. }
+        | Cause::TargetRa { .. }
+        | Cause::ReferenceForce { .. }
+        | Cause::Setting { .. } => None,
     });
-    let after = match kind(of) {
-        EventKind::Start => "the start",
-        EventKind::Contact => "contact",
-        EventKind::DepthStep => "the step",
-        EventKind::TargetChange | EventKind::SettingChange => "the change",
-        EventKind::Air
-        | EventKind::DeadTime
-        | EventKind::Saturation
-        | EventKind::OutsideModel
-        | EventKind::Chatter
-        | EventKind::Wear
-        | EventKind::LimitCycle
-        | EventKind::End => "this",
-    };
-    format!(
-        "The command answers {} after {after}, the feed only after {}, since the command channel has \
-         a dead time of {}{meanwhile}.",
-        seconds(answer.command_after_s),
-        seconds(answer.feed_after_s),
-        seconds(answer.dead_time_s)
-    )
-}
-
-/// A command at a limit.
-pub(super) fn limit(reached: &LimitReached, reference: Reference) -> String {
-    let (what, value) = match reached.command {
-        LimitedCommand::Feed => ("feed", feed(reached.value)),
-        LimitedCommand::SpindleSpeed => ("spindle speed", rpm(reached.value)),
-    };
-    let side = if reached.upper { "upper" } else { "lower" };
-    let share = match reached.share_percent {
-        all if all > 99.0 => String::new(),
-        some => format!(", {some:.0} % of this time"),
-    };
-    let at = format!(
-        "The {what} command stands at its {side} limit, {value} ({:.0} % override){share}",
-        reached.override_percent
+    let disturbed: String = disturbed.collect();
+    let in_air = tr!(
+        "The tool is in the air for {length}: no force and no surface; the feed goes to {feed}.",
+        length = mm(cut.length_mm),
+        feed = feed(cut.feed_mm_min)
     );
-    let name = held_name(reference);
-    match (reached.deviation_percent, reached.in_tolerance) {
-        (Some(deviation), Some(inside)) => {
-            let side = if deviation < 0.0 { "below" } else { "above" };
-            let judged = if inside { "within" } else { "outside" };
-            let size = percent(deviation.abs());
-            format!("{at}: meanwhile {name} is {size} {side} its target, {judged} the tolerance.")
-        }
-        (_, None) | (None, _) => format!("{at}; {name} is outside the model meanwhile."),
-    }
-}
-
-/// A model outside its range.
-pub(super) fn outside(left: &RangeLeft) -> String {
-    let model = &left.model;
-    let Some(input) = left.input else {
-        return format!("{model} is used outside what it was made for: its answer is a guess.");
-    };
-    let [low, high] = input.range;
-    let unit = input.unit;
-    let range = match (low.is_finite(), high.is_finite()) {
-        (true, true) => format!("from {} to {} {unit}", number(low), number(high)),
-        (true, false) => format!("from {} {unit} on", number(low)),
-        (false, true) => format!("up to {} {unit}", number(high)),
-        (false, false) => "elsewhere".to_owned(),
-    };
-    format!(
-        "{model} is used outside its range: the {} goes to {} {unit}, the model holds {range}.",
-        input.name,
-        number(input.value)
-    )
-}
-
-/// Chatter.
-pub(super) fn chatter(found: &Chatter) -> String {
-    let ends = match found.ends {
-        ChatterEnd::Depth => "It ends where the depth changes.",
-        ChatterEnd::Air => "It ends where the tool leaves the part.",
-        ChatterEnd::Itself => "It ends while the depth stays the same.",
-        ChatterEnd::GoesOn => "It goes on to the end.",
-    };
-    format!(
-        "Chatter at {} depth and {}: teeth jump out of the cut, and the force goes to {} where it \
-         would be {} without vibration. {ends}",
-        depth(found.deepest_mm),
-        rpm(found.spindle_rpm),
-        newtons(found.largest_force_n),
-        newtons(found.mean_force_n)
-    )
-}
-
-/// Wear over the run.
-pub(super) fn wear(effect: &WearEffect) -> String {
-    let used = format!(
-        "The tool wears from {:.0} to {:.0} % of its life in this run",
-        effect.used_from_percent, effect.used_to_percent
-    );
-    let (Some(before), Some(after)) = (&effect.before, &effect.after) else {
-        return format!("{used}.");
-    };
-    let grown = |from: f64, to: f64| {
-        let by = 100.0 * (to - from) / from;
-        let verb = if by < 0.0 { "falls" } else { "grows" };
-        format!("{verb} by {}", percent(by.abs()))
-    };
-    let force = grown(before.force_n, after.force_n);
-    let force = match (&effect.twin_before, &effect.twin_after) {
-        (Some(from), Some(to)) => {
-            let twin = grown(from.force_n, to.force_n);
-            format!("at constant feed the force {twin}, here it {force}")
-        }
-        (_, None) | (None, _) => format!("the force {force}"),
-    };
-    let moves = 100.0 * (after.feed_mm_min / before.feed_mm_min - 1.0);
-    let feed = if moves.abs() < KEPT_PERCENT {
-        format!("with the feed kept at {}", feed(after.feed_mm_min))
-    } else {
-        format!("while the feed goes from {:.0} to {}", before.feed_mm_min, feed(after.feed_mm_min))
-    };
-    format!("{used}: {force} {feed}.")
-}
-
-/// A limit cycle.
-pub(super) fn limit_cycle(cycle: &LimitCycle) -> String {
-    let of = &cycle.oscillation;
-    let times = if cycle.dead_time_s > 0.0 {
-        let times = of.period_s / cycle.dead_time_s;
-        let dead = seconds(cycle.dead_time_s);
-        format!(", {times:.1} times the dead time of {dead}")
-    } else {
-        String::new()
-    };
-    format!(
-        "Unstable: feed and force swing without dying down (a limit cycle), with a period of {}{times}; \
-         the force by ±{}, the feed by ±{}.",
-        seconds(of.period_s),
-        percent(of.force_percent),
-        percent(of.feed_percent)
-    )
-}
-
-/// Stretches of time.
-pub(super) fn stretches(of: &[[f64; 2]]) -> String {
-    let each = of.iter().map(|[from_s, to_s]| format!("from {from_s:.2} to {to_s:.2} s"));
-    let each: Vec<String> = each.collect();
-    match &each[..] {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first, .., last] if each.len() > MOST_STRETCHES => {
-            format!("{} times {first} up to {last}", each.len())
-        }
-        [before @ .., last] => format!("{} and {last}", before.join(", ")),
-    }
+    disturbed + in_air.as_str()
 }

@@ -3,6 +3,7 @@
 
 use crate::base::formula::text::{self, Binding};
 use crate::base::formula::{Formula, Function, Node, Operator};
+use crate::base::language::decimal;
 
 impl Formula {
     /// The formula as an equation is shown, with `words` in the place of the inputs: symbols, or the values of a
@@ -36,10 +37,10 @@ fn operand(part: &Node, words: &[&str], least: Binding) -> String {
 
 fn number(x: f64) -> String {
     let text = text::number(x);
-    match text.split_once('e') {
+    decimal(match text.split_once('e') {
         Some((digits, exponent)) => format!("{digits}·10^{{{exponent}}}"),
         None => text,
-    }
+    })
 }
 
 fn node(part: &Node, words: &[&str]) -> String {

@@ -17,9 +17,22 @@ fn numbers() -> impl Strategy<Value = f64> {
     ]
 }
 
-fn leaves() -> impl Strategy<Value = Node> {
+/// Numbers as models have them: those at the ends of the range leave nothing of a value but rounding, a sine of 1e135
+/// or y^(1 + 1e-240).
+fn usual_numbers() -> impl Strategy<Value = f64> {
+    let of_size = |exponent: f64| math::pow(10.0, exponent);
     prop_oneof![
-        numbers().prop_map(Node::Number),
+        (-9_i32..10).prop_map(f64::from),
+        (-20_i32..20).prop_map(|x| f64::from(x) * 0.5),
+        -10.0..10.0,
+        (-9.0..6.0).prop_map(of_size),
+        (-9.0..6.0).prop_map(move |exponent| -of_size(exponent)),
+    ]
+}
+
+fn leaves(numbers: impl Strategy<Value = f64>) -> impl Strategy<Value = Node> {
+    prop_oneof![
+        numbers.prop_map(Node::Number),
         (0..INPUTS.len()).prop_map(Node::Input),
         Just(Node::Constant(NamedConstant { name: "pi".to_owned(), value: math::PI })),
     ]
@@ -27,7 +40,16 @@ fn leaves() -> impl Strategy<Value = Node> {
 
 /// Any formula.
 fn formulas() -> impl Strategy<Value = Formula> {
-    let node = leaves().prop_recursive(7, 60, 2, |inner| {
+    formulas_of(numbers())
+}
+
+/// Any formula of usual numbers, whose values can be held against others.
+fn usual_formulas() -> impl Strategy<Value = Formula> {
+    formulas_of(usual_numbers())
+}
+
+fn formulas_of(numbers: impl Strategy<Value = f64> + 'static) -> impl Strategy<Value = Formula> {
+    let node = leaves(numbers).prop_recursive(7, 60, 2, |inner| {
         let (function, operator) =
             (prop::sample::select(&Function::ALL[..]), prop::sample::select(&Operator::ALL[..]));
         prop_oneof![
@@ -62,11 +84,23 @@ fn rounded(node: &Node, at: &[f64]) -> (f64, f64) {
             if apart { f64::INFINITY } else { 2.0 * errors.into_iter().sum::<f64>() }
         }
     };
-    (value, if error.is_nan() { f64::INFINITY } else { error + 64.0 * f64::EPSILON * value.abs() })
+    (
+        value,
+        if error.is_nan() {
+            f64::INFINITY
+        } else {
+            error + 64.0 * f64::EPSILON * value.abs() + f64::MIN_POSITIVE
+        },
+    )
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    // The same formulas in every run: one that comes once in a hundred thousand stops nobody's change by chance. Another
+    // seed looks at others.
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2007),
+        ..ProptestConfig::with_cases(2000)
+    })]
 
     #[test]
     fn what_is_printed_reads_back_to_the_bit(formula in formulas()) {
@@ -87,7 +121,7 @@ proptest! {
 
     #[test]
     fn derivatives_are_the_limits_of_differences(
-        formula in formulas(),
+        formula in usual_formulas(),
         at in [0.1..3.0, 0.1..3.0, 0.1..9.0],
         input in 0..3_usize,
     ) {
@@ -130,7 +164,7 @@ proptest! {
     /// same quantity.
     #[test]
     fn the_units_of_the_constants_make_the_formula_free_of_its_units(
-        formula in formulas(),
+        formula in usual_formulas(),
         sizes in prop::collection::vec(0.5..2.0, 3),
         at in [0.1..3.0, 0.1..3.0, 0.1..9.0],
     ) {
@@ -189,20 +223,27 @@ proptest! {
 
     #[test]
     fn what_is_simplified_has_the_same_values(
-        formula in formulas(),
+        formula in usual_formulas(),
         at in [-3.0..3.0, -3.0..3.0, 0.1..9.0],
     ) {
         let simple = formula.simplified();
         prop_assert!(simple.size() <= formula.size());
         let [(expected, before), (value, after)] =
             [rounded(formula.root(), &at), rounded(simple.root(), &at)];
-        if (before + after).is_finite() && expected.abs() < 1e200 {
+        // Where a part is infinite, as behind a division by zero, its sign is that of a zero, which is not kept; of a
+        // sine of a huge number, and of numbers at the end of the range, rounding leaves nothing.
+        let in_range = largest(formula.root(), &at) < 1e15 && smallest(formula.root(), &at) > LEAST;
+        if (before + after).is_finite() && in_range {
             let close = (value - expected).abs() <= before + after;
             prop_assert!(close, "{} for {}: {} and {}", simple, formula, value, expected);
         }
         // Where there is no value round about, and not for want of range, there is none afterwards.
         let near = [0.999, 1.0, 1.001].map(|near| at.map(|x| x * near));
-        if near.iter().all(|at| formula.value(at).is_nan() && largest(formula.root(), at) < 1e100) {
+        let has_none = |at: &[f64; 3]| {
+            let root = formula.root();
+            formula.value(at).is_nan() && largest(root, at) < 1e100 && smallest(root, at) > LEAST
+        };
+        if near.iter().all(has_none) {
             prop_assert!(!value.is_finite(), "{} for {}", simple, formula);
         }
     }
@@ -232,6 +273,16 @@ fn has_values(node: &Node, at: &[f64]) -> bool {
 fn largest(node: &Node, at: &[f64]) -> f64 {
     let inside = node.operands().iter().map(|operand| largest(operand, at));
     inside.fold(node.value(at).abs(), f64::max)
+}
+
+/// Parts of less, but for zero, are lost beside others: y^(1 + 1e-240) is y.
+const LEAST: f64 = 1e-100;
+
+/// The smallest magnitude of any part that is not zero.
+fn smallest(node: &Node, at: &[f64]) -> f64 {
+    let inside = node.operands().iter().map(|operand| smallest(operand, at));
+    let own = Some(node.value(at).abs()).filter(|size| *size > 0.0).unwrap_or(f64::INFINITY);
+    inside.fold(own, f64::min)
 }
 
 /// Multiplies the constants by factors, from left to right.

@@ -25,6 +25,7 @@ use super::ControlSetup;
 use super::law::{AtRest, ControlMoment};
 use super::override_loop::{ForceController, ForceLaw, ForceSample, LEAST};
 use crate::base::equation::number;
+use crate::base::language::text;
 use crate::base::math::{self, limit};
 use crate::base::units::{mm_s_from_mm_min, ratio_from_percent};
 use crate::models::printed::Printed;
@@ -176,7 +177,9 @@ impl ForceLaw for PreviewLaw {
     fn printed(_: &PreviewSettings) -> Printed {
         Printed::new(
             "u = [aim / (g max K(x_h))]^{1/α}",
-            "chosen: a Kalman filter of the gain g over the believed part; no paper prints it",
+            text!(
+                "chosen: a Kalman filter of the gain g over the believed part; no paper prints it"
+            ),
         )
     }
 

@@ -23,6 +23,7 @@ use learner::Learner;
 use super::ControlSetup;
 use super::law::{AtRest, ControlMoment};
 use super::override_loop::{ForceController, ForceLaw, ForceSample, periods};
+use crate::base::language::text;
 use crate::base::math::{self, limit};
 use crate::base::network::ScaledNetwork;
 use crate::models::printed::Printed;
@@ -325,13 +326,17 @@ impl ForceLaw for UnksLaw {
         match settings.start {
             UnksStart::Shipped => Printed::new(
                 "u = a_0 e^{NM-2} · internal loop + w_{ext} (NM-R(F_{ref}, F_m) - 1)",
-                "Combined system 2005: UNKS, after Kawato's hierarchical scheme; weights and rates \
-                 were never published",
+                text!(
+                    "Combined system 2005: UNKS, after Kawato's hierarchical scheme; weights and rates \
+                 were never published"
+                ),
             ),
             UnksStart::Cold => Printed::new(
                 "u = e^{NM-2} + NM-R(F_{ref}, F_m) - 1",
-                "feedback-error learning (Miyamoto, Kawato, Setoyama, Suzuki 1988), on which UNKS of \
-                 Combined system 2005 rests",
+                text!(
+                    "feedback-error learning (Miyamoto, Kawato, Setoyama, Suzuki 1988), on which UNKS of \
+                 Combined system 2005 rests"
+                ),
             ),
         }
     }

@@ -10,6 +10,7 @@
 use super::law::ForceMoment;
 use super::map::{MapLaw, Mapped};
 use crate::base::equation::{Live, number};
+use crate::base::language::{text, tr};
 use crate::blocks::cutting::process::PlantSettings;
 use crate::blocks::cutting::tool_path::Engagement;
 use crate::models::Valued;
@@ -21,11 +22,11 @@ use crate::models::tool::Tool;
 
 const K4: &[Printed] = &[Printed::new(
     "F = 286.44 - 5.82·10^{-10} n^3 - 8973 ln(0.039 f) / f",
-    "SDNRP 2007, eq. 7 (Ck45, A_D 2 mm, R_D 3 mm, sharp tool)",
+    text!("SDNRP 2007, eq. 7 (Ck45, A_D 2 mm, R_D 3 mm, sharp tool)"),
 )];
 const M4: &[Printed] = &[Printed::new(
     "F = 265.11 (1 - 2.0·10^{-12} n^3 - (31.32 / f) ln(0.039 f))",
-    "Control strategy 2013, eq. 5; the paper then takes its neural network in place of it",
+    text!("Control strategy 2013, eq. 5; the paper then takes its neural network in place of it"),
 )];
 
 /// The force model.
@@ -130,7 +131,7 @@ impl MapLaw for FormulaMap {
         let [axial_mm, radial_mm] = models.set.engagement_mm();
         let reference = axial_mm * radial_mm;
         let own = formulas.material_factor(plant.hardness_hb);
-        let name_of = if own.is_some() { "a formula" } else { plant.material.label() };
+        let name_of = if own.is_some() { tr("a formula") } else { tr(plant.material.label()) };
         let factor =
             own.map_or_else(|| plant.material.force_factor(plant.hardness_hb), |own| own.value);
         let product = Live::everywhere(
@@ -167,22 +168,23 @@ fn printed_card(models: &GeneticModels, name: &str, [feed, speed]: [f64; 2]) -> 
     Live {
         formula: format!("{name} = {}", formula("f", "n", " ")),
         values: format!("{name} = {with} = {} N", number(k4.value)),
-        range: format!(
-            "f from {} mm/min on (its least force), n from {} 1/min on{}",
-            number(FEED_MIN_MM_MIN),
-            number(SPEED_MIN_RPM),
-            of_another(models, None)
-        ),
+        range: tr!(
+            "f from {feed} mm/min on (its least force), n from {speed} 1/min on",
+            feed = number(FEED_MIN_MM_MIN),
+            speed = number(SPEED_MIN_RPM)
+        ) + of_another(models, None).as_str(),
         valid: k4.valid,
     }
 }
 
-/// What is said of a model that does not belong to the cutter.
+/// What is said of a model that does not belong to the cutter, with what parts it from the words before.
 fn of_another(models: &GeneticModels, own: Option<&FormulaModel>) -> String {
     match (models.of_tool(own), own.and_then(FormulaModel::tool)) {
         (true, _) => String::new(),
-        (false, None) => "; of the papers' cutter alone".to_owned(),
-        (false, Some(tool)) => format!("; of the cutter {} alone", tool.id()),
+        (false, None) => format!("; {}", tr("of the papers' cutter alone")),
+        (false, Some(tool)) => {
+            format!("; {}", tr!("of the cutter {cutter} alone", cutter = tool.id()))
+        }
     }
 }
 
@@ -197,20 +199,21 @@ fn own_card(
     let offset_n = models.own.force_offset_n;
     let offset = if offset_n == 0.0 { String::new() } else { format!(" + {}", number(offset_n)) };
     let [formula, with] = own.shown(&["f", "n"], &[feed, speed]);
-    let with = with + &offset;
+    let with = with + offset.as_str();
     let with = if force.value == 0.0 { format!("max(0, {with})") } else { with };
-    let [f, n] = models.cut_ranges().map(|range| range.map(number));
+    let [[least_feed, most_feed], [least_speed, most_speed]] =
+        models.cut_ranges().map(|range| range.map(number));
     Live {
         formula: format!("{name} = {formula}{offset}"),
         values: format!("{name} = {with} = {} N", number(force.value)),
-        range: format!(
-            "f {} to {} mm/min, n {} to {} 1/min; straight on beyond{}",
-            f[0],
-            f[1],
-            n[0],
-            n[1],
-            of_another(models, Some(own))
-        ),
+        range: tr!(
+            "f {least_feed} to {most_feed} mm/min, n {least_speed} to {most_speed} 1/min; straight on \
+             beyond",
+            least_feed = least_feed,
+            most_feed = most_feed,
+            least_speed = least_speed,
+            most_speed = most_speed
+        ) + of_another(models, Some(own)).as_str(),
         valid: force.valid,
     }
 }

@@ -5,6 +5,7 @@ use crate::blocks::cutting::process::{CutStep, Force, PlantSettings};
 use crate::blocks::cutting::tool_path::Engagement;
 use crate::models::Valued;
 use crate::models::genetic::{FormulaSettings, ModelSet};
+use crate::models::mechanistic::Cutting;
 use crate::models::neural_force::NeuralKind;
 use crate::models::printed::Printed;
 use crate::models::tool::Tool;
@@ -72,8 +73,13 @@ pub trait ForceModelLaw: Clone + std::fmt::Debug {
     /// The force at the start of a run.
     fn new(setup: &ForceSetup) -> Self;
 
-    /// The force of a plant step, before any machine vibrates. It allocates nothing.
-    fn cut(&mut self, step: &CutStep) -> Force;
+    /// The force of a plant step, before any machine vibrates. It allocates nothing. `dynamic` gives the factor of
+    /// the dynamic component; every step asks for it once, also without a chip, since its sources go on.
+    fn cut(&mut self, step: &CutStep, dynamic: impl FnOnce() -> f64) -> Force;
+
+    /// So many teeth are broken from now on, the first ones, fewer than there are; gives the factor by which the
+    /// force of a step grows for a model that does not simulate the teeth.
+    fn break_teeth(&mut self, broken: usize) -> f64;
 
     /// Goes on where the same model stood before its settings were changed in the cut.
     fn take_over(&mut self, _before: &Self) {}
@@ -84,6 +90,18 @@ pub trait ForceModelLaw: Clone + std::fmt::Debug {
 
     /// A new cut begins.
     fn restart(&mut self) {}
+
+    /// What the teeth do at the last instant, where there are teeth.
+    #[inline]
+    fn teeth(&self) -> Option<&Cutting> {
+        None
+    }
+
+    /// The same, for a machine that shakes them.
+    #[inline]
+    fn teeth_mut(&mut self) -> Option<&mut Cutting> {
+        None
+    }
 
     /// The spindle's turn at the last instant, from 0 to below 1, where there are teeth.
     fn spindle_turn(&self) -> Option<f64> {

@@ -14,7 +14,6 @@ use crate::blocks::cutting::tool_path::Engagement;
 use crate::models::Valued;
 use crate::models::feed_speed::FeedSpeed;
 use crate::models::genetic::{FormulaSettings, ModelSet};
-use crate::models::mechanistic::MAX_TEETH;
 use crate::models::neural_force::NeuralKind;
 use crate::models::printed::Printed;
 use crate::models::tool::{Outline, Tool};
@@ -66,6 +65,8 @@ pub struct Mapped<M> {
     map: M,
     outline: Outline,
     several: bool,
+    /// Exponent of the feed per tooth in the force of Kienzle's law, 1 - m_c.
+    feed_exponent: f64,
 }
 
 /// Whether the tool is in the material; otherwise it is in the air.
@@ -85,28 +86,36 @@ impl<M: MapLaw> ForceModelLaw for Mapped<M> {
                 .with_formulas(setup.plant, setup.formulas),
             outline: setup.tool.outline(),
             several: setup.several,
+            feed_exponent: setup.plant.material.feed_exponent(),
         }
     }
 
+    /// The largest force of a revolution is that of the tooth behind the broken ones: it cuts their feed as well as
+    /// its own, and by Kienzle's law the force grows with the power 1 - m_c of the chip. The map itself is not
+    /// asked at so large a feed: it ends long before.
+    fn break_teeth(&mut self, broken: usize) -> f64 {
+        if broken == 0 { 1.0 } else { math::pow((1 + broken) as f64, self.feed_exponent) }
+    }
+
     #[inline]
-    fn cut(&mut self, step: &CutStep) -> Force {
+    fn cut(&mut self, step: &CutStep, dynamic: impl FnOnce() -> f64) -> Force {
         let CutStep { feed_mm_min, speed_rpm, life_factor, .. } = *step;
-        // Maps end at a least feed; a standing tool lifts no chip.
-        if !(FeedSpeed { feed_mm_min, speed_rpm }).feeds() {
-            return Force::NONE;
-        }
         let map = &mut self.map;
         let mut force_in =
             |place: &Engagement| map.force(feed_mm_min, speed_rpm, place, life_factor);
-        let (model, air) = if self.several {
+        let (model, air) = if !(FeedSpeed { feed_mm_min, speed_rpm }).feeds() {
+            // Maps end at a least feed; a standing tool lifts no chip.
+            (Force::NONE.model, true)
+        } else if self.several {
             let (cut, x_mm) = step.under;
             let model = contact::force_along(&self.outline, cut, x_mm, force_in);
             (model, model.value < step.air_n)
         } else {
             (force_in(&step.place), !engaged(&step.place))
         };
-        let dynamic_n = math::positive(model.value * step.dynamic);
-        Force { model, dynamic_n, teeth_n: None, height_mm: [0.0; MAX_TEETH], air }
+        // After the force, which takes long and does not wait for it: the processor then works on both at once.
+        let dynamic_n = math::positive(model.value * dynamic());
+        Force { model, dynamic_n, air }
     }
 
     fn at(

@@ -3,6 +3,7 @@
 
 use super::law::{ForceModelLaw, ForceMoment, ForceSetup};
 use crate::base::equation::{Live, number};
+use crate::base::language::{text, tr};
 use crate::base::math;
 use crate::base::units::mm_from_um;
 use crate::base::window::WindowMax;
@@ -19,15 +20,17 @@ use crate::models::tool::Tool;
 const PRINTED: &[Printed] = &[
     Printed::new(
         "h = [(f_t + X_m) sin φ + Y_m cos φ + Δρ] sin κ",
-        "Combined system 2005, Fig. 3 (lost), as ball-end geometry after Lee and Altintas",
+        text!("Combined system 2005, Fig. 3 (lost), as ball-end geometry after Lee and Altintas"),
     ),
     Printed::new(
         "X_m = G [F_x(t) - F_x(t - T)],  Y_m = G [F_y(t) - F_y(t - T)]",
-        "Combined system 2005, eq. 1: compliance with the delay of one tooth period",
+        text!("Combined system 2005, eq. 1: compliance with the delay of one tooth period"),
     ),
     Printed::new(
         "dF_i = k_i h^{1 - m} db",
-        "Kienzle's laws, tangential, radial and axial (constants of published tables, in part chosen)",
+        text!(
+            "Kienzle's laws, tangential, radial and axial (constants of published tables, in part chosen)"
+        ),
     ),
 ];
 
@@ -36,6 +39,8 @@ const PRINTED: &[Printed] = &[
 pub struct Mechanistic {
     milling: Milling,
     largest: WindowMax<1>,
+    /// What the teeth do at the last instant.
+    now: Cutting,
     wear_factor: f64,
     /// Whether the hardness lies where the material's factor is known.
     material_known: bool,
@@ -99,6 +104,7 @@ impl ForceModelLaw for Mechanistic {
             milling: Milling::new(&milling, setup.depth_max_mm)
                 .with_specific_force(setup.formulas.specific_force.get().cloned()),
             largest: WindowMax::new(setup.window),
+            now: Cutting::default(),
             wear_factor: setup.plant.wear_factor,
             material_known: own.is_none_or(|own| own.valid),
             known_per_turn_mm: known_per_turn_mm(setup.formulas, setup.tool),
@@ -109,6 +115,13 @@ impl ForceModelLaw for Mechanistic {
     fn take_over(&mut self, before: &Self) {
         self.milling.take_over(&before.milling);
         self.largest = before.largest.clone();
+        self.now = before.now;
+    }
+
+    /// They are gone: what they would have cut, the next one meets.
+    fn break_teeth(&mut self, broken: usize) -> f64 {
+        self.milling.break_teeth(broken);
+        1.0
     }
 
     fn make_rigid(&mut self) {
@@ -120,18 +133,25 @@ impl ForceModelLaw for Mechanistic {
         self.largest.restart();
     }
 
+    fn teeth(&self) -> Option<&Cutting> {
+        Some(&self.now)
+    }
+
+    fn teeth_mut(&mut self) -> Option<&mut Cutting> {
+        Some(&mut self.now)
+    }
+
     fn spindle_turn(&self) -> Option<f64> {
         Some(self.milling.spindle_turn())
     }
 
     #[inline]
-    fn cut(&mut self, step: &CutStep) -> Force {
-        let CutStep { feed_mm_min, speed_rpm, life_factor, dynamic, .. } = *step;
+    fn cut(&mut self, step: &CutStep, dynamic: impl FnOnce() -> f64) -> Force {
+        let CutStep { feed_mm_min, speed_rpm, life_factor, .. } = *step;
         let (cut, x_mm) = step.under;
-        let factor = self.wear_factor * life_factor * math::positive(dynamic);
-        let Cutting { forces_n, height_mm } =
-            self.milling.update(feed_mm_min, speed_rpm, x_mm, cut, factor);
-        let [x, y, _] = forces_n;
+        let factor = self.wear_factor * life_factor * math::positive(dynamic());
+        self.now = self.milling.update(feed_mm_min, speed_rpm, x_mm, cut, factor);
+        let [x, y, _] = self.now.forces_n;
         let known = speed_rpm >= SLOWEST_RPM
             && self.material_known
             && feed_mm_min <= self.known_per_turn_mm * speed_rpm;
@@ -139,14 +159,12 @@ impl ForceModelLaw for Mechanistic {
         Force {
             model: Valued::new(largest_n, known),
             dynamic_n: largest_n,
-            teeth_n: Some(forces_n),
-            height_mm,
             air: largest_n < step.air_n,
         }
     }
 
     fn short_name(_: ModelSet) -> String {
-        "by teeth".to_owned()
+        tr("by teeth").to_owned()
     }
 
     fn printed(_: ModelSet) -> &'static [Printed] {
@@ -160,23 +178,23 @@ impl ForceModelLaw for Mechanistic {
         vec![
             Live::everywhere(
                 "f_t = f_a / (z n_a)",
-                format!(
-                    "f_t = {} / ({} · {}) = {} mm, run-out ± {} mm",
-                    number(feed_mm_min),
-                    number(f64::from(tool.teeth)),
-                    number(speed_rpm),
-                    number(per_tooth_mm),
-                    number(mm_from_um(tool.runout_um))
+                tr!(
+                    "f_t = {feed} / ({teeth} · {speed}) = {chip} mm, run-out ± {runout} mm",
+                    feed = number(feed_mm_min),
+                    teeth = number(f64::from(tool.teeth)),
+                    speed = number(speed_rpm),
+                    chip = number(per_tooth_mm),
+                    runout = number(mm_from_um(tool.runout_um))
                 ),
             ),
             Live::everywhere(
-                "F = largest √(F_x^2 + F_y^2) of a control period",
-                format!(
-                    "F = {} N; with vibration {} N  (A_D {} mm, R_D {} mm)",
-                    number(moment.force_n),
-                    number(moment.force_dyn_n),
-                    number(place.axial_depth_mm),
-                    number(place.radial_depth_mm)
+                tr("F = largest √(F_x^2 + F_y^2) of a control period"),
+                tr!(
+                    "F = {force} N; with vibration {shaken} N  (A_D {axial} mm, R_D {radial} mm)",
+                    force = number(moment.force_n),
+                    shaken = number(moment.force_dyn_n),
+                    axial = number(place.axial_depth_mm),
+                    radial = number(place.radial_depth_mm)
                 ),
             ),
         ]

@@ -19,6 +19,7 @@ use super::tool_path::Engagement;
 use crate::base::equation::Live;
 use crate::models::Valued;
 use crate::models::genetic::ModelSet;
+use crate::models::mechanistic::Cutting;
 use crate::models::neural_force::NeuralKind;
 use crate::models::printed::Printed;
 use law::{ForceModelLaw, ForceMoment, ForceSetup};

@@ -3,6 +3,7 @@
 
 use super::law::ForceMoment;
 use crate::base::equation::{Live, number};
+use crate::base::language::tr;
 use crate::blocks::cutting::material::Material;
 use crate::blocks::cutting::neural::NeuralCut;
 use crate::blocks::cutting::process::PlantSettings;
@@ -27,7 +28,7 @@ pub(super) fn lines(kind: NeuralKind, moment: &ForceMoment, force: Valued) -> Ve
     let mut lines = vec![
         inputs(network, &point),
         Live {
-            formula: format!("F_x, F_y, F_z = {}NN(inputs)", factor(&cut)),
+            formula: tr!("F_x, F_y, F_z = {factor}NN(inputs)", factor = factor(&cut)),
             values: format!(
                 "F_x = {} N, F_y = {} N, F_z = {} N",
                 number(fx),
@@ -38,7 +39,7 @@ pub(super) fn lines(kind: NeuralKind, moment: &ForceMoment, force: Valued) -> Ve
             valid: force.valid,
         },
         Live::everywhere(
-            "F_{xy} = √(F_x^2 + F_y^2), at the instant of its largest value",
+            tr("F_{xy} = √(F_x^2 + F_y^2), at the instant of its largest value"),
             format!("F_{{xy}} = √({}^2 + {}^2) = {} N", size(fx), size(fy), number(peak)),
         ),
     ];
@@ -72,19 +73,19 @@ fn inputs(network: &NeuralForce, point: &CutPoint) -> Live {
         format!(
             "NN(f, n, R_D, A_D, material, HB, D, geometry): {}, {}",
             sizes.join("-"),
-            network.activation().label()
+            tr(network.activation().label())
         ),
-        format!(
-            "f {} mm/min, n {} 1/min, R_D {} mm, A_D {} mm, material {}, {} HB, D {} mm, \
-             geometry {}",
-            number(point.feed_mm_min),
-            number(point.speed_rpm),
-            number(point.radial_depth_mm),
-            number(point.axial_depth_mm),
-            number(point.material_code),
-            number(point.hardness_hb),
-            number(point.diameter_mm),
-            number(point.geometry_code),
+        tr!(
+            "f {feed} mm/min, n {speed} 1/min, R_D {radial} mm, A_D {axial} mm, material {material}, \
+             {hardness} HB, D {diameter} mm, geometry {geometry}",
+            feed = number(point.feed_mm_min),
+            speed = number(point.speed_rpm),
+            radial = number(point.radial_depth_mm),
+            axial = number(point.axial_depth_mm),
+            material = number(point.material_code),
+            hardness = number(point.hardness_hb),
+            diameter = number(point.diameter_mm),
+            geometry = number(point.geometry_code),
         ),
     )
 }
@@ -96,36 +97,50 @@ fn ranges(point: &CutPoint, cut: &NeuralCut, plant: &PlantSettings) -> String {
     let axial_max = (diameter * AXIAL_PER_DIAMETER).min(AXIAL_DEPTH_MM[1]);
     let speed = speed_m_min(diameter, point.speed_rpm);
     let values = [
-        ("feed per tooth", point.feed_per_tooth_mm(), FEED_PER_TOOTH_MM, "mm"),
-        ("cutting speed", speed, SPEED_M_MIN, "m/min"),
+        (tr("feed per tooth"), point.feed_per_tooth_mm(), FEED_PER_TOOTH_MM, "mm"),
+        (tr("cutting speed"), speed, SPEED_M_MIN, "m/min"),
         ("A_D", point.axial_depth_mm, [AXIAL_DEPTH_MM[0], axial_max], "mm"),
         ("R_D", point.radial_depth_mm, RADIAL_PER_DIAMETER.map(|part| part * diameter), "mm"),
     ];
-    let tool =
-        [("D", diameter, DIAMETER_MM, "mm"), ("geometry", point.geometry_code, GEOMETRY_CODE, "")];
-    let range = |[low, high]: [f64; 2]| format!("{} to {}", number(low), number(high));
+    let tool = [
+        ("D", diameter, DIAMETER_MM, "mm"),
+        (tr("geometry"), point.geometry_code, GEOMETRY_CODE, ""),
+    ];
+    let range =
+        |[low, high]: [f64; 2]| tr!("{low} to {high}", low = number(low), high = number(high));
     let mut left: Vec<String> = values
         .iter()
         .chain(&tool)
         .filter(|(_, value, [low, high], _)| value < low || value > high)
         .map(|(name, value, trained, unit)| {
-            format!("{name} {} {unit}, trained on {}", number(*value), range(*trained))
+            tr!(
+                "{name} {value} {unit}, trained on {range}",
+                name = *name,
+                value = number(*value),
+                unit = *unit,
+                range = range(*trained)
+            )
         })
         .collect();
     let [ck45, mn_cr_si5] = HARDNESS_HB.map(range);
     let materials = format!(
         "{} {ck45} HB, {} {mn_cr_si5} HB",
-        Material::Ck45.label(),
-        Material::MnCrSi5.label()
+        tr(Material::Ck45.label()),
+        tr(Material::MnCrSi5.label())
     );
     if !cut.teeth_known {
         left.push(
-            "this cutter, trained on ball ends with two teeth and the papers' helix".to_owned(),
+            tr("this cutter, trained on ball ends with two teeth and the papers' helix").to_owned(),
         );
     }
     if !cut.material_known {
         let hardness = number(hardness_hb);
-        left.push(format!("{} at {hardness} HB, trained on {materials}", material.label()));
+        left.push(tr!(
+            "{material} at {hardness} HB, trained on {materials}",
+            material = tr(material.label()),
+            hardness = hardness,
+            materials = materials
+        ));
     }
     if !left.is_empty() {
         return left.join("; ");
@@ -139,6 +154,11 @@ fn origin(network: &NeuralForce) -> Live {
     let from = network.provenance();
     Live::everywhere(
         from.note.clone(),
-        format!("{} rows, {} epochs, seed {}", from.rows, from.epochs, from.seed),
+        tr!(
+            "{rows} rows, {epochs} epochs, seed {seed}",
+            rows = from.rows,
+            epochs = from.epochs,
+            seed = from.seed
+        ),
     )
 }

@@ -11,6 +11,7 @@ use super::law::ForceMoment;
 use super::map::{MapLaw, Mapped, engaged};
 use super::network_card;
 use crate::base::equation::Live;
+use crate::base::language::text;
 use crate::base::math;
 use crate::blocks::cutting::neural::{NeuralCut, NeuralLaw};
 use crate::blocks::cutting::process::PlantSettings;
@@ -24,8 +25,10 @@ use crate::models::tool::Tool;
 
 const PRINTED: &[Printed] = &[Printed::new(
     "F_x, F_y, F_z = NN(f, n, R_D, A_D, material, hardness, D, geometry)",
-    "Control strategy 2013, section 2.3: 8 inputs, 15 hidden neurons, 3 outputs; its weights were \
-     never published",
+    text!(
+        "Control strategy 2013, section 2.3: 8 inputs, 15 hidden neurons, 3 outputs; its weights were \
+     never published"
+    ),
 )];
 
 /// A network that gives a force: which one it is.

@@ -120,9 +120,27 @@ macro_rules! force_models {
                 match self { $( Self::$name(law) => law.make_rigid(), )+ }
             }
 
+            /// So many teeth are broken from now on; see [`ForceModelLaw::break_teeth`].
+            pub fn break_teeth(&mut self, broken: usize) -> f64 {
+                match self { $( Self::$name(law) => law.break_teeth(broken), )+ }
+            }
+
             /// A new cut begins.
             pub fn restart(&mut self) {
                 match self { $( Self::$name(law) => law.restart(), )+ }
+            }
+
+            /// What the teeth do at the last instant, where there are teeth.
+            #[must_use]
+            #[inline]
+            pub fn teeth(&self) -> Option<&Cutting> {
+                match self { $( Self::$name(law) => law.teeth(), )+ }
+            }
+
+            /// The same, for a machine that shakes them.
+            #[inline]
+            pub fn teeth_mut(&mut self) -> Option<&mut Cutting> {
+                match self { $( Self::$name(law) => law.teeth_mut(), )+ }
             }
 
             /// The spindle's turn at the last instant, from 0 to below 1, where there are teeth.
@@ -131,10 +149,10 @@ macro_rules! force_models {
                 match self { $( Self::$name(law) => law.spindle_turn(), )+ }
             }
 
-            /// The force of a plant step, before any machine vibrates.
+            /// The force of a plant step, before any machine vibrates; see [`ForceModelLaw::cut`].
             #[inline]
-            pub fn cut(&mut self, step: &CutStep) -> Force {
-                match self { $( Self::$name(law) => law.cut(step), )+ }
+            pub fn cut(&mut self, step: &CutStep, dynamic: impl FnOnce() -> f64) -> Force {
+                match self { $( Self::$name(law) => law.cut(step, dynamic), )+ }
             }
         }
     };

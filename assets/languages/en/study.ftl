@@ -1,0 +1,821 @@
+# Texts of the program, written by its tests: see ARCHITECTURE.md.
+
+## crates/study/src/afc.rs
+
+cut-number-is-not-reached-within-run-duratio = cut { $number } is not reached within `run.duration_s`, { $limit } s
+cut-number-refused = cut { $number }: { $refused }
+
+## crates/study/src/compare/by_hand.rs
+
+your-hand-2 = Your hand
+name-alone-holds-it-in-time-s = { $name } alone holds it, in { $time } s
+count-ways-of-control-hold-it-name-the-faste = { $count } ways of control hold it, { $name } the fastest in { $time } s
+no-way-of-control-holds-it-either = no way of control holds it either
+your-cut-did-not-come-to-its-end-so-it-has-n = Your cut did not come to its end, so it has no rank ({ $why }); { $best }.
+nothing-of-your-cut-can-be-judged-so-it-has = Nothing of your cut can be judged, so it has no rank; { $best }.
+you-held-ra-in-tolerance-on-inside-of-the-le = You held Ra in tolerance on { $inside } % of the length, and { $asked } % are asked for: no rank; { $best }.
+you-held-the-force-in-tolerance-on-inside-of = You held the force in tolerance on { $inside } % of the length, and { $asked } % are asked for: no rank; { $best }.
+you-held-ra-in-tolerance-on-inside-of-the-le-2 = You held Ra in tolerance on { $inside } % of the length
+you-held-the-force-in-tolerance-on-inside-of-2 = You held the force in tolerance on { $inside } % of the length
+begin-and-no-way-of-control-holds-it-the-cut = { $begin }, and no way of control holds it: the cut is yours.
+as-fast-as-name = as fast as { $name }
+time-s-slower-than-name = { $time } s slower than { $name }
+time-s-faster-than-name = { $time } s faster than { $name }
+begin-and-come-in-as-number-rank-of-the-of-w = { $begin } and come in as number { $rank } of the { $of } who hold it: { $than }, the fastest of the controllers.
+cuts-2 = cuts
+
+## crates/study/src/compare/entrants.rs
+
+conventional = Conventional
+division = Division
+adjustable-pi = Adjustable PI
+p-smith-predictor = P, Smith predictor
+mrac-one-gain = MRAC, one gain
+preview = Preview
+tracking = Tracking
+
+## crates/study/src/compare/iterations.rs
+
+runs = runs
+
+## crates/study/src/compare/load_step.rs
+
+never-back = never back
+
+## crates/study/src/compare/outcome.rs
+
+periods-2 = periods
+more-is-better = More is better.
+less-is-better = Less is better.
+
+## crates/study/src/compare/outside.rs
+
+ra-lies-within-its-tolerance-wherever-it-is = Ra lies within its tolerance wherever it is judged
+the-force-lies-within-its-tolerance-wherever = the force lies within its tolerance wherever it is judged
+the-machine-s-vibration-leaves-it-without-dy = the machine's vibration leaves it, without dynamics Ra is inside
+feed-and-speed-stay-as-programmed-whatever-t = feed and speed stay as programmed, whatever the cut does
+it-is-not-taught-in-so-the-feed-stays-as-pro = it is not taught in, so the feed stays as programmed
+on-share-of-that-it-is-unstable-feed-and-for = on { $share } % of that it is unstable, feed and force swing without dying down
+on-share-of-that-a-command-stands-at-its-lim = on { $share } % of that a command stands at its limit
+it-holds-the-force-and-leaves-to-the-model-w = it holds the force, and leaves to the model what Ra that gives
+its-law-does-not-integrate-an-error-remains = its law does not integrate: an error remains at rest
+it-takes-time-after-each-change-and-noise-mo = it takes time after each change, and noise moves it
+it-takes-time-after-each-change = it takes time after each change
+ra-lies-above-its-tolerance-on-above-and-bel = Ra lies above its tolerance on { $above } % and below its tolerance on { $below } % of the length: { $cause }
+ra-lies-above-its-tolerance-on-share-of-the = Ra lies above its tolerance on { $share } % of the length: { $cause }
+ra-lies-below-its-tolerance-on-share-of-the = Ra lies below its tolerance on { $share } % of the length: { $cause }
+the-force-lies-above-its-tolerance-on-above = the force lies above its tolerance on { $above } % and below its tolerance on { $below } % of the length: { $cause }
+the-force-lies-above-its-tolerance-on-share = the force lies above its tolerance on { $share } % of the length: { $cause }
+the-force-lies-below-its-tolerance-on-share = the force lies below its tolerance on { $share } % of the length: { $cause }
+
+## crates/study/src/compare/robustness.rs
+
+no-dead-time = no dead time
+dead-time-40-ms = dead time 40 ms
+dead-time-80-ms = dead time 80 ms
+t-16mncrsi5-in-place-of-ck45 = 16MnCrSi5 in place of Ck45
+name-before-and-after-kn = { $name } { $before } and { $after } kN
+unks-is-insensitive-to-the-workpiece-s-mater = UNKS is insensitive to the workpiece's material
+largest-force-in-ck45-and-in-16mncrsi5-list = largest force in Ck45 and in 16MnCrSi5: { $list }
+
+## crates/study/src/compare/table_1.rs
+
+the-part-eight-candidates-were-tried-convent = the part: eight candidates were tried; conventional milling's row is calibrated by it, not predicted, and so is a best possible time near 88 s; the path of 488 mm follows from 115 s
+inhomogeneity-5-run-out-3-um-air-feed-150-de = inhomogeneity 5 %, run-out 3 um, air feed 150 %, dead time 40 ms: set once by plausibility, looking at conventional milling and at an ideal controller
+p-kp-1-1-is-the-stability-limit-at-the-heavi = P: Kp = 1.1 is the stability limit at the heaviest section; with the Smith predictor 1.6, of seven values the one nearest to the paper
+mrac-some-25-settings-of-two-structures-were = MRAC: some 25 settings of two structures were tried; the five-parameter one shipped is the one nearest to the table, the one-gain one is the best and does not resemble it; the five-parameter one raises the override by at most 10 % a period, since with 30 % extreme force stopped it with 3 of 20 seeds
+division-of-three-readings-the-static-one-si = division: of three readings the static one, since it alone is stable, takes some 98 s and is poor in Nsn at once
+adjustable-pi-and-unks-first-guesses-kept-af = adjustable PI and UNKS: first guesses, kept after 11 and 9 other settings; not fitted to the table, but their Nsn and largest force could be seen while the part was chosen
+experiment-1-lengths-and-depths-are-chosen-s = Experiment 1: lengths and depths are chosen so that the last section sits at 650 N and the gain comes near 27 %
+not-used-for-any-choice-dead-times-and-mater = not used for any choice: dead times and materials of the robustness table, the noise-free reference runs; what counts as re-entering after the load step was defined anew twice, since the first two definitions never came about
+the-figures-with-the-part-and-the-traces-are = the figures with the part and the traces are missing: agreement shows that the table is physically possible with real force constants and a cap of 150 %, no more
+division-0-29-and-1-25-kn-static-division-is = division 0.29 and 1.25 kN: static division is smooth by construction; on the last command it oscillates instead, and slowed down it is better than printed, not worse
+pi-94-s-any-integrating-controller-runs-the = PI 94 s: any integrating controller runs the light sections at the cap of 150 % and needs no more than some 89 s here; 6 s between PI and UNKS at nearly equal Nsn cannot come from holding the force alone
+mrac-s-time-in-every-run-with-five-parameter = MRAC's time in every run: with five parameters it bursts, and with some seeds an overload stops it; with one gain it does not burst
+p-0-20-kp-1-1-is-all-that-the-dead-time-leav = P 0.20: Kp = 1.1 is all that the dead time leaves; with the Smith predictor and 1.6 it comes near
+mrac-0-90-unks-0-91-and-pi-1-00-kn-reached-o = MRAC 0.90, UNKS 0.91 and PI 1.00 kN: reached on a smooth plant only; tooth by tooth, run-out and inhomogeneity put their peaks on top of what is held
+the-time-of-an-optimisation-step-what-was-ti = the time of an optimisation step: what was timed, and what its iterations are, is not said; reported here are the cost of an update and the control periods after a load step
+mrac-s-response-8-longer-constant-roughness = MRAC's response 8 % longer, constant roughness, the learning curves: the paper has no data
+no-run-has-given-it = no run has given it
+name-measure-within-percent-of-wanted = { $name }: { $measure } within { $percent } % of { $wanted }
+mean-off = { $mean }, { $off } %
+mean-off-over-the-finished-of-runs-runs-that = { $mean }, { $off } % over the { $finished } of { $runs } runs that came to the end
+unks-and-pi-the-next-has-next = { $unks } and { $pi }; the next has { $next }
+unks-and-adjustable-pi-are-the-two-best-in-n = UNKS and adjustable PI are the two best in Nsn
+unks-measure-at-most-most = UNKS: { $measure } at most { $most }
+n-periods-after-the-load-step = , { $n } periods after the load step
+unstable-after-the-load-step = , unstable after the load step
+never-back-after-the-load-step = , never back after the load step
+name-error-time-s-step = { $name } ({ $error } %, { $time } s{ $step })
+nobody-is-within-percent-next-is-next = nobody is within { $percent } %, next is { $next }
+within-percent-of-it-list = within { $percent } % of it { $list }
+least-nsn-name-with-error-in-time-s-step-bes = least Nsn: { $name } with { $error } in { $time } s{ $step }; { $beside }
+measure-in-unit = { $measure } in { $unit }
+
+## crates/study/src/csv_table.rs
+
+there-is-no-line-with-the-names-of-the-colum = there is no line with the names of the columns
+line-line-has-values-values-for-columns-colu = line { $line } has { $values } values for { $columns } columns; numbers with decimal commas need semicolons between them, as in `0,5;1,2`
+line-line-has-values-values-for-columns-colu-2 = line { $line } has { $values } values for { $columns } columns
+line-line-name-is-cell-allowed-is-a-finite-n = line { $line }: `{ $name }` is `{ $cell }`: allowed is a finite number
+line-line-comma-has-a-comma-which-separates = line { $line }: `{ $comma }` has a comma, which separates the values of this table: write a decimal point, or separate the values by semicolons
+line-line-has-comma-line-other-cell-write-al = line { $line } has `{ $comma }`, line { $other } `{ $cell }`: write all numbers with the same decimal sign, and nothing between thousands
+there-is-no-line-with-the-names-of-the-colum-2 = there is no line with the names of the columns; needed are { $needed }
+the-columns-are-found-missing-are-missing-ne = the columns are { $found }; missing are { $missing }; needed are { $needed }
+the-column-name-stands-there-more-than-once = the column { $name } stands there more than once
+
+## crates/study/src/errata.rs
+
+t-1-0-001024-s-2-0-064-s-1-beside-natural-freq = 1 / (0.001024 s^2 + 0.064 s + 1) beside "natural frequency of 3 Hz and a settling time of 0.4 s"
+its-natural-frequency-is-4-97-hz-critically = its natural frequency is 4.97 Hz, critically damped; 3.2 Hz is its -3 dB bandwidth; it settles to 2 % in 0.19 s, to 0.5 % in 0.24 s
+both-are-kept-as-separate-drives-2013-eq1-an = both are kept as separate drives, 2013_eq1 and measured_3hz
+dead-time-2 = dead time
+the-paper-has-none-2013-has-0-04-s-2007-e-0 = the paper has none; 2013 has 0.04 s, 2007 e^(-0.08 s)
+t-0-04-s-two-control-periods-papers-paper-2005 = 0.04 s, two control periods; `papers --paper 2005 --robustness` shows 0, 40 and 80 ms
+radial-depth-r-d-4-mm-in-the-english-text-3 = radial depth R_D: 4 mm in the English text, 3 mm in the Slovene
+they-differ-and-so-does-the-force-404-agains = they differ, and so does the force: 404 against 281 N at 0.08 mm and A_D = 2 mm
+presets-experiment-1-with-4-mm-and-experimen = presets experiment-1 with 4 mm and experiment-1-sl with 3 mm; 280 N as desired force belongs to 3 mm (`steadycut force`)
+experiment-1-desired-force-280-n-in-the-set = Experiment 1: desired force 280 N in the set-up, 650 N in the discussion
+at-r-d-4-mm-already-the-starting-depth-takes = at R_D = 4 mm already the starting depth takes 404 N
+t-650-n-with-r-d-4-mm-280-n-with-r-d-3-mm = 650 N with R_D = 4 mm, 280 N with R_D = 3 mm
+experiment-2-desired-force-650-n-in-the-text = Experiment 2: desired force 650 N in the text, 0.665 kN in Table 1
+they-differ-by-2 = they differ by 2 %
+t-665-n = 665 N
+experiment-1-a-time-saving-of-40-with-one-cu = Experiment 1: "a time saving of 40 % with one cut"
+with-an-override-of-at-most-150-no-more-than = with an override of at most 150 % no more than 33.3 % is possible, and 27 % more removal rate is 21 % of time
+the-gain-in-removal-rate-is-judged-the-time = the gain in removal rate is judged; the time is reported
+table-1-times-of-88-to-115-s = Table 1: times of 88 to 115 s
+t-0-08-mm-two-teeth-and-1591-5-1-min-are-254-6 = 0.08 mm, two teeth and 1591.5 1/min are 254.65 mm/min, so 115 s are a path of 488 mm and 76.7 s the least at 150 %
+all-six-times-fit-a-constant-programmed-feed = all six times fit a constant programmed feed: the part has 488 mm
+returns-the-cutting-force-value-to-the-desir = "returns the cutting-force value to the desired value level within four or less iterations"; the Slovene text adds 2 ms
+t-0-5-ms-each-cannot-be-samples-of-20-ms = 0.5 ms each cannot be samples of 20 ms
+read-as-iterations-of-the-internal-loop-with = read as iterations of the internal loop with NM-1 inside a control period
+sampling-time-20-ms-28-8-khz = sampling time 20 ms, 28.8 kHz
+t-576-samples-hold-one-tooth-period-of-18-85-m = 576 samples hold one tooth period of 18.85 ms, so run-out makes one peak high and the next one low
+kept-what-is-judged-as-a-transient-is-the-me = kept; what is judged as a transient is the mean of four peaks
+fig-5-a-step-of-the-feed-from-0-05-to-2-mm-t = Fig. 5: a step of the feed from 0.05 to 2 mm/tooth
+t-2-mm-a-tooth-would-break-a-cutter-of-16-mm = 2 mm a tooth would break a cutter of 16 mm
+read-as-0-2-mm-tooth = read as 0.2 mm/tooth
+the-optimized-feedrate-would-always-be-equal = "the optimized feedrate would always be equal to the reference peak force"
+a-feed-is-no-force-mistranslated = a feed is no force: mistranslated
+read-as-the-right-override-would-be-100 = read as: the right override would be 100 %
+a-d-and-r-d-in-the-english-text = "A_D" and "R_D" in the English text
+in-another-order-than-in-the-slovene = in another order than in the Slovene
+a-d-is-the-axial-depth-r-d-the-radial-one = A_D is the axial depth, R_D the radial one
+fig-6-0-07-0-35-2-1-0-09-0-37-0-4 = Fig. 6: 0.07, 0.35, 2.1, 0.09, 0.37, 0.4
+without-names-presumably-learning-rates-and = without names; presumably learning rates and momenta by layer
+not-used-the-ranges-of-2013-are = not used; the ranges of 2013 are
+table-1-optimization-time-and-iterations-0-0 = Table 1: "optimization time" and "iterations", 0.001 s / 18 to 0.012 s / 34
+what-was-timed-and-what-was-counted-is-not-s = what was timed and what was counted is not said
+beside-them-stand-a-controller-s-cost-per-up = beside them stand a controller's cost per update and its control periods after a load step
+eq-2-the-normalised-standard-error-over-n-20 = eq. 2, the normalised standard error, over n = 20 samples
+which-20-is-not-said-the-spread-over-seeds-i = which 20 is not said; the spread over seeds is some 0.02
+over-all-samples-in-contact-the-form-with-20 = over all samples in contact; the form with 20, evenly spaced, stands beside it
+t-8-s-time-delay = "t = 8 s: time delay"
+the-transfer-functions-have-e-0-08-s = the transfer functions have e^(-0.08 s)
+dead-time-0-08-s = dead time 0.08 s
+eq-2-s-14-0-s-2-155-s-35500 = eq. 2: (s + 14.0) + (s^2 + 155 s + 35500)
+a-sum-has-no-unit-gain-at-rest = a sum has no unit gain at rest
+a-product-14-x-35500-497000-the-printed-nume = a product: 14 x 35500 = 497000, the printed numerator
+eq-1-with-the-constants-of-table-1 = eq. 1 with the constants of Table 1
+gives-582508-s-3-169-0-s-2-38699-7-s-582508 = gives 582508 / (s^3 + 169.0 s^2 + 38699.7 s + 582508), with other poles than eq. 2
+both-are-kept-as-separate-drives-2007-eq1-an = both are kept as separate drives, 2007_eq1 and 2007_eq2
+reference-roughness-0-81-mm = "reference roughness 0.81 mm"
+the-unit = the unit
+t-0-81-um = 0.81 um
+k2-eq-5 = K2, eq. 5
+the-feed-is-negative-for-every-force-below-1 = the feed is negative for every force below 177.07 N, that is for half of Table 3
+re-identified-the-printed-form-runs-with-its = re-identified; the printed form runs with its commands limited and marked out of range
+k1-eq-4 = K1, eq. 4
+k1-0-81-um-188-0-n-where-table-3-has-178-5-n = K1(0.81 um) = 188.0 N where Table 3 has 178.5 N; at 0.38 um 139.7 N against 161.4 N
+re-identified-from-table-3 = re-identified from Table 3
+k3-eq-6 = K3, eq. 6
+gives-about-4100-1-min-where-table-3-has-abo = gives about 4100 1/min where Table 3 has about 2100 1/min
+k4-eq-7 = K4, eq. 7
+exceeds-the-table-s-final-force-from-the-tab = exceeds the table's final force, from the table's own final feed and speed, by 32.8 N in simulations 1 to 9
+only-the-intercept-is-wrong-253-66-in-place = only the intercept is wrong: 253.66 in place of 286.44 N meets all ten rows within 0.75 N
+table-3-simulation-10-final-force-195-2-n = Table 3, simulation 10: final force 195.2 N
+from-the-table-s-own-feed-and-speed-the-rest = from the table's own feed and speed the restored K4 gives 190.2 N, which also lies on the force-roughness curve of all other rows
+taken-as-a-misprint-of-190-2-n-the-printed-v = taken as a misprint of 190.2 N; the printed value is shown beside it
+k5-eq-8 = K5, eq. 8
+misses-the-table-s-roughness-by-up-to-30 = misses the table's roughness by up to 30 %
+the-exact-inverse-of-the-re-identified-k1 = the exact inverse of the re-identified K1
+findings-deviation-of-ra-at-most-4-1-of-forc = findings: deviation of Ra at most 4.1 %, of force at most 5.2 %
+in-the-paper-s-own-table-3-the-final-ra-is-o = in the paper's own Table 3 the final Ra is off its target by +31.6 % (simulation 1) to -22.4 % (simulation 10)
+the-table-s-own-deviations-are-reported = the table's own deviations are reported
+k1-to-k5-by-genetic-programming-from-185-mea = K1 to K5 by genetic programming from 185 measurements
+the-measurements-were-never-published-and-th = the measurements were never published, and the table's final feeds and speeds lie on one line (correlation -0.995), which tells no formula of both
+calibration-genetic-k1-k2-k3-and-k5-found-an = calibration genetic: K1, K2, K3 and K5 found anew in Table 3 by genetic programming, K4 the printed form with its constants fitted (`steadycut identify genetic`); all 40 final values lie within their bands
+eq-3-m2-10-05-f-4 = eq. 3 (M2): "10^05 F^4"
+can-only-be-10-5-and-rounded-so-m2-gives-neg = can only be 10^-5; and rounded so, M2 gives negative feeds of thousands at every force of Table 1
+restored-with-1-426371e-5-f-4-1-015767e-2-f = restored with 1.426371e-5 F^4 - 1.015767e-2 F^3, which gives the final feeds of Table 3 of 2007 from its desired forces; re-identified from Table 1
+eq-4-m3-exponent-0-004 = eq. 4 (M3): exponent -0.004
+gives-about-3700-1-min-where-table-1-has-abo = gives about 3700 1/min where Table 1 has about 2200 1/min
+restored-with-0-0071-which-gives-the-final-s = restored with -0.0071, which gives the final speeds from the initial forces within 4.7 %; re-identified
+eq-6-m5-leading-coefficient-0-0001 = eq. 6 (M5): leading coefficient 0.0001
+gives-0-11-to-0-14-um-where-table-1-has-0-44 = gives 0.11 to 0.14 um where Table 1 has 0.44 to 0.99 um, and turns round at 170.5 N, inside the table
+restored-with-0-00012025-least-squares-which = restored with 0.00012025 (least squares), which still misses by up to 0.19 um; re-identified as the exact inverse of M1
+eq-2-m1 = eq. 2 (M1)
+m1-0-40-um-135-6-n-where-table-1-starts-from = M1(0.40 um) = 135.6 N where Table 1 starts from 164.5 N and ends at 157.5 N; at 1.11 um 219.5 N against 188.1 N
+re-identified-from-table-1 = re-identified from Table 1
+eq-5-m4 = eq. 5 (M4)
+exceeds-the-table-s-final-force-from-the-tab-2 = exceeds the table's final force, from the table's own final feed and speed, by 12 to 28 N, and the initial force by 27 to 36 N; there is no one intercept that mends it
+the-printed-form-with-its-intercept-and-feed = the printed form with its intercept and feed coefficient re-identified, its speed coefficient as printed
+eq-1-1-0-001024-s-2-0-064-s-1-beside-natural = eq. 1: 1 / (0.001024 s^2 + 0.064 s + 1) beside "natural frequency of 3 Hz and a settling time of 0.4 s"
+its-natural-frequency-is-4-97-hz-critically-2 = its natural frequency is 4.97 Hz, critically damped; 3.2 Hz is its -3 dB bandwidth
+both-are-kept-as-separate-drives = both are kept as separate drives
+neural-network-predictions-were-by-4-closer = "neural network predictions were by 4 % closer to the measurements, compared to 6 %"
+the-3500-measurements-were-never-published-r = the 3500 measurements were never published; read as mean errors of 4 % and 6 %
+networks-and-formulas-are-trained-on-one-dat = networks and formulas are trained on one data set from the mechanistic force model with measurement noise, the formula by genetic programming; their errors stand beside the paper's, true or not (`steadycut papers --paper 2013`)
+section-2-1-seven-constraints-are-listed-in = section 2.1: "seven constraints are listed in [18]"
+the-list-is-not-given = the list is not given
+the-usual-seven-of-milling-each-marked-as-ch = the usual seven of milling, each marked as chosen, machine limits in a file of placeholders
+table-1-simulations-6-and-7 = Table 1, simulations 6 and 7
+the-force-differs-by-1-n-the-roughness-by-0 = the force differs by 1 N, the roughness by 0.17 um: the table is not smooth, no smooth function of force meets both
+ra-is-judged-within-0-08-um = Ra is judged within 0.08 um
+section-2-3-momentum-rates-between-0-008-and = section 2.3: "momentum rates between 0.008 and 0.01 are good" for small errors, but should "not exceed 0.004 if the number of training cycles is also to be minimized"
+no-momentum-serves-both = no momentum serves both
+steadycut-train-study-prints-both-rates-besi = `steadycut train --study` prints both rates beside others
+m1-to-m5-by-genetic-programming-from-200-mea = M1 to M5 by genetic programming from 200 measurements
+the-measurements-were-never-published-and-th-2 = the measurements were never published, and the table's final feeds and speeds lie on one line (correlation -0.937)
+calibration-genetic-m1-m2-m3-and-m5-found-an = calibration genetic: M1, M2, M3 and M5 found anew in Table 1 by genetic programming, M4 the printed form with its speed coefficient as printed and the others fitted (`steadycut identify genetic`); all 32 final values lie within their bands
+
+## crates/study/src/errata_2019.rs
+
+eq-1-row-1-c3-z3-z2-k3-z3-z2 = eq. 1, row 1: + c3 (z3' - z2') + k3 (z3 - z2)
+the-force-between-2-and-3-cannot-act-on-the = the force between 2 and 3 cannot act on the base, and its sign is that of no spring
+c5-z5-z1-k5-z5-z1-row-5-of-eq-2-hangs-the-ta = - c5 (z5' - z1') - k5 (z5 - z1): row 5 of eq. 2 hangs the table on the base by k5
+eq-1-row-2-no-term-with-k3-c3 = eq. 1, row 2: no term with k3, c3
+the-tooth-s-spring-ends-on-nothing-momentum = the tooth's spring ends on nothing; momentum is not conserved
+c3-z3-z2-k3-z3-z2-the-reaction-of-row-3 = - c3 (z3' - z2') - k3 (z3 - z2), the reaction of row 3
+eq-1-row-4-c4-z4-z3-k4-z4-z3 = eq. 1, row 4: c4 (z4' - z3') + k4 (z4 - z3)
+ties-the-slides-to-the-tooth-without-reactio = ties the slides to the tooth, without reaction in row 3, and contradicts row 4 of eq. 2
+c4-z4-z5-k4-z4-z5 = c4 (z4' - z5') + k4 (z4 - z5)
+eq-1-row-5-c5-z5-z4-k5-z5-z4 = eq. 1, row 5: - c5 (z5' - z4') - k5 (z5 - z4)
+a-spring-of-negative-stiffness-k4-k5-remains = a spring of negative stiffness k4 - k5 remains: eq. 1 as printed is unstable, with a real pole at 2 pi x 194.9 rad/s with corrected numbers, at 2 pi x 4057 and 2 pi x 78659 rad/s with the printed ones
+c5-z5-z1-k5-z5-z1 = + c5 (z5' - z1') + k5 (z5 - z1)
+eq-2-row-1-k1-k2-k3-and-k3-i-w-c3-z3 = eq. 2, row 1: k1 + k2 + k3 and -(k3 + i w c3) z3
+not-symmetric-row-3-has-no-z1-row-5-has-one = not symmetric: row 3 has no z1, row 5 has one without partner
+t-5-for-3-three-times-k1-k2-k5-c1-c2-c5-k5-i-w = 5 for 3 three times: k1 + k2 + k5, c1 + c2 + c5, -(k5 + i w c5) z5
+eq-2-row-2-k2-w-2-m2-i-w-c2 = eq. 2, row 2: (k2 - w^2 m2) + i w c2
+the-tooth-s-reaction-is-missing-the-tool-poi = the tooth's reaction is missing: the tool point has 5.04e-9 m/N at rest where the mended machine has 1.28e-7, and no resonance of the spindle
+k2-k3-w-2-m2-i-w-c2-c3-and-k3-i-w-c3-z3 = (k2 + k3 - w^2 m2) + i w (c2 + c3), and -(k3 + i w c3) z3
+eq-2-row-3-k3-i-w-c3-z2-k3-w-2-m3-i-w-c3-z3 = eq. 2, row 3: [k3 + i w c3] z2 - [(k3 - w^2 m3) + i w c3] z3 = -P
+the-left-side-is-that-of-eq-1-times-1-the-ri = the left side is that of eq. 1 times -1, the right side is not: both forces point the same way
+the-left-side-times-1 = the left side times -1
+eq-2-row-4-c-42 = eq. 2, row 4: c_42
+there-is-no-such-coefficient = there is no such coefficient
+c4 = c4
+table-1-k4-6-3e12-n-m = Table 1: k4 = 6.3e12 N/m
+the-rule-below-the-table-gives-6-26e8-with-6 = the rule below the table gives 6.26e8; with 6.3e12 c4 would be 1.46e7, not the printed 1.4e5
+exponent-8 = exponent 8
+table-1-c5-2-6e8-n-s-m = Table 1: c5 = 2.6e8 N s/m
+the-rule-gives-2-62e5-2-6e8-means-q-0-003 = the rule gives 2.62e5; 2.6e8 means Q = 0.003
+exponent-5 = exponent 5
+table-1-c2-2348-n-s-m-beside-q-17 = Table 1: c2 = 2348 N s/m beside Q = 17
+sqrt-k-m-2348-5-00-q-17-needs-691-and-repeat = sqrt(k m) / 2348 = 5.00; Q = 17 needs 691 and repeats the mass m2 = 17 of its column
+q-5-17-can-be-chosen-machine-spindle-quality = Q = 5; 17 can be chosen (machine.spindle_quality)
+table-1-k3-1-9e8-n-m-c3-0-5-n-s-m-m3-0-3e-6 = Table 1: k3 = 1.9e8 N/m, c3 = 0.5 N s/m, m3 = 0.3e-6 kg
+m3-is-rounded-to-one-digit-its-rule-gives-k3 = m3 is rounded to one digit: its rule gives k3 = 2.03e8; no m3 that rounds to 0.3e-6 gives c3 = 0.5 with Q = 10
+both-by-the-rule-c3-does-not-matter-up-to-30 = both by the rule; c3 does not matter up to 3000 Hz
+table-1-unit-of-c-n-m-sec = Table 1: unit of c N/m/sec
+a-damper-s-unit-is-n-s-m = a damper's unit is N s/m
+n-s-m = N s/m
+note-of-table-1-p-cf-107-n = note of Table 1: P_CF = 107 N
+may-have-been-10-7-n-which-is-absurd-for-a-c = may have been 10^7 N, which is absurd for a cut
+t-107-n-the-order-of-the-forces-of-2007-and-20 = 107 N, the order of the forces of 2007 and 2013
+six-differential-equations-1 = "six differential equations (1)"
+five-are-printed-for-five-nodes = five are printed, for five nodes
+five-table-and-work-piece-are-one-node = five; table and work piece are one node
+substitution-xi-tau-xi-a-exp-i-w-tau = "substitution xi(tau) = xi_A exp(i w tau)"
+another-symbol-than-zeta-for-the-same-quanti = another symbol than zeta for the same quantity
+zeta = zeta
+section-3-fig-4a-spectra-roughness-figure-3a = section 3: "Fig. 4a .. spectra", "roughness (Figure 3a)"
+the-captions-say-the-opposite = the captions say the opposite
+t-3a-are-the-spectra-4a-is-the-roughness = 3a are the spectra, 4a is the roughness
+names-of-the-nodes-against-eq-2 = names of the nodes against eq. 2
+by-the-names-the-slides-carry-the-table-and = by the names the slides carry the table and the force acts on the table; by rows 4 and 5 the table carries the slides and the force acts on these
+variant-a-by-the-equations-variant-b-by-the = variant A by the equations, variant B by the names (machine.variant); G_rel differs by 2.9 %
+
+## crates/study/src/experiment/measure.rs
+
+no-chip-is-cut = no chip is cut
+its-ra-lies-beyond-the-end-of-the-plant-s-mo = its Ra lies beyond the end of the plant's model
+
+## crates/study/src/experiment/plan.rs
+
+run-run-error = run { $run }: { $error }
+
+## crates/study/src/experiment/way/job.rs
+
+cuts-cuts-is-not-possible-allowed-are-fewest = cuts: { $cuts } is not possible: allowed are { $fewest } to { $most }
+name-value-is-not-possible-allowed-is-0-to-m = { $name }: { $value } is not possible: allowed is 0 to { $most }
+there-are-no-models-yet = there are no models yet
+the-table-has-no-such-row = the table has no such row
+the-pilot-cuts-found-nothing = the pilot cuts found nothing
+nothing-is-planned = nothing is planned
+percent-of-the-way-2 = percent of the way
+
+## crates/study/src/experiment/way/models.rs
+
+its-front-is-empty = its front is empty
+name-none-of-the-count-formulas-found-can-be = { $name }: none of the { $count } formulas found can be used: { $why }
+formula-is-not-certain-to-rise-with-input-ov = `{ $formula }` is not certain to rise with { $input } over its cuts
+formula-is-not-certain-to-fall-with-input-ov = `{ $formula }` is not certain to fall with { $input } over its cuts
+column-has-no-unit = `{ $column }` has no unit
+
+## crates/study/src/experiment/way/pilot.rs
+
+pilot-cuts-error-give-another-depth = pilot cuts: { $error }: give another depth
+pilot-cuts-no-chip-is-cut-give-other-depths = pilot cuts: no chip is cut: give other depths
+pilot-cuts-value-gives-force-n-in-place-of-w = pilot cuts: { $value } gives { $force } N in place of { $wanted } N: give another depth
+pilot-cuts-at-depth-mm-feeds-low-to-high-are = pilot cuts at { $depth } mm: feeds { $low } to { $high } are no range
+pilot-values = pilot values
+
+## crates/study/src/experiment/way/plant.rs
+
+plant-formula-the-papers-k4-does-not-know-th = plant: formula: the papers' K4 does not know the cutter { $tool }: allowed is { $allowed }
+the-papers-k4-with-its-intercept-restored-ti = the papers' K4 with its intercept restored, times the factor of material and hardness
+tooth-by-tooth-the-mechanistic-model-of-the = tooth by tooth, the mechanistic model of the cutter { $tool } in { $material } (Kienzle's laws; materials but Ck45 and 16MnCrSi5 by the ratio of their forces), its largest value of each control period
+force-force-ra-what-that-force-leaves-by-the = force: { $force }; Ra: what that force leaves by the papers' K5, which no measurement confirms for another cutter or material
+
+## crates/study/src/experiment/way/state.rs
+
+version-cannot-be-version-allowed-is-allowed = `version` cannot be { $version }: allowed is { $allowed }
+it-was-gone-with-other-settings-and-all-but = it was gone with other settings, and all but the number of batches have to be as they were: with { $found }, not { $own }
+searches-cannot-be-count-allowed-is-allowed = `searches` cannot be { $count }: allowed is { $allowed }
+
+## crates/study/src/formula_place.rs
+
+a-run-has-no-use-for-it-because = a run has no use for it: { $because }
+
+## crates/study/src/identify/drive/mod.rs
+
+the-recording-has-count-samples-allowed-are = the recording has { $count } samples: allowed are { $least } to { $most }
+the-recording-has-samples-that-are-no-number = the recording has samples that are no numbers
+the-command-never-changes-record-a-step = the command never changes: record a step
+
+## crates/study/src/identify/genetic.rs
+
+models = models
+
+## crates/study/src/identify/gp/columns.rs
+
+no-rows-below-the-names-of-the-columns = no rows below the names of the columns
+there-is-one-column = there is one column
+a-target-and-an-input-need-two-columns-of-nu = a target and an input need two columns of numbers: { $which }
+
+## crates/study/src/identify/gp/constants.rs
+
+the-formula-is-too-large = the formula is too large
+constants-constants-cannot-be-fitted-to-rows = { $constants } constants cannot be fitted to { $rows } rows
+the-formula-has-no-finite-value-on-some-row = the formula has no finite value on some row
+a-constant-is-not-finite = a constant is not finite
+
+## crates/study/src/identify/gp/declared.rs
+
+no-start-has-a-value-on-all-rows = no start has a value on all rows
+
+## crates/study/src/identify/gp/folds.rs
+
+the-search-repeated-without-each-row = the search repeated without each row
+the-constants-fitted-without-each-row = the constants fitted without each row
+the-constants-fitted-without-each-tenth-of-t = the constants fitted without each tenth of the rows
+
+## crates/study/src/identify/gp/paper.rs
+
+generations = generations
+
+## crates/study/src/identify/gp/problem.rs
+
+t-1-row-at-least-fewest-are-needed = 1 row: at least { $fewest } are needed
+rows-rows-at-least-fewest-are-needed = { $rows } rows: at least { $fewest } are needed
+count-inputs-allowed-are-1-to-most = { $count } inputs: allowed are 1 to { $most }
+input-is-the-target-and-an-input = `{ $input }` is the target and an input
+the-input-input-is-named-twice = the input `{ $input }` is named twice
+the-unit-of-column-is-not-known-give-it-with = the unit of `{ $column }` is not known: give it with `--unit { $column }=UNIT`, `1` for none
+name-is-value-in-every-row-nothing-can-be-to = `{ $name }` is { $value } in every row: nothing can be told by it
+name-has-values-above-1e100-choose-another-u = `{ $name }` has values above 1e100: choose another unit
+a-and-b-lie-on-one-line-correlation-correlat = `{ $a }` and `{ $b }` lie on one line (correlation { $correlation }, variance inflation { $inflation }): these rows do not tell their effects apart, and a free formula of both would be an accident
+
+## crates/study/src/identify/gp/range.rs
+
+constant = constant
+rising = rising
+falling = falling
+turning = turning
+uncertain = uncertain
+
+## crates/study/src/identify/gp/report.rs
+
+the-constants-fitted-without-some-of-the-row = the constants fitted without some of the rows
+
+## crates/study/src/identify/gp/search.rs
+
+the-saved-search-has-formulas-that-cannot-be = the saved search has formulas that cannot be
+
+## crates/study/src/identify/gp/state.rs
+
+the-search-was-of-another-table-of-other-col = the search was of another table, of other columns, units or another seed: all of these have to be as they were
+
+## crates/study/src/identify/gp/template.rs
+
+t-stands-there-twice-allowed-is-once = T stands there twice: allowed is once
+the-bracket-of-t-is-not-closed = the bracket of T is not closed
+count-constants-allowed-are-most = { $count } constants: allowed are { $most }
+there-is-neither-a-constant-to-fit-nor-t-to = there is neither a constant to fit nor T to search for
+t-name-name-is-no-input-inputs-are-list = T({ $name }): `{ $name }` is no input; inputs are { $list }
+part-beside-t-every-part-needs-one-constant = `{ $part }`: beside T, every part needs one constant that multiplies it, and no other
+t-has-to-stand-in-the-sum-by-itself-as-in-a = T has to stand in the sum by itself, as in `a + b*n^3 + T(f)`
+a-part-of-the-template-has-no-finite-value-o = a part of the template has no finite value on some row
+
+## crates/study/src/machine_life/adaptive.rs
+
+percent-of-the-life = percent of the life
+
+## crates/study/src/machine_life/mod.rs
+
+sound-trend-and-roughness-trend-are-identica = sound trend and roughness trend are identical (no figure is printed)
+calculated-and-measured-sound-trend-r-0-993 = calculated and measured sound trend: R = 0.993; no measurement is published
+calculated-and-measured-sound-spectrum-r-0-6 = calculated and measured sound spectrum: R = 0.684; no measurement is published
+points-of-time = points of time
+
+## crates/study/src/machine_life/monte_carlo.rs
+
+tools = tools
+
+## crates/study/src/mission/answer.rs
+
+predictions-step-step-allowed-is-one-of-choi = `predictions`, step { $step }: allowed is one of choice, number and curve
+predictions-step-step-is-answered-twice = `predictions`: step { $step } is answered twice
+path-is-set-to-value-the-mission-opens-open = `{ $path }` is set to { $value }: the mission opens { $open }
+path-is-changed-at-time-s-the-mission-opens = `{ $path }` is changed at { $time } s: the mission opens { $open }
+the-change-of-path-at-time-s-is-part-of-the = the change of `{ $path }` at { $time } s is part of the mission and is missing
+predictions-step-step-asks-nothing-steps-tha = `predictions`: step { $step } asks nothing; steps that ask: { $all }
+predictions-step-step = `predictions`, step { $step }
+entry-choice-is-number-allowed-is-1-to-most = { $entry }: choice is { $number }: allowed is 1 to { $most }
+entry-number-is-number-allowed-are-finite-on = { $entry }: number is { $number }: allowed are finite ones
+entry-allowed-is-a-choice = { $entry }: allowed is a choice
+entry-allowed-is-a-number = { $entry }: allowed is a number
+entry-allowed-is-a-curve = { $entry }: allowed is a curve
+entry-curve-has-count-points-allowed-are-2-t = { $entry }: curve has { $count } points: allowed are 2 to { $most }
+entry-curve-has-a-number-that-is-not-finite = { $entry }: curve has a number that is not finite
+entry-the-times-of-the-curve-do-not-ascend = { $entry }: the times of the curve do not ascend
+bytes-bytes-at-most-most-are-read = { $bytes } bytes; at most { $most } are read
+version-is-version-allowed-is-allowed = `version` is { $version }: allowed is { $allowed }
+mission-is-found-this-mission-is-own = `mission` is `{ $found }`: this mission is `{ $own }`
+link-holds-settings-and-changes-allowed-is-a = `link` holds settings and changes: allowed is a link, or set and edits
+
+## crates/study/src/mission/condition.rs
+
+allowed-is-one-of-list-between-two-formulas = allowed is one of { $list } between two formulas
+text-compares-twice-allowed-write-two-condit = `{ $text }` compares twice: { $allowed }; write two conditions
+text-compares-nothing-allowed = `{ $text }` compares nothing: { $allowed }
+
+## crates/study/src/mission/cut.rs
+
+set-or-edits-error = `set` or `edits`: { $error }
+allowed-are-tables-of-settings-as-in-a-scena = allowed are tables of settings, as in a scenario file
+
+## crates/study/src/mission/file/controls.rs
+
+is-not-open-allowed-are-settings-of-controls = is not open: allowed are settings of `controls.open`: { $open }
+is-no-choice-allowed-are-settings-with-optio = is no choice: allowed are settings with options
+offers-count-options-allowed-are-2-at-least = offers { $count } options: allowed are 2 at least, of { $list }
+lacks-own-that-of-the-mission-s-own-cut-is-a = lacks `{ $own }`: that of the mission's own cut is among those that are offered
+
+## crates/study/src/mission/file.rs
+
+entry-at-line-line-problem = `{ $entry }` at line { $line }: { $problem }
+entry-has-count-entries-allowed-are-most = `{ $entry }` has { $count } entries: allowed are { $most }
+checks-is-empty-a-mission-checks-at-least-on = `checks` is empty: a mission checks at least one condition
+is-id-allowed-are-1-to-60-of-a-to-z-0-to-9-a = is `{ $id }`: allowed are 1 to 60 of a to z, 0 to 9 and -
+is-empty-a-mission-has-a-title = is empty: a mission has a title
+is-the-name-of-a-metric-allowed-is-another-n = is the name of a metric: allowed is another name
+allowed-is-one-of-options-number-and-curve = allowed is one of options, number and curve
+is-value-allowed-is-above-0-to-100 = is { $value }: allowed is above 0 to 100 %
+has-count-options-allowed-are-2-to-most = has { $count } options: allowed are 2 to { $most }
+has-right-and-right-if-allowed-is-one-of-the = has `right` and `right_if`: allowed is one of them
+no-option-is-right-at-least-one-has-right-tr = no option is right: at least one has right = true or right_if
+allowed-is-one-of-metric-signal-setting-chan = allowed is one of metric, signal, setting, changes, prediction and ended
+has-take-from-or-to-allowed-with-a-signal-on = has take, from or to: allowed with a signal only
+has-a-run-allowed-with-a-metric-a-signal-or = has a run: allowed with a metric, a signal or an end only
+is-step-allowed-is-the-number-of-a-step-1-to = is { $step }: allowed is the number of a step, 1 to { $most }
+is-empty = is empty
+entry-ended-no-end-id = `{ $entry }.ended`: no end `{ $id }`
+goes-from-from-to-to-allowed-is-from-0-on-an = goes from { $from } to { $to }: allowed is from 0 on, and from below to
+entry-signal-no-signal-id = `{ $entry }.signal`: no signal `{ $id }`
+there-is-no-id-did-you-mean-near-allowed-is = there is no `{ $id }` (did you mean `{ $near }`?): allowed is one of { $list }
+there-is-no-id-allowed-is-one-of-list = there is no `{ $id }`: allowed is one of { $list }
+there-is-no-value-or-metric-name-did-you-mea = there is no value or metric `{ $name }` (did you mean `{ $near }`?): allowed are those of [values] and { $list }
+there-is-no-value-or-metric-name-allowed-are = there is no value or metric `{ $name }`: allowed are those of [values] and { $list }
+
+## crates/study/src/mission/link.rs
+
+its-link-problem = its link: { $problem }
+
+## crates/study/src/mission/mod.rs
+
+mission = mission
+answer = answer
+path-is-set-to-value-the-mission-offers-list = `{ $path }` is set to { $value }: the mission offers { $list }
+
+## crates/study/src/mission/result.rs
+
+format-is-format-allowed-is-allowed = `format` is `{ $format }`: allowed is `{ $allowed }`
+mission-digest-is-found-this-mission-s-is-ow = `mission.digest` is { $found }: this mission's is { $own }; they differ in more than comments
+entry-says-said-the-answer-gives-found = `{ $entry }` says { $said }: the answer gives { $found }
+
+## crates/study/src/mission/shipped.rs
+
+there-is-none-with-the-id-id-there-are-list = there is none with the id `{ $id }`; there are { $list }
+
+## crates/study/src/mission/words.rs
+
+left-at-most-right = { $left }: at most { $right }
+left-at-least-right = { $left }: at least { $right }
+left-the-same-as-right = { $left }: the same as { $right }
+left-other-than-right = { $left }: other than { $right }
+left-less-than-right = { $left }: less than { $right }
+left-more-than-right = { $left }: more than { $right }
+value-within-percent-of-wanted = { $value }: within { $percent } of { $wanted }
+the-value-of-the-cut-as-given = the value of the cut as given
+the-value-at-constant-feed-as-programmed = the value at constant feed as programmed
+the-value-with-controller = the value with { $controller }
+changes-during-the-cut = changes during the cut
+changes-during-the-cut-2 = Changes during the cut
+prediction-in-step-step = Prediction in step { $step }
+of-the-cut-as-given = of the cut as given
+at-constant-feed-as-programmed = at constant feed as programmed
+from-from-unit-on = from { $from } { $unit } on
+from-to-to-unit = { $from } to { $to } { $unit }
+largest-value = largest value
+least-value = least value
+largest-less-least-value = largest less least value
+first-value = first value
+last-value = last value
+ra-at-the-end = Ra at the end
+ra-at-the-end-off-its-target = Ra at the end, off its target
+share-of-the-length-in-tolerance = Share of the length in tolerance
+share-of-the-length-above-the-tolerance = Share of the length above the tolerance
+share-of-the-length-in-tolerance-with-dynami = Share of the length in tolerance with dynamics
+share-of-the-length-above-the-tolerance-with = Share of the length above the tolerance with dynamics
+share-of-the-length-that-is-not-judged = Share of the length that is not judged
+force-at-the-end = Force at the end
+force-at-the-end-off-its-reference = Force at the end, off its reference
+largest-deviation-of-the-force-from-its-refe = Largest deviation of the force from its reference
+feed-at-the-end = Feed at the end
+spindle-speed-at-the-end = Spindle speed at the end
+normalised-standard-error = Normalised standard error
+normalised-standard-error-over-20-samples = Normalised standard error over 20 samples
+settling-time-of-the-force = Settling time of the force
+overshoot-of-the-force = Overshoot of the force
+length-of-path-done = Length of path done
+length-of-scrap = Length of scrap
+cost-of-the-scrap = Cost of the scrap
+cost-of-the-cut = Cost of the cut
+share-of-the-time-at-a-limit = Share of the time at a limit
+share-of-the-time-with-a-model-outside-its-r = Share of the time with a model outside its range
+
+## crates/study/src/opening/frame.rs
+
+embed-flag-allowed-behind-hide-are-list = embed: `{ $flag }`: allowed behind hide: are { $list }
+embed-flag-allowed-behind-lock-are-all-a-set = embed: `{ $flag }`: allowed behind lock: are all, a setting, or a group of settings: { $list }
+embed-flag-allowed-behind-screen-is-the-name = embed: `{ $flag }`: allowed behind screen: is the name of one
+embed-flag-allowed-behind-lang-are-list = embed: `{ $flag }`: allowed behind lang: are { $list }
+embed-flag-allowed-are-hide-lock-screen-and = embed: `{ $flag }`: allowed are hide, lock, screen and lang, each with a colon and its value
+
+## crates/study/src/opening/mod.rs
+
+the-link-was-not-used-title-is-open-instead = The link was not used, “{ $title }” is open instead. { $error }
+embed-error = embed: { $error }
+the-mission-title-begins-anew-the-cut-of-the = The mission “{ $title }” begins anew: the cut of the link was not used. { $problem }
+
+## crates/study/src/papers/calibrations.rs
+
+calibrations = calibrations
+
+## crates/study/src/papers/table_job.rs
+
+simulations = simulations
+
+## crates/study/src/papers.rs
+
+the-paper-prints-a-final-force-of-195-2-n-mo = the paper prints a final force of 195.2 N, most likely a misprint of 190.2 N: the run is compared with 190.2 N. Model K4 (restored) gives 190.2 N for the feed and speed of this row, and with that force its Ra fits those of all other rows
+
+## crates/study/src/papers_2019.rs
+
+natural-frequencies-without-damping-list-hz = natural frequencies without damping: { $list } Hz
+one-resonance-between-tooth-and-work-from-0 = one resonance between tooth and work from 0 to 3000 Hz: { $peak } m/N at { $frequency } Hz
+eq-1-as-printed-is-unstable-real-poles-at-co = eq. 1 as printed is unstable: real poles at +{ $corrected } 1/s with corrected numbers, at +{ $printed } 1/s with the printed ones
+eq-2-as-printed-tool-point-printed-m-n-at-re = eq. 2 as printed: tool point { $printed } m/N at rest and { $moving } at 110 Hz; corrected { $corrected } at rest, { $times } times as soft
+table-1-s-springs-and-dampers-from-its-rules = Table 1's springs and dampers from its rules, but for the entries of the errata
+the-solution-of-eq-2-by-gauss-from-0-to-3000 = the solution of eq. 2 by Gauss from 0 to 3000 Hz in steps of 10 Hz (`steadycut machine frf`)
+no-published-curve-the-figures-are-not-avail = no published curve: the figures are not available as data, so spectra, sound trend, roughness profile and roughness trend stand beside no measurement
+the-correlations-0-684-and-0-993-compare-wit = the correlations 0.684 and 0.993 compare with measurements that were not published; noise can be chosen that gives them, which validates nothing
+how-wear-changes-springs-and-dampers-is-not = how wear changes springs and dampers is not stated; every law of wear here is an assumption
+absolute-amplitudes-a-force-of-107-n-at-ever = absolute amplitudes: a force of 107 N at every line of the spectrum is the formal reading of eq. 2
+parameters-of-the-tool-life-prediction-its-e = parameters of the tool-life prediction: its equations are not in the paper
+
+## crates/study/src/plan/constraints.rs
+
+chosen-the-papers-cite-their-list-of-seven-w = chosen: the papers cite their list of seven without giving it
+the-spindle-turns-neither-slower-nor-faster = The spindle turns neither slower nor faster.
+the-feed-drives-move-neither-slower-nor-fast = The feed drives move neither slower nor faster.
+f-sqrt-f-x-2-f-y-2-from-the-network = F = sqrt(F_x^2 + F_y^2), from the network
+roughness-follows-the-force-above-the-refere = Roughness follows the force: above the reference force of the target Ra (or a limit of one's own) the surface gets rougher than it should.
+the-spindle-motor-must-turn-the-cutter-again = The spindle motor must turn the cutter against the force.
+roughness-of-the-feed-marks = Roughness of the feed marks
+feed-marks-grow-with-the-square-of-the-feed = Feed marks grow with the square of the feed. 318 f^2 / (4 D) is the form of Tolouei-Rad and Bidhendi; the factor 5 and z f_z (run-out: one tooth cuts it all) are chosen.
+cutter-deflection = Cutter deflection
+a-bent-cutter-leaves-the-contour = A bent cutter leaves the contour.
+the-edges-must-last-taylor-s-law-with-the-co = The edges must last. Taylor's law with the constants of the preset table_2005.
+
+## crates/study/src/plan/machine.rs
+
+placeholder = placeholder
+
+## crates/study/src/plan/mod.rs
+
+iterations-2 = iterations
+
+## crates/study/src/plan/optimum.rs
+
+feasible-at-depth-mm-depth-by-the-plan-s-net = feasible at { $depth } mm depth by the plan's network; no constraint binds
+feasible-at-depth-mm-depth-by-the-plan-s-net-2 = feasible at { $depth } mm depth by the plan's network; binding: { $names }
+nothing-is-feasible-in-the-range-searched-at = nothing is feasible in the range searched at { $depth } mm depth; least violation shown, violated: { $names }
+
+## crates/study/src/plan/over_depths.rs
+
+force = force
+in-tolerance-2 = in tolerance
+above-its-tolerance = above its tolerance
+below-its-tolerance = below its tolerance
+not-judged-outside-the-model = not judged, outside the model
+verdict-not-places = { $verdict }; not { $places }
+verdict-at-the-part-s-other-depths-too = { $verdict }; at the part's other depths too
+verdict-the-part-has-no-such-depth = { $verdict }; the part has no such depth
+at-depth-broken = at { $depth }: { $broken }
+depth-plan-n-by-the-network-no-force-in-the = { $depth }: { $plan } N by the network, no force in the run
+depth-plan-n-by-the-network-run-n-in-the-run = { $depth }: { $plan } N by the network, { $run } N in the run ({ $more } %), { $held }
+violated-names = ; violated: { $names }
+outside-the-network-s-training-data = ; outside the network's training data
+at-this-feed-kept-constant-without-noise-and = At this feed, kept constant, without noise and vibration
+at-this-feed-kept-constant-without-noise-and-2 = At this feed, kept constant, without noise and vibration; { $n } depths between are not judged
+
+## crates/study/src/plan/problem.rs
+
+at-least-least-mm-for-a-plan = at least { $least } mm for a plan
+above-0-for-at-least-one-of-weight-force-wei = above 0 for at least one of weight_force, weight_removal_rate, weight_time and weight_cost
+above-0-or-plan-tool-cost-above-0-where-cost = above 0, or `plan.tool_cost` above 0, where cost is sought
+
+## crates/study/src/plan/remarks.rs
+
+times-removal-rate-and-cost-are-those-of-thi = Times, removal rate and cost are those of this feed, kept through the whole cut: { $controller } changes the feed in the cut, and with it all of them
+the-plan-s-force-is-that-of-the-network-plan = The plan's force is that of the network ({ $plan }), the run's comes from: { $run }; they differ, so the run does not begin at the planned force
+chatter-is-none-of-the-constraints-and-this = Chatter is none of the constraints, and this machine vibrates in the cut: whether the planned speed and depth are quiet, its stability chart says
+the-constraints-are-judged-at-the-programmed = The constraints are judged at the programmed values: an adaptive controller then holds the force and moves feed and speed along its models, whatever that does to tool life and power
+
+## crates/study/src/profilometer.rs
+
+the-line-s-ends-must-be-numbers-in-mm = the line's ends must be numbers in mm
+no-tooth-has-cut-anything-yet = no tooth has cut anything yet
+the-line-is-length-mm-long-with-these-cut-of = the line is { $length } mm long: with these cut-offs it takes at least { $least } mm (a run-up on each side and one sampling length), and at most { $most } mm
+the-line-leaves-the-machined-surface-at-x-x = the line leaves the machined surface at x = { $x } mm, y = { $y } mm: { $beside }
+there-y-reaches-from-low-to-high-mm = there y reaches from { $low } to { $high } mm
+x-reaches-from-first-to-last-mm-so-far = x reaches from { $first } to { $last } mm so far
+
+## crates/study/src/published.rs
+
+initial-force = Initial force
+
+## crates/study/src/recommend/learned.rs
+
+input-first-engagement-second = { $input } { $first }, engagement { $second }
+low = low
+middle = middle
+high = high
+
+## crates/study/src/recommend/mod.rs
+
+a-recommendation-interpolates-a-table-it-is = A recommendation interpolates a table; it is not knowledge of the cut.
+hardness-2 = hardness
+diameter-2 = diameter
+
+## crates/study/src/recommend/table.rs
+
+synthetic-formulas-that-imitate-a-maker-s-ta = synthetic: formulas that imitate a maker's table, with 3 % noise; no maker's data
+
+## crates/study/src/safe_feed/mod.rs
+
+no-constant-feed-is-safe-even-at-feed-mm-min = no constant feed is safe: even at { $feed } mm/min and { $speed } 1/min { $broken }
+speeds = speeds
+
+## crates/study/src/safe_feed/trial.rs
+
+ra-is-value-um-at-place-mm-rougher-than-allo = Ra is { $value } um at { $place } mm, rougher than allowed
+the-force-is-value-n-at-place-mm-above-its-t = the force is { $value } N at { $place } mm, above its tolerance
+ra-is-value-um-with-vibration-at-place-mm-ro = Ra is { $value } um with vibration at { $place } mm, rougher than allowed
+the-part-is-not-cut-to-its-end-end = the part is not cut to its end ({ $end })
+the-part-is-not-cut-to-its-end-the-machine-d = the part is not cut to its end: the machine does not reach the feed
+ra-lies-outside-its-model-on-the-whole-part = Ra lies outside its model on the whole part, so nothing can be judged
+
+## crates/study/src/stability/chart.rs
+
+curves = curves
+
+## crates/study/src/stability/mod.rs
+
+above-0-mm-for-a-stability-chart = above 0 mm for a stability chart
+r-d-radial-mm-of-a-cutter-of-diameter-mm-wit = R_D { $radial } mm of a cutter of { $diameter } mm with { $teeth } teeth: each cuts over { $angle } degrees
+
+## crates/study/src/train/claim.rs
+
+neural-network-predictions-were-by-4-closer-2 = "neural network predictions were by 4 % closer to the measurements, compared to 6 %" of the best formula, read as mean errors
+literal-network = literal network
+inputs-activation-and-learning-as-the-paper = inputs, activation and learning as the paper has them
+improved-network = improved network
+logarithms-of-the-inputs-other-learning = logarithms of the inputs, other learning
+genetic-programming = genetic programming
+a-formula-of-the-same-inputs-found-here = a formula of the same inputs, found here
+the-network-is-closer-than-the-formula-own-a = the { $network } is closer than the formula: { $own } % against { $formula } %
+name-own-where-the-paper-has-paper-within-ne = { $name }: { $own } % where the paper has { $paper } %, within { $near } percentage point
+
+## crates/study/src/train/comparison.rs
+
+networks = networks
+
+## crates/study/src/train/data.rs
+
+the-papers-3500-measurements-were-never-publ = The papers' 3500 measurements were never published: the training data come from the mechanistic ball-end model (Latin hypercube, run-out 3 um, slices of 0.25 mm) with noise of 3 % and 3 N.
+rows = rows
+
+## crates/study/src/train/mod.rs
+
+epochs = epochs
+
+## crates/study/src/uses/mod.rs
+
+it-reads-list = it reads { $list }
+
+## crates/study/src/uses/reads.rs
+
+only-run-prints-it = only `run` prints it
+only-metrics-judge-by-it-and-this-prints-non = only metrics judge by it, and this prints none of those
+it-prints-no-cost = it prints no cost
+a-row-is-recorded-for-every-control-period = a row is recorded for every control period
+the-controller-is-always-unks = the controller is always UNKS
+ra-is-not-among-what-this-prints = Ra is not among what this prints
+plant-force-model-is-no-formula-and-ra-is-no = `plant.force_model` is no formula, and Ra is not among what this prints
+twin-kind-is-programmed = `twin.kind` is programmed
+plan-force-limit-is-not-fixed = `plan.force_limit` is not fixed
+plan-force-limit-is-fixed = `plan.force_limit` is fixed
+plan-free-speed-is-true-the-speed-is-searche = `plan.free_speed` is true: the speed is searched
+workpiece-cuts-gives-the-radial-depths = `workpiece.cuts` gives the radial depths
+workpiece-radial-depth-mm-is-the-width-of-th = `workpiece.radial_depth_mm` is the width of the cut whatever the end's shape is
+plant-calibration-is-not-formula = `plant.calibration` is not formula
+it-tells-how-a-run-goes-and-this-is-no-run = it tells how a run goes, and this is no run
+
+## choices of the studies
+
+met = met
+missed = MISSED
+slot = slot
+heavy-side-cut = heavy side cut
+light-side-cut = light side cut
+finishing = finishing
+as-the-rules-say = as the rules say
+q-wrong-the-damper-shows-5-not-17 = Q wrong: the damper shows 5, not 17
+m3-rounded-to-one-digit-damper-wrong = m3 rounded to one digit; damper wrong
+exponent-of-the-spring-wrong-8-not-12 = exponent of the spring wrong: 8, not 12
+exponent-of-the-damper-wrong-5-not-8 = exponent of the damper wrong: 5, not 8
+not-as-the-rules-say = not as the rules say
+nsn = Nsn
+nsn-20-samples = Nsn, 20 samples
+in-tolerance = In tolerance
+force-within-10 = Force within 10 %
+longest-overload = Longest overload
+override-travel = Override travel
+the-papers-models = the papers' models
+the-models-found = the models found
+sdnrp-2007-table-3 = SDNRP 2007, Table 3
+control-strategy-2013-table-1 = Control strategy 2013, Table 1
+feasible = feasible
+nothing-is-feasible = nothing is feasible
+at-most = at most
+at-least = at least
+the-same-as = the same as
+other-than = other than
+less-than = less than
+more-than = more than
+largest = largest
+least-2 = least
+largest-less-least = largest less least
+first = first
+last = last
+holds = holds
+holds-in-part = holds in part
+does-not-hold = does not hold
+no-run-yet = no run yet
+k4-of-the-papers = K4 of the papers
+tooth-by-tooth-2 = tooth by tooth
