@@ -22,6 +22,7 @@ use super::plan::optimum::Optimum;
 use super::plan::problem::Problem;
 use super::plan::surface::ForceSurface;
 use super::recommend::{Advisor, EngagementCode, Recommendation};
+use crate::base::language::text;
 use crate::base::math::extent;
 use crate::base::settings::SettingError;
 use crate::base::stats;
@@ -197,7 +198,7 @@ impl Job for Combined {
     }
 
     fn progress(&self) -> Progress {
-        let nothing = Progress { done: 0.0, total: 0.0, unit: "steps" };
+        let nothing = Progress { done: 0.0, total: 0.0, unit: text!("steps") };
         self.run.as_ref().map_or(nothing, Job::progress)
     }
 
@@ -249,7 +250,8 @@ fn one_cut(scenario: &Scenario, section: PlannedSection) -> Result<Scenario, Set
                 cuts: Vec::new(),
             };
         })?;
-        let surface = ForceSurface::new(&candidate, place.axial_depth_mm);
+        let radial_depth_mm = candidate.workpiece.radial_depth_mm;
+        let surface = ForceSurface::new(&candidate, [place.axial_depth_mm, radial_depth_mm]);
         let [x, y, _] = surface.components_n(feed_mm_min, speed_rpm);
         let force = (x * x + y * y).sqrt();
         let better = found.as_ref().is_none_or(|(best, _)| match section {

@@ -2,6 +2,8 @@
 //! semicolons or tabs, with decimal points or decimal commas, columns in any order. What could be read in
 //! two ways is refused.
 
+use crate::base::language::tr;
+
 /// Longest piece of a table that a message shows, characters.
 const MAX_SHOWN: usize = 40;
 /// Longest list of columns that a message shows, characters.
@@ -85,7 +87,7 @@ impl<'a> CsvCells<'a> {
         Self::read(text, |header| {
             // Spreadsheets end a line with separators of columns that are not there.
             let last = (0..header.len()).rfind(|place| !header[*place].is_empty());
-            let last = last.ok_or("there is no line with the names of the columns")?;
+            let last = last.ok_or_else(|| tr("there is no line with the names of the columns"))?;
             Ok((0..=last).collect())
         })
     }
@@ -144,13 +146,21 @@ impl<'a> CsvCells<'a> {
         if values == columns || values > columns && record.iter().skip(columns).all(str::is_empty) {
             return Ok(());
         }
-        let advice = match self.separator {
-            b',' if values > columns => {
-                "; numbers with decimal commas need semicolons between them, as in `0,5;1,2`"
-            }
-            _ => "",
-        };
-        Err(format!("line {line} has {values} values for {columns} columns{advice}"))
+        Err(match self.separator {
+            b',' if values > columns => tr!(
+                "line {line} has {values} values for {columns} columns; numbers with decimal commas need semicolons \
+                 between them, as in `0,5;1,2`",
+                line = line,
+                values = values,
+                columns = columns
+            ),
+            _ => tr!(
+                "line {line} has {values} values for {columns} columns",
+                line = line,
+                values = values,
+                columns = columns
+            ),
+        })
     }
 
     /// The number in a cell.
@@ -168,7 +178,12 @@ impl<'a> CsvCells<'a> {
         self.each(|line, column, cell| {
             let value = self.number(cell).filter(|value| value.is_finite()).ok_or_else(|| {
                 let name = &self.names[column];
-                format!("line {line}: `{name}` is `{cell}`: allowed is a finite number")
+                tr!(
+                    "line {line}: `{name}` is `{cell}`: allowed is a finite number",
+                    line = line,
+                    name = name,
+                    cell = cell
+                )
             })?;
             columns[column].push(value);
             Ok(())
@@ -219,16 +234,22 @@ impl Signs {
     fn commas(self, separator: u8) -> Result<bool, String> {
         let Some((line, comma)) = self.comma else { return Ok(false) };
         if separator == b',' {
-            return Err(format!(
+            return Err(tr!(
                 "line {line}: `{comma}` has a comma, which separates the values of this table: write a decimal \
-                 point, or separate the values by semicolons"
+                 point, or separate the values by semicolons",
+                line = line,
+                comma = comma
             ));
         }
         match self.point.or(self.twice) {
             None => Ok(true),
-            Some((other, cell)) => Err(format!(
+            Some((other, cell)) => Err(tr!(
                 "line {line} has `{comma}`, line {other} `{cell}`: write all numbers with the same decimal \
-                 sign, and nothing between thousands"
+                 sign, and nothing between thousands",
+                line = line,
+                comma = comma,
+                other = other,
+                cell = cell
             )),
         }
     }
@@ -290,24 +311,31 @@ impl CsvTable {
 fn places(header: &csv::StringRecord, columns: &[ColumnNames<'_>]) -> Result<Vec<usize>, String> {
     let place = |names: &ColumnNames<'_>| header.iter().position(|name| names.contains(&name));
     let list = |columns: &mut dyn Iterator<Item = &ColumnNames<'_>>| {
-        columns.map(|names| names.join(" or ")).collect::<Vec<_>>().join(", ")
+        columns.map(|names| names.join(tr(" or "))).collect::<Vec<_>>().join(", ")
     };
     let missing = list(&mut columns.iter().filter(|names| place(names).is_none()));
     if !missing.is_empty() {
         let found: Vec<&str> = header.iter().filter(|name| !name.is_empty()).collect();
-        let found = match found.is_empty() {
-            true => "there is no line with the names of the columns".to_owned(),
-            false => {
-                let found = shown(&found.join(", "), MAX_LIST);
-                format!("the columns are {found}; missing are {missing}")
-            }
-        };
         let needed = list(&mut columns.iter());
-        return Err(format!("{found}; needed are {needed}"));
+        return Err(match found.is_empty() {
+            true => tr!(
+                "there is no line with the names of the columns; needed are {needed}",
+                needed = needed
+            ),
+            false => tr!(
+                "the columns are {found}; missing are {missing}; needed are {needed}",
+                found = shown(&found.join(", "), MAX_LIST),
+                missing = missing,
+                needed = needed
+            ),
+        });
     }
     for names in columns {
         if header.iter().filter(|name| names.contains(name)).count() > 1 {
-            return Err(format!("the column {} stands there more than once", names.join(" or ")));
+            return Err(tr!(
+                "the column {name} stands there more than once",
+                name = names.join(tr(" or "))
+            ));
         }
     }
     Ok(columns.iter().filter_map(place).collect())

@@ -1,5 +1,6 @@
 //! Where a formula of one's own can stand in a run, and what has to be set for that.
 
+use crate::base::language::tr;
 use crate::base::settings::{Structure, Value};
 use crate::models::formula_model::{FormulaModel, FormulaRole, OwnFormula};
 use crate::models::genetic::{
@@ -76,7 +77,7 @@ impl FormulaPlace {
         let unused = with.unused(&self.path()).map_err(|error| error.to_string())?;
         match unused {
             None => Ok(changes),
-            Some(because) => Err(format!("a run has no use for it: {because}")),
+            Some(because) => Err(tr!("a run has no use for it: {because}", because = tr(because))),
         }
     }
 }

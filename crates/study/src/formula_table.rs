@@ -8,14 +8,40 @@ pub const PREDICTED: &str = "predicted";
 /// Name of the column that marks rows outside the formula's ranges.
 pub const EXTRAPOLATED: &str = "extrapolated";
 
+/// Names of the columns with the ends of the 95 % band.
+pub const BAND: [&str; 2] = ["low", "high"];
+
+/// Half the width of a formula's band at a place.
+pub type HalfWidth<'a> = &'a dyn Fn(&[f64]) -> Option<f64>;
+
+/// What is put beside the formula's values.
+#[derive(Clone, Copy, Default)]
+pub struct Beside<'a> {
+    /// Whether the formula has ranges, and rows outside them are marked in a column of their own.
+    pub marked: bool,
+    /// The 95 % band in which its true values lie, in two columns; none outside the ranges.
+    pub band: Option<HalfWidth<'a>>,
+}
+
+impl Beside<'_> {
+    /// Names of the new columns.
+    fn columns(&self) -> Vec<&'static str> {
+        let band = if self.band.is_some() { &BAND[..] } else { &[] };
+        let marked = self.marked.then_some(EXTRAPOLATED);
+        [PREDICTED].into_iter().chain(band.iter().copied()).chain(marked).collect()
+    }
+}
+
 /// A table with the values of a formula.
 #[derive(Clone, Debug)]
 pub struct PredictedTable {
     header: Vec<String>,
     table: CsvTable,
-    marked: bool,
+    new: Vec<&'static str>,
     /// The values, a row each; NaN where the formula has none.
     pub values: Vec<Valued>,
+    /// The ends of the band, a row each, where it is asked for; none where there is no band.
+    pub bands: Option<Vec<Option<[f64; 2]>>>,
 }
 
 /// How far the values are from what the table says they should be.
@@ -30,8 +56,7 @@ pub struct PredictionErrors {
 }
 
 impl PredictedTable {
-    /// Evaluates a formula with these inputs on a table whose columns have their names. `marked`: whether the
-    /// formula has ranges, and rows outside them are marked in a column of their own.
+    /// Evaluates a formula with these inputs on a table whose columns have their names.
     ///
     /// # Errors
     /// Names the column that is missing or stands there twice, the line and value that is no number, or a
@@ -39,7 +64,7 @@ impl PredictedTable {
     pub fn new(
         text: &str,
         inputs: &[String],
-        marked: bool,
+        beside: Beside<'_>,
         at: impl Fn(&[f64]) -> Valued,
     ) -> Result<Self, String> {
         let (header, table) = CsvTable::whole(text)?;
@@ -55,7 +80,7 @@ impl PredictedTable {
             }
             places.push(place);
         }
-        let new: &[&str] = if marked { &[PREDICTED, EXTRAPOLATED] } else { &[PREDICTED] };
+        let new = beside.columns();
         if let Some(name) = header.iter().find(|name| new.contains(&name.as_str())) {
             return Err(format!("there is a column `{name}` already, the name of the result"));
         }
@@ -69,10 +94,16 @@ impl PredictedTable {
                 })
             };
             let inputs: Vec<f64> = places.iter().map(number).collect::<Result<_, String>>()?;
-            Ok::<Valued, String>(at(&inputs))
+            let value = at(&inputs);
+            let half = beside.band.filter(|_| value.valid).and_then(|band| band(&inputs));
+            let band = half.map(|half| [value.value - half, value.value + half]);
+            Ok((value, band))
         };
-        let values = table.rows.iter().map(value).collect::<Result<_, String>>()?;
-        Ok(Self { header, table, marked, values })
+        let found: Vec<(Valued, Option<[f64; 2]>)> =
+            table.rows.iter().map(value).collect::<Result<_, String>>()?;
+        let (values, bands): (Vec<Valued>, Vec<Option<[f64; 2]>>) = found.into_iter().unzip();
+        let bands = beside.band.is_some().then_some(bands);
+        Ok(Self { header, table, new, values, bands })
     }
 
     /// The number of rows outside the formula's ranges.
@@ -111,18 +142,20 @@ impl PredictedTable {
         let mut writer =
             csv::WriterBuilder::new().delimiter(self.table.separator()).from_writer(Vec::new());
         let mut header: Vec<&str> = self.header.iter().map(String::as_str).collect();
-        header.push(PREDICTED);
-        if self.marked {
-            header.push(EXTRAPOLATED);
-        }
+        header.extend(&self.new);
         let failed = |error: csv::Error| error.to_string();
         writer.write_record(&header).map_err(failed)?;
-        for (row, value) in self.table.rows.iter().zip(&self.values) {
+        let number = |x: f64| if x.is_finite() { self.table.text(x) } else { String::new() };
+        for (place, (row, value)) in self.table.rows.iter().zip(&self.values).enumerate() {
             let mut cells = row.cells.clone();
-            let finite = value.value.is_finite();
-            cells.push(if finite { self.table.text(value.value) } else { String::new() });
-            if self.marked {
-                cells.push(if value.valid { "no" } else { "yes" }.to_owned());
+            let band = self.bands.as_ref().and_then(|bands| bands.get(place).copied().flatten());
+            let [low, high] = band.unwrap_or([f64::NAN; 2]);
+            for column in &self.new {
+                cells.push(match *column {
+                    PREDICTED => number(value.value),
+                    EXTRAPOLATED => if value.valid { "no" } else { "yes" }.to_owned(),
+                    other => number(if other == BAND[0] { low } else { high }),
+                });
             }
             writer.write_record(&cells).map_err(failed)?;
         }
@@ -138,7 +171,8 @@ mod tests {
 
     fn table(text: &str) -> Result<PredictedTable, String> {
         let formula = Formula::parse("2 * a - ln(b)", &["a", "b"]).unwrap();
-        PredictedTable::new(text, formula.inputs(), true, |at| {
+        let beside = Beside { marked: true, band: None };
+        PredictedTable::new(text, formula.inputs(), beside, |at| {
             Valued::new(formula.value(at), at[0] < 2.0)
         })
     }
@@ -155,6 +189,20 @@ mod tests {
         let again = table("a,b\n0.1,2\n").unwrap().csv().unwrap();
         let value: f64 = again.lines().nth(1).unwrap().split(',').nth(2).unwrap().parse().unwrap();
         assert_eq!(value, 0.2 - crate::base::math::ln(2.0), "to the bit");
+    }
+
+    #[test]
+    fn a_band_stands_beside_the_values_within_the_ranges() {
+        let half = |at: &[f64]| (at[0] > 0.0).then(|| 0.5 * at[0]);
+        let beside = Beside { marked: true, band: Some(&half) };
+        let names = ["a".to_owned()];
+        let of = |text: &str| {
+            PredictedTable::new(text, &names, beside, |at| Valued::new(2.0 * at[0], at[0] < 2.0))
+        };
+        let made = of("a\n1\n0\n3\n").unwrap().csv().unwrap();
+        let expected = "a,predicted,low,high,extrapolated\n1,2,1.5,2.5,no\n0,0,,,no\n3,6,,,yes\n";
+        assert_eq!(made, expected);
+        assert!(of("a,low\n1,2\n").unwrap_err().contains("a column `low` already"));
     }
 
     #[test]

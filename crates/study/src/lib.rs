@@ -9,9 +9,13 @@
 //! | Where do the shipped models and networks come from? | [`identify`], [`mod@train`] |
 //! | Which cuts should be made to identify models, and what can they tell? | [`experiment`] |
 //! | Which feed and speed should be programmed? | [`plan`], [`recommend`], [`combined`] |
+//! | Which constant feed keeps the tolerance everywhere? | [`safe_feed`] |
 //! | Does the machine chatter, and how does its tool age? | [`stability`], [`machine_life`], [`sound`] |
 //! | What does UNKS learn from pass to pass? | [`unks_passes`] |
+//! | What does adaptive feed control learn from the first part, and what does it gain? | [`afc`] |
 //! | How rough is the machined surface? | [`profilometer`] |
+//! | Has a learner reached the goal of a lesson? | [`mission`] |
+//! | What does a link open, and what of the program is shown then? | [`opening`] |
 //! | Are the bits the same here as elsewhere? | [`golden`] |
 //! | Which command and screen uses which setting? | [`uses`] |
 //! | How does a run get into a spreadsheet, and a table out of one? | [`export`], [`csv_table`] |
@@ -28,6 +32,7 @@
 // The layers below, under the names that they have in the whole project.
 pub use steadycut_core::{base, blocks, models, run};
 
+pub mod afc;
 pub mod combined;
 pub mod compare;
 pub mod csv_table;
@@ -40,6 +45,8 @@ pub mod formula_table;
 pub mod golden;
 pub mod identify;
 pub mod machine_life;
+pub mod mission;
+pub mod opening;
 pub mod papers;
 pub mod papers_2019;
 pub mod plan;
@@ -47,6 +54,7 @@ pub mod profilometer;
 pub mod published;
 pub mod recommend;
 pub mod robust;
+pub mod safe_feed;
 pub mod sound;
 pub mod stability;
 pub mod train;

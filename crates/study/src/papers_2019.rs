@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::base::language::{decimal, fixed, text, tr};
 use crate::models::structure::frf::{frequencies_hz, tree};
 use crate::models::structure::literal::Equation;
 use crate::models::structure::modes::undamped;
@@ -108,53 +109,66 @@ pub fn measured() -> Vec<String> {
         .max_by(|x, y| x.1.total_cmp(&y.1))
         .unwrap_or((0.0, 0.0));
     let modes = undamped(&machine).unwrap_or_default();
-    let modes: Vec<String> = modes.iter().map(|mode| format!("{:.2}", mode.frequency_hz)).collect();
+    let modes: Vec<String> = modes.iter().map(|mode| fixed(mode.frequency_hz, 2)).collect();
     let poles = |parameters: Parameters| {
         let elements = Elements::new(parameters, 5.0);
         let poles = Equation::One.unstable_poles(&elements).unwrap_or_default();
-        let poles: Vec<String> = poles.iter().map(|pole| format!("{:.1}", pole.re)).collect();
-        poles.join(" and ")
+        let poles: Vec<String> = poles.iter().map(|pole| fixed(pole.re, 1)).collect();
+        poles.join(tr(" and "))
     };
     let rules = Elements::new(Parameters::Rules, 5.0);
     let tooth = |f_hz: f64| Equation::Two.tooth_m_n(&rules, f_hz).unwrap_or(f64::NAN);
     let still = machine.static_compliance().h33_m_n;
+    let scientific = |value: f64| decimal(format!("{value:.3e}"));
     vec![
-        format!("natural frequencies without damping: {} Hz", modes.join(", ")),
-        format!(
-            "one resonance between tooth and work from 0 to 3000 Hz: {:.3e} m/N at {} Hz",
-            peak.1, peak.0
+        tr!("natural frequencies without damping: {list} Hz", list = modes.join(", ")),
+        tr!(
+            "one resonance between tooth and work from 0 to 3000 Hz: {peak} m/N at {frequency} Hz",
+            peak = scientific(peak.1),
+            frequency = peak.0
         ),
-        format!(
-            "eq. 1 as printed is unstable: real poles at +{} 1/s with corrected numbers, at +{} 1/s \
+        tr!(
+            "eq. 1 as printed is unstable: real poles at +{corrected} 1/s with corrected numbers, at +{printed} 1/s \
              with the printed ones",
-            poles(Parameters::Rules),
-            poles(Parameters::Printed)
+            corrected = poles(Parameters::Rules),
+            printed = poles(Parameters::Printed)
         ),
-        format!(
-            "eq. 2 as printed: tool point {:.3e} m/N at rest and {:.3e} at 110 Hz; corrected {still:.3e} \
-             at rest, {:.1} times as soft",
-            tooth(0.0),
-            tooth(110.0),
-            still / tooth(0.0)
+        tr!(
+            "eq. 2 as printed: tool point {printed} m/N at rest and {moving} at 110 Hz; corrected {corrected} \
+             at rest, {times:.1} times as soft",
+            printed = scientific(tooth(0.0)),
+            moving = scientific(tooth(110.0)),
+            corrected = scientific(still),
+            times = still / tooth(0.0)
         ),
     ]
 }
 
 /// What of the paper is repeated here.
 pub const REPRODUCED: &[&str] = &[
-    "Table 1's springs and dampers from its rules, but for the entries of the errata",
-    "the solution of eq. 2 by Gauss from 0 to 3000 Hz in steps of 10 Hz (`steadycut machine frf`)",
+    text!("Table 1's springs and dampers from its rules, but for the entries of the errata"),
+    text!(
+        "the solution of eq. 2 by Gauss from 0 to 3000 Hz in steps of 10 Hz (`steadycut machine frf`)"
+    ),
 ];
 
 /// What cannot be, and why.
 pub const NOT_REPRODUCED: &[&str] = &[
-    "no published curve: the figures are not available as data, so spectra, sound trend, roughness \
-     profile and roughness trend stand beside no measurement",
-    "the correlations 0.684 and 0.993 compare with measurements that were not published; noise can be \
-     chosen that gives them, which validates nothing",
-    "how wear changes springs and dampers is not stated; every law of wear here is an assumption",
-    "absolute amplitudes: a force of 107 N at every line of the spectrum is the formal reading of eq. 2",
-    "parameters of the tool-life prediction: its equations are not in the paper",
+    text!(
+        "no published curve: the figures are not available as data, so spectra, sound trend, roughness \
+     profile and roughness trend stand beside no measurement"
+    ),
+    text!(
+        "the correlations 0.684 and 0.993 compare with measurements that were not published; noise can be \
+     chosen that gives them, which validates nothing"
+    ),
+    text!(
+        "how wear changes springs and dampers is not stated; every law of wear here is an assumption"
+    ),
+    text!(
+        "absolute amplitudes: a force of 107 N at every line of the spectrum is the formal reading of eq. 2"
+    ),
+    text!("parameters of the tool-life prediction: its equations are not in the paper"),
 ];
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 //! ([`roughness_profile::run_up_mm`]); the whole sampling lengths that fit between them
 //! are evaluated. The standards take five; fewer are measured, and said.
 
+use crate::base::language::tr;
 use crate::base::math;
 use crate::base::stats;
 use crate::base::units::mm_from_um;
@@ -49,15 +50,10 @@ impl ProfileLine {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LineError {
     /// A coordinate is no number.
-    #[error("the line's ends must be numbers in mm")]
+    #[error("{}", tr("the line's ends must be numbers in mm"))]
     NoNumber,
     /// Its length, and the least and the largest one that these cut-offs allow, mm.
-    #[error(
-        "the line is {length_mm:.3} mm long: with these cut-offs it takes at least {:.3} mm (a \
-         run-up on each side and one sampling length), and at most {:.1} mm",
-        allowed_mm[0],
-        allowed_mm[1]
-    )]
+    #[error("{}", too_short_or_long(*length_mm, *allowed_mm))]
     Length {
         /// What it is.
         length_mm: f64,
@@ -65,15 +61,10 @@ pub enum LineError {
         allowed_mm: [f64; 2],
     },
     /// No tooth has been anywhere yet.
-    #[error("no tooth has cut anything yet")]
+    #[error("{}", tr("no tooth has cut anything yet"))]
     NothingCut,
     /// It leaves the surface at a place, mm; the surface there, across the cut, or along it.
-    #[error(
-        "the line leaves the machined surface at x = {:.3} mm, y = {:.3} mm: {}",
-        at_mm[0],
-        at_mm[1],
-        beside(at_mm[0], *along_mm, *across_mm)
-    )]
+    #[error("{}", leaves(*at_mm, &beside(at_mm[0], *along_mm, *across_mm)))]
     Leaves {
         /// The first place off the surface.
         at_mm: [f64; 2],
@@ -84,13 +75,36 @@ pub enum LineError {
     },
 }
 
+/// That a line is not of a length that can be measured, mm.
+fn too_short_or_long(length_mm: f64, [least, most]: [f64; 2]) -> String {
+    tr!(
+        "the line is {length:.3} mm long: with these cut-offs it takes at least {least:.3} mm (a run-up on each side \
+         and one sampling length), and at most {most:.1} mm",
+        length = length_mm,
+        least = least,
+        most = most
+    )
+}
+
+/// That a line leaves the surface, and where that is.
+fn leaves([x, y]: [f64; 2], beside: &str) -> String {
+    tr!(
+        "the line leaves the machined surface at x = {x:.3} mm, y = {y:.3} mm: {beside}",
+        x = x,
+        y = y,
+        beside = beside
+    )
+}
+
 /// Where the surface is beside a place that lies off it: across the cut, or along it.
 fn beside(x_mm: f64, [first, last]: [f64; 2], across_mm: Option<[f64; 2]>) -> String {
     match across_mm {
         Some([low, high]) if (first..=last).contains(&x_mm) => {
-            format!("there y reaches from {low:.3} to {high:.3} mm")
+            tr!("there y reaches from {low:.3} to {high:.3} mm", low = low, high = high)
         }
-        Some(_) | None => format!("x reaches from {first:.3} to {last:.3} mm so far"),
+        Some(_) | None => {
+            tr!("x reaches from {first:.3} to {last:.3} mm so far", first = first, last = last)
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::base::language::text;
 use crate::csv_table::{ColumnNames, CsvRow, CsvTable};
 use crate::models::genetic::ModelSet;
 
@@ -65,8 +66,8 @@ impl PaperId {
     #[must_use]
     pub fn start_force(self) -> &'static str {
         match self {
-            Self::Sdnrp2007 => "Desired force",
-            Self::Strategy2013 => "Initial force",
+            Self::Sdnrp2007 => text!("Desired force"),
+            Self::Strategy2013 => text!("Initial force"),
         }
     }
 

@@ -9,6 +9,7 @@
 
 use serde::Serialize;
 
+use crate::base::language::text;
 use crate::base::rng::Stream;
 use crate::base::settings::{SettingError, Value};
 use crate::base::stats::Sorted;
@@ -217,7 +218,7 @@ impl Job for Robustness {
     }
 
     fn progress(&self) -> Progress {
-        Progress { done: self.runs.progress(), total: self.runs() as f64, unit: "runs" }
+        Progress { done: self.runs.progress(), total: self.runs() as f64, unit: text!("runs") }
     }
 
     fn partial(&self) -> RobustFindings {

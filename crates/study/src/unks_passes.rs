@@ -6,6 +6,7 @@
 
 use serde::Serialize;
 
+use crate::base::language::text;
 use crate::base::network::Provenance;
 use crate::base::settings::{SettingError, Value};
 use crate::blocks::control::ControllerKind;
@@ -231,7 +232,7 @@ impl Job for Passes {
         let of_pass = if self.is_done() { 0.0 } else { of_pass };
         let done = self.done.len() as f64 + of_pass;
         let total = if self.refused.is_some() { done } else { f64::from(self.wanted) };
-        Progress { done, total, unit: "passes" }
+        Progress { done, total, unit: text!("passes") }
     }
 
     fn partial(&self) -> PassesSoFar {

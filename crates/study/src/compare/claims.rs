@@ -77,7 +77,8 @@ pub fn claims(evidence: &Evidence<'_>) -> Vec<ControlClaim> {
     if [conventional_1, unks_1, conventional, unks].iter().any(|row| row.finished == 0) {
         return Vec::new();
     }
-    let told = step.periods.map_or("never comes to rest".to_owned(), |n| {
+    let never = if step.unstable { "is unstable" } else { "is never back within 10 %" };
+    let told = step.periods.map_or(never.to_owned(), |n| {
         format!("takes {n} control periods to be back within 10 % for good")
     });
     let [before_n, after_n] = evidence.load_step_n;

@@ -70,6 +70,7 @@ impl Replay {
                 models: &self.models,
                 cut: 0,
                 x_mm: *x_mm,
+                by_hand: 1.0,
             });
             output.request.feed_mm_min
         };

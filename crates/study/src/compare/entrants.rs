@@ -1,5 +1,6 @@
 //! The entrants of a comparison.
 
+use crate::base::language::text;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::control::mrac::Adapted;
 use crate::run::presets;
@@ -42,12 +43,12 @@ impl Method {
 pub const TABLE_1: [Method; 6] = [
     Method {
         id: "conventional",
-        name: "Conventional",
+        name: text!("Conventional"),
         apply: |s| s.controller.kind = ControllerKind::ConstantFeed,
     },
     Method {
         id: "division",
-        name: "Division",
+        name: text!("Division"),
         apply: |s| s.controller.kind = ControllerKind::Division,
     },
     Method {
@@ -57,7 +58,7 @@ pub const TABLE_1: [Method; 6] = [
     },
     Method {
         id: "adjustable_pi",
-        name: "Adjustable PI",
+        name: text!("Adjustable PI"),
         apply: |s| s.controller.kind = ControllerKind::AdjustablePi,
     },
     Method { id: "mrac", name: "MRAC", apply: |s| s.controller.kind = ControllerKind::Mrac },
@@ -68,7 +69,7 @@ pub const TABLE_1: [Method; 6] = [
 pub const BEYOND: &[Method] = &[
     Method {
         id: "proportional_smith",
-        name: "P, Smith predictor",
+        name: text!("P, Smith predictor"),
         apply: |s| {
             s.controller.kind = ControllerKind::Proportional;
             (s.controller.proportional.kp, s.controller.proportional.smith) = (1.6, true);
@@ -76,7 +77,7 @@ pub const BEYOND: &[Method] = &[
     },
     Method {
         id: "mrac_one_gain",
-        name: "MRAC, one gain",
+        name: text!("MRAC, one gain"),
         apply: |s| {
             s.controller.kind = ControllerKind::Mrac;
             s.controller.mrac.adapted = Adapted::Gain;
@@ -84,7 +85,7 @@ pub const BEYOND: &[Method] = &[
     },
     Method {
         id: "preview",
-        name: "Preview",
+        name: text!("Preview"),
         apply: |s| s.controller.kind = ControllerKind::Preview,
     },
 ];
@@ -95,10 +96,20 @@ pub const ROUGHNESS: &[Method] = &[
     Method { id: "sdnrp", name: "SDNRP", apply: |s| s.controller.kind = ControllerKind::Sdnrp },
     Method {
         id: "tracking",
-        name: "Tracking",
+        name: text!("Tracking"),
         apply: |s| s.controller.kind = ControllerKind::Tracking,
     },
 ];
+
+/// What the control of a machine tool offers. Its references are those of the scenario; without them AFC is
+/// taught in, and cuts as conventional milling does.
+pub const SHOP: &[Method] =
+    &[Method { id: "afc", name: "AFC", apply: |s| s.controller.kind = ControllerKind::Afc }];
+
+/// Every way of control that there is, in the order of tables.
+pub fn methods() -> impl Iterator<Item = &'static Method> {
+    TABLE_1.iter().chain(BEYOND).chain(ROUGHNESS).chain(SHOP)
+}
 
 /// Sets a dead time in s that the controllers know.
 pub fn set_dead_time(settings: &mut Settings, dead_time_s: f64) {

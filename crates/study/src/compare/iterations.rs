@@ -2,6 +2,7 @@
 
 use super::claims::UNKS;
 use super::entrants::TABLE_1;
+use crate::base::language::text;
 use crate::run::edits::Edits;
 use crate::run::job::{Budget, Job, Progress};
 use crate::run::one_run::Run;
@@ -59,7 +60,7 @@ impl Job for IterationsJob {
     fn progress(&self) -> Progress {
         let total = f64::from(MANY_ITERATIONS);
         let done = if self.partial().is_some() { total } else { self.runs.progress() };
-        Progress { done, total, unit: "runs" }
+        Progress { done, total, unit: text!("runs") }
     }
 
     fn partial(&self) -> Option<u32> {

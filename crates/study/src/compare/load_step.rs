@@ -7,7 +7,8 @@
 use serde::Serialize;
 
 use super::entrants::Entrant;
-use super::outcome::means;
+use super::outcome::{means, unstable};
+use crate::base::language::text;
 use crate::base::stats;
 use crate::base::units::{mm_from_um, percent_from_ratio};
 use crate::blocks::control::FeedSpeed;
@@ -27,7 +28,7 @@ const AHEAD_MM: f64 = 6.7;
 /// Half width of the band, as a fraction of the desired force.
 const BAND: f64 = 0.1;
 /// Means at the end that must lie in the band, a second of them: what still leaves it then is
-/// never steady.
+/// never back.
 const STEADY: usize = 50;
 
 /// How an entrant took the step; forces as running means of four control samples, since run-out
@@ -36,13 +37,23 @@ const STEADY: usize = 50;
 pub struct Transient {
     /// Its name.
     pub name: String,
-    /// Control periods from leaving the band of 10 % to being back for good; none if it is never
-    /// steady.
+    /// Control periods from leaving the band of 10 % to being back for good; none if it never is.
     pub periods: Option<usize>,
+    /// Whether the loop is unstable in any stretch, as the run's story judges it.
+    pub unstable: bool,
     /// Largest excursion above the desired force, percent.
     pub overshoot_percent: f64,
     /// Mean deviation from the desired force in the last second, percent.
     pub offset_percent: f64,
+}
+
+impl Transient {
+    /// What is said in the place of a number of periods where there is none: nothing is, where it is unstable or
+    /// rests outside the band.
+    #[must_use]
+    pub fn without_periods(&self) -> &'static str {
+        if self.unstable { text!("unstable") } else { text!("never back") }
+    }
 }
 
 /// The scenario of an entrant with the load step in the place of its part.
@@ -103,6 +114,7 @@ pub fn judged(name: &str, run: &Run) -> Transient {
     Transient {
         name: name.to_owned(),
         periods: back_for_good(&means),
+        unstable: !unstable(run).is_empty(),
         overshoot_percent: percent_from_ratio(largest - 1.0),
         offset_percent: percent_from_ratio(stats::mean(tail.iter().copied()).unwrap_or(0.0) - 1.0),
     }

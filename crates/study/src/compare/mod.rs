@@ -4,9 +4,10 @@
 //! part, [`outcome`] what a run is judged by, [`spread`] what the seeds make of it. [`table_1`] sets the
 //! six methods of 2005 beside the printed table, [`claims`] what the paper says beside what is found,
 //! [`robustness`] changes the conditions; [`load_step`], [`iterations`] and [`cost`] are three meanings
-//! of the paper's optimisation step.
+//! of the paper's optimisation step. [`by_hand`] scores a cut driven by hand against everybody.
 
 pub mod beyond;
+pub mod by_hand;
 pub mod claims;
 pub mod contest;
 pub mod cost;
@@ -14,6 +15,7 @@ pub mod entrants;
 pub mod iterations;
 pub mod load_step;
 pub mod outcome;
+pub mod outside;
 pub mod robustness;
 pub mod sections;
 pub mod spread;

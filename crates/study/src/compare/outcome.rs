@@ -2,10 +2,14 @@
 
 use serde::Serialize;
 
+use super::outside::Outside;
+use crate::base::language::text;
 use crate::base::units::percent_from_ratio;
+use crate::blocks::control::ControllerKind;
 use crate::blocks::reference::Reference;
 use crate::run::one_run::{End, Run};
 use crate::run::signals::{Row, flag};
+use crate::run::story::{EventKind, Story};
 
 /// Samples of the running mean that is judged for recovery: run-out makes one peak high and the
 /// next one low, four control periods hold two revolutions.
@@ -18,15 +22,17 @@ const ALL_PERCENT: f64 = 99.95;
 steadycut_core::choice! {
     /// What runs are compared by.
     pub enum Measure {
-        /// Normalised standard error of the force over all control samples in contact.
+        /// Normalised standard error of the force: root of the mean of ((F - F_ref) / F_ref)^2 over all
+        /// control samples in contact.
         Nsn = "normalized_standard_error", "Nsn";
         /// The same over 20 samples, the paper's form.
-        Nsn20 = "normalized_standard_error_20", "Nsn of 20";
+        Nsn20 = "normalized_standard_error_20", "Nsn, 20 samples";
         /// Time of the cut; none for a run that did not come to the end of the part.
         Time = "time_of_cut_s", "Time of cut";
         /// Largest force.
         Force = "max_force_kn", "Largest force";
-        /// Fraction of the length in contact with the target in tolerance.
+        /// Fraction of the length in contact with the target in tolerance; of Ra with dynamics where the machine
+        /// vibrates in the cut.
         InTolerance = "in_tolerance_percent", "In tolerance";
         /// Fraction of the control samples in contact, and not at a limit of the feed, whose force lies
         /// within 10 % of the desired one.
@@ -44,8 +50,8 @@ impl Measure {
     #[must_use]
     pub fn name(self, reference: Reference) -> &'static str {
         match (self, reference) {
-            (Self::InTolerance, Reference::Ra) => "Ra in tolerance",
-            (Self::InTolerance, Reference::Force) => "Force in tolerance",
+            (Self::InTolerance, Reference::Ra) => text!("Ra in tolerance"),
+            (Self::InTolerance, Reference::Force) => text!("Force in tolerance"),
             (
                 Self::Nsn
                 | Self::Nsn20
@@ -67,7 +73,7 @@ impl Measure {
             Self::Time => "s",
             Self::Force => "kN",
             Self::InTolerance | Self::Held => "%",
-            Self::Recovery => "periods",
+            Self::Recovery => text!("periods"),
             Self::Travel => "%/s",
         }
     }
@@ -80,6 +86,12 @@ impl Measure {
             Self::Nsn | Self::Nsn20 | Self::InTolerance => false,
             Self::Time | Self::Force | Self::Held | Self::Recovery | Self::Travel => true,
         }
+    }
+
+    /// Which value is the better one, in words.
+    #[must_use]
+    pub fn better(self) -> &'static str {
+        if self.more_is_better() { text!("More is better.") } else { text!("Less is better.") }
     }
 
     /// Whether a larger value is the better one.
@@ -108,6 +120,10 @@ pub struct Outcome {
     pub recovery_periods: f64,
     /// Travel of the feed override, percent per second.
     pub override_travel_percent_s: f64,
+    /// Where what is held lies outside its tolerance; none without contact.
+    pub outside: Option<Outside>,
+    /// Whether the loop was unstable in any stretch, as the run's story judges it.
+    pub unstable: bool,
     /// Whether an overload or a crash stopped the machine.
     pub force_stop: bool,
     /// Digest of the run, which anybody can recompute.
@@ -124,6 +140,7 @@ impl Outcome {
         let steps = samples
             .windows(2)
             .map(|pair| (pair[1].feed_override_percent - pair[0].feed_override_percent).abs());
+        let unstable = unstable(run);
         let longest_s = metrics.time_of_cut_s.max(run.scenario().control_period_s());
         Self {
             nsn: metrics.normalized_standard_error,
@@ -132,12 +149,17 @@ impl Outcome {
             force_kn: metrics.max_force_n / 1000.0,
             // Where nothing can be judged, nothing is said, rather than that nothing holds.
             in_tolerance_percent: metrics
-                .in_tolerance_percent
+                .judged_in_tolerance_percent()
                 .filter(|_| metrics.not_judged_percent.is_none_or(|share| share < ALL_PERCENT)),
             held_percent: held_percent(&samples),
             recovery_periods: longest_overload(&samples) as f64,
             override_travel_percent_s: steps.sum::<f64>() / longest_s,
-            force_stop: matches!(run.end(), Some(End::Overload(_) | End::Crash(_))),
+            outside: Outside::of(run, &unstable),
+            unstable: !unstable.is_empty(),
+            force_stop: matches!(
+                run.end(),
+                Some(End::Overload(_) | End::Crash(_) | End::Breakage(_))
+            ),
             digest: recording.digest(),
         }
     }
@@ -156,6 +178,15 @@ impl Outcome {
             Measure::Travel => Some(self.override_travel_percent_s),
         }
     }
+}
+
+/// The stretches of time in s in which the run's story calls it unstable: the console's judgement.
+pub(super) fn unstable(run: &Run) -> Vec<[f64; 2]> {
+    // A feed that nothing moves cannot swing with the force, and a story costs some time.
+    if run.scenario().controller.kind == ControllerKind::ConstantFeed {
+        return Vec::new();
+    }
+    Story::of(run, None).stretches_until(EventKind::LimitCycle, f64::INFINITY)
 }
 
 /// Force over desired force as running means of four control samples in contact, with the place of

@@ -7,6 +7,7 @@ use super::claims::ControlClaim;
 use super::entrants::{BEYOND, Entrant, Method, TABLE_1, experiment_2, set_dead_time};
 use super::outcome::Measure;
 use super::tournament::Compared;
+use crate::base::language::{text, tr};
 use crate::blocks::cutting::material::Material;
 use crate::run::scenario::Settings;
 
@@ -27,22 +28,22 @@ pub struct RobustnessCondition {
 pub const CONDITIONS: [RobustnessCondition; 4] = [
     RobustnessCondition {
         id: "dead_time_0",
-        label: "no dead time",
+        label: text!("no dead time"),
         apply: |s| set_dead_time(s, 0.0),
     },
     RobustnessCondition {
         id: "dead_time_40",
-        label: "dead time 40 ms",
+        label: text!("dead time 40 ms"),
         apply: |s| set_dead_time(s, 0.04),
     },
     RobustnessCondition {
         id: "dead_time_80",
-        label: "dead time 80 ms",
+        label: text!("dead time 80 ms"),
         apply: |s| set_dead_time(s, 0.08),
     },
     RobustnessCondition {
         id: "16mncrsi5",
-        label: "16MnCrSi5 in place of Ck45",
+        label: text!("16MnCrSi5 in place of Ck45"),
         apply: |s| {
             s.plant.material = Material::MnCrSi5;
             s.plant.hardness_hb = s.plant.material.hardness_hb();
@@ -159,15 +160,20 @@ pub fn material_claim(rows: &[RobustnessRow]) -> Option<ControlClaim> {
     let [before_kn, force_kn] = both("UNKS", Measure::Force)?;
     let told = |name: &str| {
         let [before, after] = both(name, Measure::Force)?;
-        Some(format!("{name} {before:.2} and {after:.2} kN"))
+        Some(tr!(
+            "{name} {before:.2} and {after:.2} kN",
+            name = tr(name),
+            before = before,
+            after = after
+        ))
     };
     let told: Vec<String> =
         ["UNKS", "Adjustable PI", "P", "Conventional"].into_iter().filter_map(told).collect();
     Some(ControlClaim {
         id: "insensitive_to_material",
-        paper: "UNKS is insensitive to the workpiece's material",
+        paper: text!("UNKS is insensitive to the workpiece's material"),
         verdict: (nsn <= INSENSITIVE * nsn_before && force_kn <= INSENSITIVE * before_kn).into(),
-        found: format!("largest force in Ck45 and in 16MnCrSi5: {}", told.join(", ")),
+        found: tr!("largest force in Ck45 and in 16MnCrSi5: {list}", list = told.join(", ")),
     })
 }
 

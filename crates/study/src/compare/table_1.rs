@@ -13,6 +13,7 @@ use super::entrants;
 use super::load_step::Transient;
 use super::outcome::Measure;
 use super::tournament::Compared;
+use crate::base::language::{fixed, text, tr};
 use crate::base::units::percent_from_ratio;
 use crate::verdict::Verdict;
 
@@ -21,45 +22,77 @@ pub const TABLE_1: &str = include_str!("../../../../assets/data/table1_2005.csv"
 
 /// What was chosen with the table in view; shown beside every agreement, as of [`TOLD_BY_VERSION`].
 pub const DISCLOSED: &[&str] = &[
-    "the part: eight candidates were tried; conventional milling's row is calibrated by it, not \
-     predicted, and so is a best possible time near 88 s; the path of 488 mm follows from 115 s",
-    "inhomogeneity 5 %, run-out 3 um, air feed 150 %, dead time 40 ms: set once by plausibility, \
-     looking at conventional milling and at an ideal controller",
-    "P: Kp = 1.1 is the stability limit at the heaviest section; with the Smith predictor 1.6, of \
-     seven values the one nearest to the paper",
-    "MRAC: some 25 settings of two structures were tried; the five-parameter one shipped is the \
+    text!(
+        "the part: eight candidates were tried; conventional milling's row is calibrated by it, not \
+     predicted, and so is a best possible time near 88 s; the path of 488 mm follows from 115 s"
+    ),
+    text!(
+        "inhomogeneity 5 %, run-out 3 um, air feed 150 %, dead time 40 ms: set once by plausibility, \
+     looking at conventional milling and at an ideal controller"
+    ),
+    text!(
+        "P: Kp = 1.1 is the stability limit at the heaviest section; with the Smith predictor 1.6, of \
+     seven values the one nearest to the paper"
+    ),
+    text!(
+        "MRAC: some 25 settings of two structures were tried; the five-parameter one shipped is the \
      one nearest to the table, the one-gain one is the best and does not resemble it; the \
      five-parameter one raises the override by at most 10 % a period, since with 30 % extreme \
-     force stopped it with 3 of 20 seeds",
-    "division: of three readings the static one, since it alone is stable, takes some 98 s and is \
-     poor in Nsn at once",
-    "adjustable PI and UNKS: first guesses, kept after 11 and 9 other settings; not fitted to the \
-     table, but their Nsn and largest force could be seen while the part was chosen",
-    "Experiment 1: lengths and depths are chosen so that the last section sits at 650 N and the \
-     gain comes near 27 %",
-    "not used for any choice: dead times and materials of the robustness table, the noise-free \
+     force stopped it with 3 of 20 seeds"
+    ),
+    text!(
+        "division: of three readings the static one, since it alone is stable, takes some 98 s and is \
+     poor in Nsn at once"
+    ),
+    text!(
+        "adjustable PI and UNKS: first guesses, kept after 11 and 9 other settings; not fitted to the \
+     table, but their Nsn and largest force could be seen while the part was chosen"
+    ),
+    text!(
+        "Experiment 1: lengths and depths are chosen so that the last section sits at 650 N and the \
+     gain comes near 27 %"
+    ),
+    text!(
+        "not used for any choice: dead times and materials of the robustness table, the noise-free \
      reference runs; what counts as re-entering after the load step was defined anew twice, since \
-     the first two definitions never came about",
+     the first two definitions never came about"
+    ),
 ];
 
 /// What cannot be reached honestly, and why, as of [`TOLD_BY_VERSION`].
 pub const NOT_REACHED: &[&str] = &[
-    "the figures with the part and the traces are missing: agreement shows that the table is \
-     physically possible with real force constants and a cap of 150 %, no more",
-    "division 0.29 and 1.25 kN: static division is smooth by construction; on the last command it \
-     oscillates instead, and slowed down it is better than printed, not worse",
-    "PI 94 s: any integrating controller runs the light sections at the cap of 150 % and needs no \
+    text!(
+        "the figures with the part and the traces are missing: agreement shows that the table is \
+     physically possible with real force constants and a cap of 150 %, no more"
+    ),
+    text!(
+        "division 0.29 and 1.25 kN: static division is smooth by construction; on the last command it \
+     oscillates instead, and slowed down it is better than printed, not worse"
+    ),
+    text!(
+        "PI 94 s: any integrating controller runs the light sections at the cap of 150 % and needs no \
      more than some 89 s here; 6 s between PI and UNKS at nearly equal Nsn cannot come from \
-     holding the force alone",
-    "MRAC's time in every run: with five parameters it bursts, and with some seeds an overload \
-     stops it; with one gain it does not burst",
-    "P 0.20: Kp = 1.1 is all that the dead time leaves; with the Smith predictor and 1.6 it comes \
-     near",
-    "MRAC 0.90, UNKS 0.91 and PI 1.00 kN: reached on a smooth plant only; tooth by tooth, run-out \
-     and inhomogeneity put their peaks on top of what is held",
-    "the time of an optimisation step: what was timed, and what its iterations are, is not said; \
-     reported here are the cost of an update and the control periods after a load step",
-    "MRAC's response 8 % longer, constant roughness, the learning curves: the paper has no data",
+     holding the force alone"
+    ),
+    text!(
+        "MRAC's time in every run: with five parameters it bursts, and with some seeds an overload \
+     stops it; with one gain it does not burst"
+    ),
+    text!(
+        "P 0.20: Kp = 1.1 is all that the dead time leaves; with the Smith predictor and 1.6 it comes \
+     near"
+    ),
+    text!(
+        "MRAC 0.90, UNKS 0.91 and PI 1.00 kN: reached on a smooth plant only; tooth by tooth, run-out \
+     and inhomogeneity put their peaks on top of what is held"
+    ),
+    text!(
+        "the time of an optimisation step: what was timed, and what its iterations are, is not said; \
+     reported here are the cost of an update and the control periods after a load step"
+    ),
+    text!(
+        "MRAC's response 8 % longer, constant roughness, the learning curves: the paper has no data"
+    ),
 ];
 
 /// The version that the figures in [`DISCLOSED`] and [`NOT_REACHED`] were found with. They tell what was
@@ -141,7 +174,7 @@ impl Table1Verdict {
         if figures.iter().all(|figure| figure.is_finite()) {
             return Self { id, verdict: ok.into(), figures: figures.to_vec(), band, found };
         }
-        let found = "no run has given it".to_owned();
+        let found = tr("no run has given it").to_owned();
         Self { id, verdict: Verdict::NoRun, figures: Vec::new(), band, found }
     }
 
@@ -178,16 +211,28 @@ pub fn verdicts(table: &[Compared]) -> Vec<Table1Verdict> {
     }
     let against = |row: usize, measure: Measure, percent: f64| {
         let wanted = printed[row].get(measure).unwrap_or(f64::NAN);
-        let name = &methods[row].name;
-        let band = format!("{name}: {} within {percent} % of {wanted}", with_unit(measure));
+        let band = tr!(
+            "{name}: {measure} within {percent} % of {wanted}",
+            name = tr(&methods[row].name),
+            measure = with_unit(measure),
+            percent = percent,
+            wanted = wanted
+        );
         let off = percent_from_ratio(methods[row].mean(measure) / wanted - 1.0);
-        let mut found = format!("{:.3}, {off:+.1} %", methods[row].mean(measure));
         // A mean over the finished runs alone would not be that of the method.
         let Compared { runs, finished, .. } = methods[row];
         let whole = measure != Measure::Time || finished == runs;
-        if !whole {
-            found += &format!(" over the {finished} of {runs} runs that came to the end");
-        }
+        let mean = methods[row].mean(measure);
+        let found = match whole {
+            true => tr!("{mean:.3}, {off:+.1} %", mean = mean, off = off),
+            false => tr!(
+                "{mean:.3}, {off:+.1} % over the {finished} of {runs} runs that came to the end",
+                mean = mean,
+                off = off,
+                finished = finished,
+                runs = runs
+            ),
+        };
         let figures = [methods[row].mean(measure), wanted];
         let id = format!("{}.{}", entrants::TABLE_1[row].id, measure.id());
         Table1Verdict::new(id, &figures, band, found, whole && off.abs() <= percent)
@@ -199,19 +244,24 @@ pub fn verdicts(table: &[Compared]) -> Vec<Table1Verdict> {
     let nsn = |row: usize| methods[row].mean(Measure::Nsn);
     let next = (0..methods.len()).filter(|row| *row != PI && *row != UNKS).map(nsn);
     let next = next.fold(f64::INFINITY, f64::min);
-    let found = format!("{:.3} and {:.3}; the next has {next:.3}", nsn(UNKS), nsn(PI));
+    let found = tr!(
+        "{unks:.3} and {pi:.3}; the next has {next:.3}",
+        unks = nsn(UNKS),
+        pi = nsn(PI),
+        next = next
+    );
     all.push(Table1Verdict::new(
         "two_best".to_owned(),
         &[nsn(UNKS), nsn(PI), next],
-        "UNKS and adjustable PI are the two best in Nsn".to_owned(),
+        tr("UNKS and adjustable PI are the two best in Nsn").to_owned(),
         found,
         nsn(UNKS) < next && nsn(PI) < next,
     ));
     all.extend(UNKS_AT_MOST.map(|(measure, most)| {
         let found = methods[UNKS].mean(measure);
-        let band = format!("UNKS: {} at most {most}", with_unit(measure));
+        let band = tr!("UNKS: {measure} at most {most}", measure = with_unit(measure), most = most);
         let id = format!("{}_at_most.{}", entrants::TABLE_1[UNKS].id, measure.id());
-        Table1Verdict::new(id, &[found, most], band, format!("{found:.3}"), found <= most)
+        Table1Verdict::new(id, &[found, most], band, fixed(found, 3), found <= most)
     }));
     all
 }
@@ -231,36 +281,57 @@ pub fn margin(table: &[Compared], transients: &[Transient]) -> Option<String> {
     let step = |row: &Compared| {
         let found = transients.iter().find(|transient| transient.name == row.name);
         found.map_or(String::new(), |found| match found.periods {
-            Some(n) => format!(", {n} periods after the load step"),
-            None => ", never at rest after the load step".to_owned(),
+            Some(n) => tr!(", {n} periods after the load step", n = n),
+            None if found.unstable => tr(", unstable after the load step").to_owned(),
+            None => tr(", never back after the load step").to_owned(),
         })
     };
     let beside = |row: &&Compared| {
         let error = percent_from_ratio(nsn(row) / nsn(best) - 1.0);
         let time_s = row.mean(Measure::Time) - best.mean(Measure::Time);
-        format!("{} ({error:+.1} %, {time_s:+.1} s{})", row.name, step(row))
+        tr!(
+            "{name} ({error:+.1} %, {time:+.1} s{step})",
+            name = tr(&row.name),
+            error = error,
+            time = time_s,
+            step = step(row)
+        )
     };
     let (next, ..) = others.split_first()?;
     let equals = others.iter().filter(|row| nsn(row) <= (1.0 + EQUAL) * nsn(best));
     let equals: Vec<String> = equals.map(beside).collect();
     let beside = if equals.is_empty() {
-        format!("nobody is within {} %, next is {}", percent_from_ratio(EQUAL), beside(next))
+        tr!(
+            "nobody is within {percent} %, next is {next}",
+            percent = percent_from_ratio(EQUAL),
+            next = beside(next)
+        )
     } else {
-        format!("within {} % of it {}", percent_from_ratio(EQUAL), equals.join("; "))
+        tr!(
+            "within {percent} % of it {list}",
+            percent = percent_from_ratio(EQUAL),
+            list = equals.join("; ")
+        )
     };
     let time_s = best.mean(Measure::Time);
-    Some(format!(
-        "least Nsn: {} with {:.3} in {time_s:.1} s{}; {beside}",
-        best.name,
-        nsn(best),
-        step(best)
+    Some(tr!(
+        "least Nsn: {name} with {error:.3} in {time:.1} s{step}; {beside}",
+        name = tr(&best.name),
+        error = nsn(best),
+        time = time_s,
+        step = step(best),
+        beside = beside
     ))
 }
 
 /// A measure's name with its unit.
 fn with_unit(measure: Measure) -> String {
-    let unit = if measure.unit().is_empty() { "" } else { " in " };
-    format!("{}{unit}{}", measure.label(), measure.unit())
+    match measure.unit() {
+        "" => tr(measure.label()).to_owned(),
+        unit => {
+            tr!("{measure} in {unit}", measure = tr(measure.label()), unit = tr(unit))
+        }
+    }
 }
 
 /// Whether a figure lies further from the printed one than any band allows: [`NOT_REACHED`] says
@@ -335,6 +406,7 @@ mod tests {
         let transient = Transient {
             name: name.clone(),
             periods: Some(7),
+            unstable: false,
             overshoot_percent: 0.0,
             offset_percent: 0.0,
         };

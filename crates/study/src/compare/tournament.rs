@@ -9,7 +9,9 @@ use serde::Serialize;
 
 use super::entrants::Entrant;
 use super::outcome::{Measure, Outcome};
+use super::outside::Outside;
 use super::spread::Spread;
+use crate::base::language::text;
 use crate::run::edits::Edits;
 use crate::run::job::{Budget, Job, Progress};
 use crate::run::one_run::Run;
@@ -27,8 +29,14 @@ pub struct Compared {
     pub force_stops: usize,
     /// Runs of them that came to the end of the part.
     pub finished: usize,
+    /// Runs of them whose loop was unstable in any stretch.
+    pub unstable: usize,
+    /// Whether its runs of two seeds or more are the same to the bit: nothing random acts, and they tell no spread.
+    pub same: bool,
     /// Digest of its run of seed 1, once that is done.
     pub digest: Option<String>,
+    /// Where its runs lie outside the tolerance, in the mean; none before one has cut.
+    pub outside: Option<Outside>,
     /// Spread of each measure by its id; none where no run has given the value yet.
     spreads: BTreeMap<&'static str, Spread>,
 }
@@ -122,7 +130,16 @@ impl Tournament {
             runs: self.outcomes(entrant).count(),
             force_stops: self.outcomes(entrant).filter(|outcome| outcome.force_stop).count(),
             finished: self.outcomes(entrant).filter(|outcome| outcome.time_s.is_some()).count(),
+            unstable: self.outcomes(entrant).filter(|outcome| outcome.unstable).count(),
+            same: self.outcomes(entrant).count() > 1 && {
+                let mut digests = self.outcomes(entrant).map(|outcome| &outcome.digest);
+                let first = digests.next();
+                digests.all(|digest| Some(digest) == first)
+            },
             digest: self.outcomes(entrant).next().map(|outcome| outcome.digest.clone()),
+            outside: Outside::mean(
+                &self.outcomes(entrant).filter_map(|outcome| outcome.outside).collect::<Vec<_>>(),
+            ),
             spreads: spreads.collect(),
         }
     }
@@ -160,7 +177,7 @@ impl Job for Tournament {
     }
 
     fn progress(&self) -> Progress {
-        Progress { done: self.runs.progress(), total: self.count() as f64, unit: "runs" }
+        Progress { done: self.runs.progress(), total: self.count() as f64, unit: text!("runs") }
     }
 
     fn partial(&self) -> Vec<Compared> {
@@ -217,6 +234,23 @@ mod tests {
         let travel = |index: usize| whole.table()[index].mean(Measure::Travel);
         assert_eq!(travel(0), 0.0);
         assert!(travel(1) > 1.0);
+    }
+
+    /// Without noise a seed decides nothing: all its runs are one, and are said to be.
+    #[test]
+    fn runs_of_different_seeds_are_the_same_where_nothing_is_random() {
+        for (level, same) in [(0.0, true), (1.0, false)] {
+            let mut entrants = entrants();
+            for entrant in &mut entrants {
+                entrant.scenario.change(|s| s.noise.level = level).unwrap();
+            }
+            let mut tournament = Tournament::new(entrants.clone(), 3);
+            tournament.to_end();
+            assert!(tournament.table().iter().all(|one| one.same == same), "noise {level}");
+            let mut one = Tournament::new(entrants, 1);
+            one.to_end();
+            assert!(one.table().iter().all(|one| !one.same), "one run is no comparison");
+        }
     }
 
     #[test]

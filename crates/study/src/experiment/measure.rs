@@ -10,9 +10,11 @@ use serde::Serialize;
 
 use super::assess::MeasuringNoise;
 use super::plan::ExperimentPlan;
+use crate::base::language::{text, tr};
 use crate::base::rng::Stream;
 use crate::base::stats;
 use crate::blocks::control::ControllerKind;
+use crate::models::disturbances::Disturbances;
 use crate::run::edits::Edits;
 use crate::run::end::End;
 use crate::run::job::{Budget, Job, Progress};
@@ -70,6 +72,7 @@ pub fn steady(base: &Scenario) -> Result<Scenario, String> {
         s.controller.kind = ControllerKind::ConstantFeed;
         s.workpiece.cuts.clear();
         s.workpiece.depth_steps.clear();
+        s.disturbances = Disturbances::default();
         s.workpiece.length_mm = LONGEST_MM;
         s.program.cut_feeds_mm_min.clear();
         s.run.duration_s = CUT_S;
@@ -126,7 +129,14 @@ impl Cuts {
     fn read(&self, number: usize, run: &Run) -> MeasuredCut {
         match run.end() {
             Some(End::TimeLimit | End::PathDone) | None => {}
-            Some(end @ (End::Crash(_) | End::Fault(_) | End::Refused(_) | End::Overload(_))) => {
+            Some(
+                end @ (End::Crash(_)
+                | End::Breakage(_)
+                | End::Fault(_)
+                | End::Refused(_)
+                | End::Script(_)
+                | End::Overload(_)),
+            ) => {
                 return MeasuredCut { problem: Some(end.to_string()), ..MeasuredCut::default() };
             }
         }
@@ -141,8 +151,10 @@ impl Cuts {
             problem: None,
         };
         let problem = match (cut.force_n, cut.ra_um) {
-            (None, _) => Some("no chip is cut".to_owned()),
-            (Some(_), None) => Some("its Ra lies beyond the end of the plant's model".to_owned()),
+            (None, _) => Some(tr("no chip is cut").to_owned()),
+            (Some(_), None) => {
+                Some(tr("its Ra lies beyond the end of the plant's model").to_owned())
+            }
             (Some(_), Some(_)) => None,
         };
         MeasuredCut { problem, ..cut }
@@ -164,7 +176,7 @@ impl Job for MeasureJob {
 
     fn progress(&self) -> Progress {
         let total = self.cuts.scenarios.len() as f64;
-        Progress { done: self.done.progress(), total, unit: "cuts" }
+        Progress { done: self.done.progress(), total, unit: text!("cuts") }
     }
 
     fn partial(&self) -> Vec<MeasuredCut> {

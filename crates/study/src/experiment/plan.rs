@@ -7,6 +7,7 @@ use super::design::{
 };
 use super::factor::{ExperimentFactor, FactorKind, FactorSpan, FactorTold};
 use super::fraction::RegularFraction;
+use crate::base::language::tr;
 use crate::base::math::extent;
 use crate::base::rng::Stream;
 use crate::base::settings::Value;
@@ -262,7 +263,9 @@ impl ExperimentPlan {
             changes.push((factor.kind.path().to_owned(), value));
         }
         let mut scenario = base.clone();
-        scenario.set_all(&changes).map_err(|error| format!("run {}: {error}", run.run))?;
+        scenario
+            .set_all(&changes)
+            .map_err(|error| tr!("run {run}: {error}", run = run.run, error = error.to_string()))?;
         Ok(scenario)
     }
 }

@@ -60,6 +60,18 @@ impl Sheet {
         self.rows.push(row);
     }
 
+    /// The table with one more column, which says the same in all rows.
+    #[must_use]
+    pub fn with(mut self, title: &str, word: &str) -> Self {
+        let titles = self.titles.len();
+        self.titles.push(title.to_owned());
+        for row in &mut self.rows {
+            row.resize(titles, Entry::Empty);
+            row.push(word.into());
+        }
+        self
+    }
+
     /// The table as RFC 4180 has it: quoted where it must be, a line feed at the end of every line.
     ///
     /// ```

@@ -10,7 +10,9 @@ use super::variants::{plan, text, tool_life, undisturbed};
 use crate::base::settings::{Kind, Value};
 use crate::models::structure::{FiveMass, frf};
 use crate::run::digest::Digest;
-use crate::run::scenario::{Param, Scenario, table};
+use crate::run::job::Job;
+use crate::run::scenario::{Param, Scenario, TwinKind, table};
+use crate::safe_feed::{SafeFeedJob, SafeFeedProblem, twin_scenario};
 
 /// The name of the variant that holds a value of a setting.
 #[must_use]
@@ -63,17 +65,38 @@ pub(super) fn switches(
     found
 }
 
+/// The constant feed that stands beside a scenario's cut; tooth by tooth it is the same but takes long.
+fn twin(scenario: &Scenario) -> String {
+    if scenario.plant.force_model.tooth_by_tooth() {
+        return undisturbed(scenario);
+    }
+    let safe = match scenario.twin.kind {
+        TwinKind::Safe => {
+            let mut search = SafeFeedJob::new(SafeFeedProblem::new(scenario, Vec::new()));
+            search.to_end();
+            search.partial()
+        }
+        TwinKind::Programmed => None,
+    };
+    let twin = twin_scenario(scenario, safe.as_ref());
+    let mut digest = Digest::default();
+    let at = [twin.program.feed_mm_min, twin.program.spindle_rpm];
+    at.into_iter().for_each(|value| digest.word(value.to_bits()));
+    undisturbed(&twin) + digest.hex().as_str()
+}
+
 /// What a setting acts in: the group of the plan in the plan, those of the tool's life and its profile in
-/// both, the others in a run; the machine's parameters also in its frequency response.
+/// both, the others in a run, those of the twin in the twin; the machine's parameters also in its frequency response.
 fn seen(scenario: &Scenario, param: &Param) -> String {
     match param.group {
         "plan" => plan(scenario),
         "life" | "profile" => tool_life(scenario),
+        "twin" => twin(scenario),
         "machine" => {
             let mut digest = Digest::default();
             let response = frf::tree(&FiveMass::new(&scenario.machine), 580.0).grel;
             [response.re, response.im].into_iter().for_each(|part| digest.word(part.to_bits()));
-            undisturbed(scenario) + &digest.hex()
+            undisturbed(scenario) + digest.hex().as_str()
         }
         _ => undisturbed(scenario),
     }

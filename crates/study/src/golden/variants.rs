@@ -44,6 +44,8 @@ pub const BASES: [&str; 6] = [
 const SHORT_S: f64 = 1.5;
 /// Seconds in the cut until a worn tool's speed has been adjusted several times.
 const WORN_S: f64 = 4.0;
+/// Reference force of AFC, N: below the forces of every base preset, whatever its cut is.
+const AFC_REFERENCE_N: f64 = 40.0;
 /// Plant steps of a control period tooth by tooth: the fewest that are allowed.
 const TOOTH_STEPS: u32 = 200;
 
@@ -102,6 +104,10 @@ fn short(preset: &Scenario) -> Scenario {
             settings.run.record_every = TOOTH_STEPS / 10;
         }
         settings.run.duration_s = enters_s(preset) + SHORT_S;
+        // Taught in with a light cut: AFC soon stands at its least feed, and an overload is one at once.
+        settings.controller.afc.references_n = vec![AFC_REFERENCE_N];
+        settings.controller.afc.f_min_percent = 80.0;
+        settings.controller.afc.overload_s = 0.1;
     });
     shortened.expect("every base preset may be cut short")
 }

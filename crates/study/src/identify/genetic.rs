@@ -22,6 +22,7 @@ use super::gp::model::model;
 use super::gp::problem::GpProblem;
 use super::gp::report::{FrontFormula, GpReport};
 use crate::base::formula::{Formula, Interval, Trend, Unit};
+use crate::base::language::text;
 use crate::blocks::control::sdnrp::KP_DEFAULT;
 use crate::models::formula_model::FormulaModel;
 use crate::models::genetic::found;
@@ -340,7 +341,7 @@ impl Job for GeneticJob {
     fn progress(&self) -> Progress {
         let whole = self.found.models.len() as f64;
         let under_way = self.search.as_ref().map_or(0.0, |search| search.progress().share());
-        Progress { done: whole + under_way, total: ROLES.len() as f64, unit: "models" }
+        Progress { done: whole + under_way, total: ROLES.len() as f64, unit: text!("models") }
     }
 
     fn partial(&self) -> FoundFormulas {

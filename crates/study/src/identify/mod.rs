@@ -1,7 +1,8 @@
 //! Identification of the shipped models: from the published tables by least squares (`steadycut identify
 //! tables`) and by genetic programming (`steadycut identify genetic`), and from the mechanistic force model
-//! (`steadycut identify milling`).
+//! (`steadycut identify milling`). A feed drive from a step that was recorded: [`drive`].
 
+pub mod drive;
 pub mod genetic;
 pub mod gp;
 mod least_squares;

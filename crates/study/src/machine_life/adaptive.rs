@@ -13,6 +13,7 @@ use serde::Serialize;
 
 use super::model;
 use super::monte_carlo::MinuteNoise;
+use crate::base::language::text;
 use crate::base::math;
 use crate::base::rng::Stream;
 use crate::blocks::control::speed_supervisor::{PERIOD_MIN, adjusted};
@@ -173,7 +174,7 @@ impl Job for AdaptiveLife {
     fn progress(&self) -> Progress {
         // How long it will be is not known before; what share of it is used is.
         let done = if self.is_over() { 100.0 } else { (100.0 * self.x).clamp(0.0, 100.0) };
-        Progress { done, total: 100.0, unit: "percent of the life" }
+        Progress { done, total: 100.0, unit: text!("percent of the life") }
     }
 
     fn partial(&self) -> AdaptiveSoFar {

@@ -14,6 +14,7 @@ pub mod tool_condition;
 
 use serde::Serialize;
 
+use crate::base::language::text;
 use crate::base::math::extent;
 use crate::base::stats::correlation;
 use crate::base::units::s_from_min;
@@ -35,9 +36,9 @@ const STEPS_MAX: f64 = 100_000.0;
 
 /// What the paper says of the two trends, and of calculated and measured sound.
 pub const CLAIMS: [&str; 3] = [
-    "sound trend and roughness trend are identical (no figure is printed)",
-    "calculated and measured sound trend: R = 0.993; no measurement is published",
-    "calculated and measured sound spectrum: R = 0.684; no measurement is published",
+    text!("sound trend and roughness trend are identical (no figure is printed)"),
+    text!("calculated and measured sound trend: R = 0.993; no measurement is published"),
+    text!("calculated and measured sound spectrum: R = 0.684; no measurement is published"),
 ];
 
 /// The cut of a scenario at its programmed feed and speed and its axial depth.
@@ -154,7 +155,7 @@ impl Job for LifeJob {
 
     fn progress(&self) -> Progress {
         let total = (self.steps + 1) as f64;
-        Progress { done: self.points.len() as f64, total, unit: "points of time" }
+        Progress { done: self.points.len() as f64, total, unit: text!("points of time") }
     }
 
     fn partial(&self) -> LifeSoFar {

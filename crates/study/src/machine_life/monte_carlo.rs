@@ -5,6 +5,7 @@
 
 use serde::Serialize;
 
+use crate::base::language::text;
 use crate::base::math;
 use crate::base::rng::Stream;
 use crate::base::stats;
@@ -209,7 +210,7 @@ impl Job for LifeMonteCarlo {
     }
 
     fn progress(&self) -> Progress {
-        Progress { done: self.judged.progress(), total: self.count as f64, unit: "tools" }
+        Progress { done: self.judged.progress(), total: self.count as f64, unit: text!("tools") }
     }
 
     fn partial(&self) -> Vec<Judgement> {

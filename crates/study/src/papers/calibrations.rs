@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::super::published::{Bands, PaperId};
 use super::{Cell, CellVerdict, PaperRow, PaperTable, TableJob};
+use crate::base::language::text;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::Calibration;
 use crate::run::job::{Budget, Job, Progress};
@@ -99,7 +100,7 @@ impl Job for CalibrationsJob {
 
     fn progress(&self) -> Progress {
         let total = Calibration::PUBLISHED.len() as f64;
-        Progress { done: self.tables.progress(), total, unit: "calibrations" }
+        Progress { done: self.tables.progress(), total, unit: text!("calibrations") }
     }
 
     fn partial(&self) -> Vec<CalibrationMet> {

@@ -3,6 +3,7 @@
 use super::super::errata;
 use super::super::published::PaperId;
 use super::{PaperRow, PaperTable, judge, scenario};
+use crate::base::language::text;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::Calibration;
 use crate::run::edits::Edits;
@@ -48,7 +49,7 @@ impl Job for TableJob {
 
     fn progress(&self) -> Progress {
         let total = self.paper.rows().len() as f64;
-        Progress { done: self.rows.progress(), total, unit: "simulations" }
+        Progress { done: self.rows.progress(), total, unit: text!("simulations") }
     }
 
     fn partial(&self) -> PaperTable {

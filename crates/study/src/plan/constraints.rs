@@ -5,11 +5,12 @@
 use serde::Serialize;
 
 use super::machine::{MachineLimits, Source, Sourced};
+use crate::base::language::text;
 use crate::base::math::positive;
 use crate::base::units::percent_from_ratio;
 
 /// What is said of every one of them.
-pub const ORIGIN: &str = "chosen: the papers cite their list of seven without giving it";
+pub const ORIGIN: &str = text!("chosen: the papers cite their list of seven without giving it");
 /// A constraint binds where its value lies within this fraction of its limit (chosen).
 pub const BINDING_FRACTION: f64 = 0.005;
 
@@ -32,55 +33,61 @@ pub struct Constraint {
 pub const CONSTRAINTS: [Constraint; 7] = [
     Constraint {
         id: "speed",
-        label: "Spindle speed",
+        label: text!("Spindle speed"),
         unit: "1/min",
         formula: "n = 1000 v_c / (pi D)",
-        why: "The spindle turns neither slower nor faster.",
+        why: text!("The spindle turns neither slower nor faster."),
     },
     Constraint {
         id: "feed",
-        label: "Feed",
+        label: text!("Feed"),
         unit: "mm/min",
         formula: "f = f_z z n",
-        why: "The feed drives move neither slower nor faster.",
+        why: text!("The feed drives move neither slower nor faster."),
     },
     Constraint {
         id: "force",
-        label: "Cutting force",
+        label: text!("Cutting force"),
         unit: "N",
-        formula: "F = sqrt(F_x^2 + F_y^2), from the network",
-        why: "Roughness follows the force: above the reference force of the target Ra (or a limit \
-              of one's own) the surface gets rougher than it should.",
+        formula: text!("F = sqrt(F_x^2 + F_y^2), from the network"),
+        why: text!(
+            "Roughness follows the force: above the reference force of the target Ra (or a limit \
+              of one's own) the surface gets rougher than it should."
+        ),
     },
     Constraint {
         id: "power",
-        label: "Spindle power",
+        label: text!("Spindle power"),
         unit: "kW",
         formula: "P = |F_y| v_c / (60000 eta)",
-        why: "The spindle motor must turn the cutter against the force.",
+        why: text!("The spindle motor must turn the cutter against the force."),
     },
     Constraint {
         id: "roughness",
-        label: "Roughness of the feed marks",
+        label: text!("Roughness of the feed marks"),
         unit: "um",
         formula: "Ra = 5 x 318 (z f_z)^2 / (4 D)",
-        why: "Feed marks grow with the square of the feed. 318 f^2 / (4 D) is the form of \
+        why: text!(
+            "Feed marks grow with the square of the feed. 318 f^2 / (4 D) is the form of \
               Tolouei-Rad and Bidhendi; the factor 5 and z f_z (run-out: one tooth cuts it all) \
-              are chosen.",
+              are chosen."
+        ),
     },
     Constraint {
         id: "deflection",
-        label: "Cutter deflection",
+        label: text!("Cutter deflection"),
         unit: "mm",
         formula: "delta = 64 F L^3 / (3 pi E D^4)",
-        why: "A bent cutter leaves the contour.",
+        why: text!("A bent cutter leaves the contour."),
     },
     Constraint {
         id: "tool_life",
-        label: "Tool life",
+        label: text!("Tool life"),
         unit: "min",
         formula: "T = 60 (80 / v_c)^4 (0.08 / f_z)^0.8 (2 / A_D)^0.4",
-        why: "The edges must last. Taylor's law with the constants of the preset table_2005.",
+        why: text!(
+            "The edges must last. Taylor's law with the constants of the preset table_2005."
+        ),
     },
 ];
 

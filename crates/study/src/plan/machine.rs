@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::base::files::from_toml;
+use crate::base::language::text;
 use crate::base::settings::SettingError;
 
 /// The shipped file: the papers' machine, for which no public limits were found.
@@ -28,9 +29,9 @@ impl Source {
     #[must_use]
     pub fn id(self) -> &'static str {
         match self {
-            Self::Placeholder => "placeholder",
-            Self::Chosen => "chosen",
-            Self::Given => "given",
+            Self::Placeholder => text!("placeholder"),
+            Self::Chosen => text!("chosen"),
+            Self::Given => text!("given"),
         }
     }
 }

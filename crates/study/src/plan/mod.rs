@@ -11,6 +11,7 @@ pub mod field;
 pub mod flight;
 pub mod machine;
 pub mod optimum;
+pub mod over_depths;
 pub mod problem;
 pub mod remarks;
 pub mod schedule;
@@ -23,6 +24,7 @@ use optimum::Optimum;
 use problem::Problem;
 use swarm::{Iteration, Particle, Swarm, SwarmSetup};
 
+use crate::base::language::text;
 use crate::base::settings::SettingError;
 use crate::run::job::{Budget, Job, Progress};
 use crate::run::scenario::Scenario;
@@ -163,7 +165,7 @@ impl Job for PlanJob {
     fn progress(&self) -> Progress {
         let total = f64::from(self.swarm.setup().iterations);
         let done = if self.swarm.done() { total } else { f64::from(self.swarm.iteration()) };
-        Progress { done, total, unit: "iterations" }
+        Progress { done, total, unit: text!("iterations") }
     }
 
     fn partial(&self) -> Optimum {

@@ -5,6 +5,8 @@ use serde::Serialize;
 use super::constraints::Checked;
 use super::problem::Problem;
 use super::score::Score;
+use crate::base::equation::number;
+use crate::base::language::tr;
 use crate::base::settings::{SettingError, Value};
 use crate::base::units::s_from_min;
 use crate::run::scenario::Scenario;
@@ -22,6 +24,10 @@ steadycut_core::choice! {
 /// A planned cut with everything that follows from it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Optimum {
+    /// Axial depth that it is judged at, mm.
+    pub axial_depth_mm: f64,
+    /// Radial depth that it is judged at, mm.
+    pub radial_depth_mm: f64,
     /// Programmed feed, mm/min.
     pub feed_mm_min: f64,
     /// Programmed spindle speed, 1/min.
@@ -70,7 +76,10 @@ impl Optimum {
         let cut = problem.cut(point);
         let yielded = problem.yield_of(&cut);
         let score = problem.score(point);
+        let [axial_depth_mm, radial_depth_mm] = problem.depths_mm();
         Self {
+            axial_depth_mm,
+            radial_depth_mm,
             feed_mm_min: cut.feed_mm_min,
             speed_rpm: cut.speed_rpm,
             cutting_speed_m_min,
@@ -105,16 +114,26 @@ impl Optimum {
         if self.feasible { PlanVerdict::Feasible } else { PlanVerdict::NotFeasible }
     }
 
-    /// The answer in one sentence.
+    /// The answer in one sentence, in the chosen language: at which depth, and by what it is judged.
     #[must_use]
     pub fn verdict_text(&self) -> String {
-        let names: Vec<&str> = self.active().map(|one| one.constraint.label).collect();
+        let names: Vec<&str> = self.active().map(|one| tr(one.constraint.label)).collect();
         let names = names.join(", ");
+        let depth = number(self.axial_depth_mm);
         match (self.feasible, names.is_empty()) {
-            (true, true) => "feasible; no constraint binds".to_owned(),
-            (true, false) => format!("feasible; binding: {names}"),
-            (false, _) => format!(
-                "nothing is feasible in the range searched; least violation shown, violated: {names}"
+            (true, true) => tr!(
+                "feasible at {depth} mm depth by the plan's network; no constraint binds",
+                depth = depth
+            ),
+            (true, false) => tr!(
+                "feasible at {depth} mm depth by the plan's network; binding: {names}",
+                depth = depth,
+                names = names
+            ),
+            (false, _) => tr!(
+                "nothing is feasible in the range searched at {depth} mm depth; least violation shown, violated: {names}",
+                depth = depth,
+                names = names
             ),
         }
     }

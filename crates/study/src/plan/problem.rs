@@ -15,8 +15,10 @@ use super::cut::{CutAtPoint, Economy, REFERENCE, TABLE_2005, Yield};
 use super::machine::MachineLimits;
 use super::score::Score;
 use super::surface::ForceSurface;
+use crate::base::language::tr;
 use crate::base::math;
 use crate::base::settings::SettingError;
+use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::desired_force;
 use crate::models::plan::{ForceLimit, PlanSettings, PlannedSection};
 use crate::models::tool::Tool;
@@ -29,7 +31,7 @@ pub const FEED_PER_TOOTH_MM: [f64; 2] = [0.02, 0.2];
 /// Fraction of the weight of force that goes to the removal rate, to break ties (chosen).
 const TIE_BREAK: f64 = 0.1;
 /// Least depth of cut that can be planned, mm: below it nothing is cut.
-const LEAST_DEPTH_MM: f64 = 0.01;
+pub(super) const LEAST_DEPTH_MM: f64 = 0.01;
 
 /// The optimisation problem of a scenario.
 #[derive(Clone, Debug)]
@@ -60,16 +62,20 @@ fn refused(path: &str, value: String, allowed: String) -> SettingError {
     SettingError::Refused { path: path.to_owned(), value, allowed }
 }
 
-/// The axial depth in mm that the plan is made for.
-fn planned_depth_mm(scenario: &Scenario) -> f64 {
-    let workpiece = &scenario.workpiece;
+/// The axial depths of the one path in mm, as they come.
+pub(super) fn path_depths_mm(workpiece: &Workpiece) -> impl Iterator<Item = f64> {
     // A step at the very start of the path replaces the first depth.
     let first = match workpiece.depth_steps.first() {
         Some([position_mm, _]) if *position_mm == 0.0 => None,
         _ => Some(workpiece.axial_depth_mm),
     };
     let reached = workpiece.depth_steps.iter().filter(|step| step[0] < workpiece.length_mm);
-    let depths = first.into_iter().chain(reached.map(|step| step[1]));
+    first.into_iter().chain(reached.map(|step| step[1]))
+}
+
+/// The axial depth in mm that the plan is made for.
+fn planned_depth_mm(scenario: &Scenario) -> f64 {
+    let depths = path_depths_mm(&scenario.workpiece);
     match scenario.plan.section {
         PlannedSection::Heaviest => depths.fold(0.0, f64::max),
         PlannedSection::Lightest => {
@@ -85,15 +91,26 @@ impl Problem {
     /// # Errors
     /// The cut has no depth, all weights are zero, or cost is sought where nothing costs.
     pub fn new(scenario: &Scenario, machine: &MachineLimits) -> Result<Self, SettingError> {
+        let depths_mm = [planned_depth_mm(scenario), scenario.workpiece.radial_depth_mm];
+        Self::at_depths(scenario, machine, depths_mm)
+    }
+
+    /// The same at an axial and a radial depth in mm.
+    ///
+    /// # Errors
+    /// See [`Self::new`].
+    pub fn at_depths(
+        scenario: &Scenario,
+        machine: &MachineLimits,
+        [axial_depth_mm, radial_depth_mm]: [f64; 2],
+    ) -> Result<Self, SettingError> {
         let (plan, tool) = (&scenario.plan, &scenario.tool);
-        let axial_depth_mm = planned_depth_mm(scenario);
-        let radial_depth_mm = scenario.workpiece.radial_depth_mm;
         for (path, depth) in [
             ("workpiece.axial_depth_mm", axial_depth_mm),
             ("workpiece.radial_depth_mm", radial_depth_mm),
         ] {
             if depth < LEAST_DEPTH_MM {
-                let allowed = format!("at least {LEAST_DEPTH_MM} mm for a plan");
+                let allowed = tr!("at least {least} mm for a plan", least = LEAST_DEPTH_MM);
                 return Err(refused(path, format!("{depth} mm"), allowed));
             }
         }
@@ -108,7 +125,7 @@ impl Problem {
         let mut problem = Self {
             tool: tool.clone(),
             teeth: f64::from(tool.teeth),
-            surface: ForceSurface::new(scenario, axial_depth_mm),
+            surface: ForceSurface::new(scenario, [axial_depth_mm, radial_depth_mm]),
             axial_depth_mm,
             radial_depth_mm,
             economy: Economy {
@@ -138,14 +155,15 @@ impl Problem {
             plan.weight_force + plan.weight_removal_rate + plan.weight_time + plan.weight_cost;
         // A sum of subnormal weights has no reciprocal.
         if !(1.0 / sum).is_finite() {
-            let allowed = "above 0 for at least one of weight_force, weight_removal_rate, \
-                           weight_time and weight_cost";
+            let allowed = tr(
+                "above 0 for at least one of weight_force, weight_removal_rate, weight_time and weight_cost",
+            );
             return Err(refused("plan.weight_force", sum.to_string(), allowed.to_owned()));
         }
         let cut = self.cut(REFERENCE);
         let reference = self.yield_of(&cut);
         if plan.weight_cost > 0.0 && !(1.0 / reference.cost).is_finite() {
-            let allowed = "above 0, or `plan.tool_cost` above 0, where cost is sought";
+            let allowed = tr("above 0, or `plan.tool_cost` above 0, where cost is sought");
             let value = plan.machine_cost_per_min.to_string();
             return Err(refused("plan.machine_cost_per_min", value, allowed.to_owned()));
         }

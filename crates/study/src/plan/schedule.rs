@@ -12,6 +12,7 @@ use super::cut::REFERENCE;
 use super::machine::MachineLimits;
 use super::optimum::Optimum;
 use super::problem::{CUTTING_SPEED_M_MIN, Problem};
+use crate::base::language::text;
 use crate::base::settings::{SettingError, Value};
 use crate::blocks::cutting::tool_path::Engagement;
 use crate::models::part::Section;
@@ -204,7 +205,7 @@ impl Job for ScheduleJob {
 
     fn progress(&self) -> Progress {
         let total = self.sizing.scenario.workpiece.cuts.len() as f64;
-        Progress { done: self.plans.progress(), total, unit: "cuts" }
+        Progress { done: self.plans.progress(), total, unit: text!("cuts") }
     }
 
     fn partial(&self) -> Vec<PlannedCut> {

@@ -16,11 +16,10 @@ pub struct ForceSurface {
 }
 
 impl ForceSurface {
-    /// The surface for a scenario's plant and workpiece at an axial depth in mm.
+    /// The surface for a scenario's plant at an axial and a radial depth in mm.
     #[must_use]
-    pub fn new(scenario: &Scenario, axial_depth_mm: f64) -> Self {
-        let (plant, radial_depth_mm) = (&scenario.plant, scenario.workpiece.radial_depth_mm);
-        let (tool, depths_mm) = (&scenario.tool, [axial_depth_mm, radial_depth_mm]);
+    pub fn new(scenario: &Scenario, depths_mm: [f64; 2]) -> Self {
+        let (plant, tool) = (&scenario.plant, &scenario.tool);
         let cut = NeuralCut::new(tool, plant.material, plant.hardness_hb, depths_mm);
         let network = NeuralForce::shipped(scenario.plan.network).at(&cut.point);
         // Feed and speed of the search lie inside the training data; the rest is asked at one.

@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::EngagementCode;
 use super::learning::{Pattern, SugenoRecipe, learn, leave_one_out};
 use super::table::Entry;
+use crate::base::language::{text, tr};
 use crate::base::math::{self, extent, limit};
 use crate::base::stats;
 use crate::base::units::percent_from_ratio;
@@ -99,7 +100,12 @@ impl Learned {
             let [first, second] =
                 [0, 1].map(|axis: usize| word(members[axis], self.recipe.counts[axis]));
             Firing {
-                rule: format!("{} {first}, engagement {second}", self.input),
+                rule: tr!(
+                    "{input} {first}, engagement {second}",
+                    input = tr(self.input),
+                    first = tr(first),
+                    second = tr(second)
+                ),
                 strength,
                 value: math::exp(self.system.rule_value(rule, x)),
             }
@@ -151,8 +157,8 @@ fn scaled([first, second]: [[f64; 2]; 2], x: [f64; 2]) -> [f64; 2] {
 /// A membership's name by its place among `count`.
 fn word(member: usize, count: usize) -> &'static str {
     match (member, count) {
-        (0, _) => "low",
-        (1, 3) => "middle",
-        _ => "high",
+        (0, _) => text!("low"),
+        (1, 3) => text!("middle"),
+        _ => text!("high"),
     }
 }

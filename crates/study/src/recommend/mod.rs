@@ -11,13 +11,15 @@ pub mod table;
 
 use serde::Serialize;
 
+use crate::base::language::text;
 use crate::base::settings::SettingError;
 use crate::models::tool::Tool;
 use learned::{Answer, Learned};
 use table::Table;
 
 /// What must be said beside every recommendation.
-pub const NOTE: &str = "A recommendation interpolates a table; it is not knowledge of the cut.";
+pub const NOTE: &str =
+    text!("A recommendation interpolates a table; it is not knowledge of the cut.");
 
 steadycut_core::choice! {
     /// How the cutter stands in the material, in the order of a cutting-data table; the limits of
@@ -100,8 +102,8 @@ impl Advisor {
     #[must_use]
     pub fn new(table: &Table) -> Self {
         Self {
-            speed: Learned::new("hardness", COUNTS[0], &table.speeds),
-            feed: Learned::new("diameter", COUNTS[1], &table.feeds),
+            speed: Learned::new(text!("hardness"), COUNTS[0], &table.speeds),
+            feed: Learned::new(text!("diameter"), COUNTS[1], &table.feeds),
         }
     }
 

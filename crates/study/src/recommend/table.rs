@@ -11,6 +11,7 @@
 use std::fmt::Write as _;
 
 use super::EngagementCode;
+use crate::base::language::text;
 use crate::base::math;
 use crate::base::rng::Stream;
 use crate::base::settings::SettingError;
@@ -19,8 +20,8 @@ use crate::csv_table::{ColumnNames, CsvRow, CsvTable};
 /// The shipped table.
 pub const SHIPPED: &str = include_str!("../../../../assets/data/cutting_data_2005.csv");
 /// What it is, for reports.
-pub const NOTE: &str = "synthetic: formulas that imitate a maker's table, with 3 % noise; no \
-                        maker's data";
+pub const NOTE: &str =
+    text!("synthetic: formulas that imitate a maker's table, with 3 % noise; no maker's data");
 
 /// Columns in their order, with the range that each allows.
 const COLUMNS: [(ColumnNames, f64, f64); 5] = [

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use super::simulated::{self, ForcedTeeth};
 use super::{StabilityCut, interrupted, lobes};
+use crate::base::language::text;
 use crate::base::settings::SettingError;
 use crate::run::job::{Budget, Job, Progress};
 use crate::run::parts::{Making, Parts};
@@ -197,7 +198,7 @@ impl Job for PointJob {
 
     fn progress(&self) -> Progress {
         let total = f64::from(self.range.curves_per_point());
-        Progress { done: f64::from(self.curves), total, unit: "curves" }
+        Progress { done: f64::from(self.curves), total, unit: text!("curves") }
     }
 
     fn partial(&self) -> LobePoint {
@@ -220,7 +221,11 @@ impl Job for ChartJob {
     }
 
     fn progress(&self) -> Progress {
-        Progress { done: self.points.progress(), total: self.range.count() as f64, unit: "speeds" }
+        Progress {
+            done: self.points.progress(),
+            total: self.range.count() as f64,
+            unit: text!("speeds"),
+        }
     }
 
     fn partial(&self) -> Vec<LobePoint> {

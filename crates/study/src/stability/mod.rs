@@ -14,6 +14,7 @@ pub mod interrupted;
 pub mod lobes;
 pub mod simulated;
 
+use crate::base::language::tr;
 use crate::base::math;
 use crate::base::settings::SettingError;
 use crate::blocks::cutting::tool_path::radial_depth_mm;
@@ -55,7 +56,7 @@ impl StabilityCut {
             return Err(SettingError::Refused {
                 path: "workpiece.radial_depth_mm".to_owned(),
                 value: format!("{radial_depth_mm} mm"),
-                allowed: "above 0 mm for a stability chart".to_owned(),
+                allowed: tr("above 0 mm for a stability chart").to_owned(),
             });
         }
         Ok(Self {
@@ -74,9 +75,12 @@ impl StabilityCut {
         let Self { engagement, radial_depth_mm, diameter_mm, .. } = self;
         let teeth = engagement.teeth;
         let angle = engagement.angle_rad * (180.0 / math::PI);
-        format!(
-            "R_D {radial_depth_mm:.2} mm of a cutter of {diameter_mm} mm with {teeth} teeth: each cuts over \
-             {angle:.1} degrees"
+        tr!(
+            "R_D {radial:.2} mm of a cutter of {diameter} mm with {teeth} teeth: each cuts over {angle:.1} degrees",
+            radial = *radial_depth_mm,
+            diameter = *diameter_mm,
+            teeth = teeth,
+            angle = angle
         )
     }
 

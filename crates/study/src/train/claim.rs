@@ -9,6 +9,7 @@ use super::errors::{TrainingErrors, of_components, of_fxy};
 use super::genetic;
 use super::recipe::RecipeKind;
 use super::report::CLAIM_PERCENT;
+use crate::base::language::{text, tr};
 use crate::models::neural_force::{NeuralForce, NeuralKind};
 use crate::run::job::{Budget, Job, Progress};
 use crate::verdict::Verdict;
@@ -56,8 +57,10 @@ pub struct ForceClaim {
     pub formula: String,
 }
 
-const PAPER: &str = "\"neural network predictions were by 4 % closer to the measurements, compared to 6 %\" of the \
-                     best formula, read as mean errors";
+const PAPER: &str = text!(
+    "\"neural network predictions were by 4 % closer to the measurements, compared to 6 %\" of the best formula, read \
+     as mean errors"
+);
 
 fn contenders(rows: &[TrainingRow]) -> Vec<ForceContender> {
     let [network, formula] = CLAIM_PERCENT;
@@ -68,20 +71,20 @@ fn contenders(rows: &[TrainingRow]) -> Vec<ForceContender> {
     let model = genetic::shipped();
     vec![
         ForceContender {
-            name: "literal network",
-            what: "inputs, activation and learning as the paper has them",
+            name: text!("literal network"),
+            what: text!("inputs, activation and learning as the paper has them"),
             claimed_percent: network,
             errors: of(NeuralKind::Literal),
         },
         ForceContender {
-            name: "improved network",
-            what: "logarithms of the inputs, other learning",
+            name: text!("improved network"),
+            what: text!("logarithms of the inputs, other learning"),
             claimed_percent: network,
             errors: of(NeuralKind::Improved),
         },
         ForceContender {
-            name: "genetic programming",
-            what: "a formula of the same inputs, found here",
+            name: text!("genetic programming"),
+            what: text!("a formula of the same inputs, found here"),
             claimed_percent: formula,
             errors: of_fxy(rows, |row| genetic::force_n(&model, row)),
         },
@@ -92,20 +95,21 @@ fn statements(contenders: &[ForceContender]) -> Vec<ForceStatement> {
     let [literal, improved, formula] = contenders else { return Vec::new() };
     let mean = |contender: &ForceContender| contender.errors.mean_percent;
     let closer = |network: &ForceContender| ForceStatement {
-        statement: format!(
-            "the {} is closer than the formula: {:.1} % against {:.1} %",
-            network.name,
-            mean(network),
-            mean(formula)
+        statement: tr!(
+            "the {network} is closer than the formula: {own:.1} % against {formula:.1} %",
+            network = tr(network.name),
+            own = mean(network),
+            formula = mean(formula)
         ),
         verdict: Verdict::from(mean(network) < mean(formula)),
     };
     let near = |contender: &ForceContender| ForceStatement {
-        statement: format!(
-            "{}: {:.1} % where the paper has {} %, within {NEAR_PERCENT} percentage point",
-            contender.name,
-            mean(contender),
-            contender.claimed_percent
+        statement: tr!(
+            "{name}: {own:.1} % where the paper has {paper} %, within {near} percentage point",
+            name = tr(contender.name),
+            own = mean(contender),
+            paper = contender.claimed_percent,
+            near = NEAR_PERCENT
         ),
         verdict: Verdict::from((mean(contender) - contender.claimed_percent).abs() <= NEAR_PERCENT),
     };

@@ -13,6 +13,7 @@ use super::data::TrainingRow;
 use super::errors::of_components;
 use super::recipe::{RecipeKind, TrainingRecipe};
 use super::{TrainingSession, split};
+use crate::base::language::text;
 use crate::base::network::Activation;
 use crate::base::stats;
 use crate::run::job::{Budget, Job, Progress};
@@ -119,7 +120,7 @@ impl Job for ComparisonJob {
 
     fn progress(&self) -> Progress {
         let total = self.recipes.len() as f64;
-        Progress { done: self.trials.progress(), total, unit: "networks" }
+        Progress { done: self.trials.progress(), total, unit: text!("networks") }
     }
 
     fn partial(&self) -> Vec<Trial> {

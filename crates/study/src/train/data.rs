@@ -4,6 +4,7 @@
 //! Beckman, Conover 1979) over the ranges of `models/neural_force`, forces of
 //! `models/mechanistic`, and the noise of a measurement. Run-out, slice and noise are chosen.
 
+use crate::base::language::text;
 use crate::base::math;
 use crate::base::rng::Stream;
 use crate::models::mechanistic::{CK45, Cutter, Kienzle, MNCRSI5, StaticCut, static_peak};
@@ -27,9 +28,11 @@ pub const NOISE_N: f64 = 3.0;
 /// Fresh rows without noise that judge a network.
 pub const FRESH_ROWS: u32 = 1000;
 /// What the data are, in one sentence.
-pub const NOTE: &str = "The papers' 3500 measurements were never published: the training data come \
+pub const NOTE: &str = text!(
+    "The papers' 3500 measurements were never published: the training data come \
 from the mechanistic ball-end model (Latin hypercube, run-out 3 um, slices of 0.25 mm) with noise \
-of 3 % and 3 N.";
+of 3 % and 3 N."
+);
 
 /// A cut and the forces found in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,7 +127,7 @@ impl Job for RowsJob {
     }
 
     fn progress(&self) -> Progress {
-        Progress { done: self.rows.progress(), total: self.cuts.len() as f64, unit: "rows" }
+        Progress { done: self.rows.progress(), total: self.cuts.len() as f64, unit: text!("rows") }
     }
 
     fn partial(&self) -> Vec<TrainingRow> {

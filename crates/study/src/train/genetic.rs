@@ -10,6 +10,7 @@ use super::data::{RowsJob, TrainingRow, fxy_n};
 use super::recipe::RecipeKind;
 use super::split;
 use crate::base::formula::Unit;
+use crate::base::language::text;
 use crate::base::math;
 use crate::identify::gp::job::{GpJob, GpSettings};
 use crate::identify::gp::model::model;
@@ -27,6 +28,14 @@ const FORCE: &str = "force_n";
 
 /// The shipped formula, as `steadycut train genetic` writes it.
 pub const SHIPPED: &str = include_str!("../../../../assets/models/genetic_force.toml");
+
+/// Units of columns whose names do not tell them.
+fn units() -> Result<Vec<(String, Unit)>, String> {
+    [("material_code", ""), ("geometry_code", ""), ("hardness_hb", "HB"), (FORCE, "N")]
+        .into_iter()
+        .map(|(name, unit)| Ok((name.to_owned(), Unit::parse(unit)?)))
+        .collect()
+}
 
 /// The shipped formula.
 ///
@@ -88,7 +97,8 @@ impl GeneticForceJob {
             let cells: Vec<String> = cells.map(|x| x.to_string()).collect();
             let _ = write!(text, "\n{}", cells.join(","));
         }
-        GpProblem::read(&text, FORCE, &INPUTS.map(str::to_owned))
+        // Codes count from 1: none of the inputs is ever negative.
+        Ok(GpProblem::read(&text, FORCE, &INPUTS.map(str::to_owned))?.told(&units()?))
     }
 
     fn written(search: &GpJob) -> Result<String, String> {
@@ -98,13 +108,8 @@ impl GeneticForceJob {
             "{} of {} rows, seed {SEED}, {} batches, by `steadycut train genetic`",
             report.searched_rows, report.rows, report.batches
         );
-        let units: Vec<(String, Unit)> =
-            [("material_code", ""), ("geometry_code", ""), ("hardness_hb", "HB"), (FORCE, "N")]
-                .into_iter()
-                .map(|(name, unit)| Ok((name.to_owned(), Unit::parse(unit)?)))
-                .collect::<Result<_, String>>()?;
         let text = format!("exp({})", chosen.formula);
-        Ok(model(search.problem(), &text, &units, source)?.write())
+        Ok(model(search.problem(), &text, &units()?, source)?.write())
     }
 }
 
@@ -153,7 +158,7 @@ impl Job for GeneticForceJob {
             0.1 * self.rows.progress().share() + 0.9 * search
         };
         let total = self.batches as f64;
-        Progress { done: total * done, total, unit: "batches" }
+        Progress { done: total * done, total, unit: text!("batches") }
     }
 
     fn partial(&self) -> FoundForce {

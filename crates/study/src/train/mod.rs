@@ -16,6 +16,7 @@ pub mod report;
 pub mod static_peaks;
 pub mod unks;
 
+use crate::base::language::text;
 use crate::base::math::extent;
 use crate::base::network::{Network, Provenance, ScaledNetwork, Scaling, Training, write};
 use crate::base::rng::Stream;
@@ -128,7 +129,7 @@ impl Job for TrainingSession {
 
     fn progress(&self) -> Progress {
         let total = f64::from(self.recipe.epochs);
-        Progress { done: f64::from(self.epochs_done), total, unit: "epochs" }
+        Progress { done: f64::from(self.epochs_done), total, unit: text!("epochs") }
     }
 
     fn partial(&self) -> ScaledNetwork {

@@ -7,6 +7,7 @@
 
 use std::sync::Arc;
 
+use crate::base::language::text;
 use crate::base::math::{self, extent, limit};
 use crate::base::network::{
     Activation, LearningParameters, Network, Provenance, ScaledNetwork, Scaling, Training, write,
@@ -206,7 +207,7 @@ impl Job for PatternsJob {
 
     fn progress(&self) -> Progress {
         let total = (WORKPIECES * CUTS) as f64;
-        Progress { done: self.cuts as f64, total, unit: "cuts" }
+        Progress { done: self.cuts as f64, total, unit: text!("cuts") }
     }
 
     fn partial(&self) -> Vec<[Pattern; 2]> {
@@ -318,7 +319,7 @@ impl Job for NetworkJob {
     fn progress(&self) -> Progress {
         let total = f64::from(self.schedule.1);
         let done = if self.is_over() { total } else { f64::from(self.epochs) };
-        Progress { done, total, unit: "epochs" }
+        Progress { done, total, unit: text!("epochs") }
     }
 
     fn partial(&self) -> Trained {
@@ -379,7 +380,7 @@ impl Job for NetworksJob {
 
     fn progress(&self) -> Progress {
         let total = NETWORKS.len() as f64;
-        Progress { done: self.networks.progress(), total, unit: "networks" }
+        Progress { done: self.networks.progress(), total, unit: text!("networks") }
     }
 
     fn partial(&self) -> Vec<Trained> {

@@ -10,6 +10,7 @@ mod screens;
 
 pub use screens::{LEARNING_OFFERS, PLAN_OFFERS, Screen};
 
+use crate::base::language::tr;
 use crate::base::settings::SettingError;
 use crate::blocks::control::ControllerKind;
 use crate::run::edits::Edits;
@@ -22,6 +23,8 @@ steadycut_core::choice! {
     pub enum Reader {
         /// A run: its metrics and signals.
         Run = "run", "run";
+        /// A run, and the same cut at constant feed beside it.
+        RunTwin = "run_twin", "run --twin";
         /// A run, and its machined surface along a line.
         RunProfile = "run_profile", "run --profile";
         /// A run, and its forces within a revolution.
@@ -164,6 +167,7 @@ impl Reader {
         match self {
             Self::Unks | Self::Combine => Some(ControllerKind::Unks),
             Self::Run
+            | Self::RunTwin
             | Self::RunProfile
             | Self::RunRevolution
             | Self::Robust
@@ -185,6 +189,6 @@ impl Reader {
             .iter()
             .map(|one| if one.ends_with('.') { format!("{one}*") } else { (*one).to_owned() })
             .collect();
-        format!("it reads {}", list.join(", "))
+        tr!("it reads {list}", list = list.join(", "))
     }
 }

@@ -1,12 +1,13 @@
 //! What the commands read, besides a run's settings or instead of them.
 
 use super::Reader;
+use crate::base::language::text;
 use crate::blocks::reference::Reference;
 use crate::experiment::sheet::TOLD_SETTINGS;
 use crate::models::genetic::{Calibration, ModelSet};
 use crate::models::plan::ForceLimit;
 use crate::models::tool::EndShape;
-use crate::run::scenario::{BY_CURVES, Unused};
+use crate::run::scenario::{BY_CURVES, TwinKind, Unused};
 
 /// What a command reads.
 pub(super) struct Reads {
@@ -21,22 +22,37 @@ pub(super) struct Reads {
 }
 
 /// What only names the report and what only judges it.
-const DESCRIPTION: (&[&str], &str) = (&["description"], "only `run` prints it");
-const TOLERANCE: (&[&str], &str) =
-    (&["target.tolerance_percent"], "only metrics judge by it, and this prints none of those");
-const ROWS: (&[&str], &str) = (&["run.record_every"], "a row is recorded for every control period");
-const ALWAYS_UNKS: (&[&str], &str) = (&["controller.kind"], "the controller is always UNKS");
+const DESCRIPTION: (&[&str], &str) = (&["description"], text!("only `run` prints it"));
+const TOLERANCE: (&[&str], &str) = (
+    &["target.tolerance_percent", "economics."],
+    text!("only metrics judge by it, and this prints none of those"),
+);
+/// What a cut costs.
+const ECONOMICS: (&[&str], &str) = (&["economics."], text!("it prints no cost"));
+const ROWS: (&[&str], &str) =
+    (&["run.record_every"], text!("a row is recorded for every control period"));
+const ALWAYS_UNKS: (&[&str], &str) = (&["controller.kind"], text!("the controller is always UNKS"));
 /// What becomes of Ra, which feeds back into nothing.
-const ROUGHNESS: (&[&str], &str) =
-    (&["machine.roughness_from", "profile.", "formula.ra"], "Ra is not among what this prints");
+const ROUGHNESS: (&[&str], &str) = (
+    &["machine.roughness_from", "profile.", "formula.ra"],
+    text!("Ra is not among what this prints"),
+);
 const MODELS_OF_RA: Unused = Unused {
     paths: &["plant.calibration"],
     but: &[],
     when: Some(|s| !s.plant.force_model.is_formula()),
-    because: "`plant.force_model` is no formula, and Ra is not among what this prints",
+    because: text!("`plant.force_model` is no formula, and Ra is not among what this prints"),
 };
 
 const AS_RUN: Reads = Reads { as_run: true, also: &[], but: &[], unused: &[] };
+
+/// What the comparison with constant feed leaves out.
+const TWIN_UNUSED: &[Unused] = &[Unused {
+    paths: &["twin.free_speed"],
+    but: &[],
+    when: Some(|s| s.twin.kind == TwinKind::Programmed),
+    because: text!("`twin.kind` is programmed"),
+}];
 
 /// What the plan reads of cutter, part and material.
 const PLANNED: &[&str] = &[
@@ -73,7 +89,7 @@ const PLAN_UNUSED: &[Unused] = &[
         paths: &["plan.force_max_n"],
         but: &[],
         when: Some(|s| s.plan.force_limit != ForceLimit::Fixed),
-        because: "`plan.force_limit` is not fixed",
+        because: text!("`plan.force_limit` is not fixed"),
     },
     Unused {
         paths: &[
@@ -85,25 +101,25 @@ const PLAN_UNUSED: &[Unused] = &[
         ],
         but: &[],
         when: Some(|s| s.plan.force_limit == ForceLimit::Fixed),
-        because: "`plan.force_limit` is fixed",
+        because: text!("`plan.force_limit` is fixed"),
     },
     Unused {
         paths: &["plan.cutting_speed_m_min"],
         but: &[],
         when: Some(|s| s.plan.free_speed),
-        because: "`plan.free_speed` is true: the speed is searched",
+        because: text!("`plan.free_speed` is true: the speed is searched"),
     },
     Unused {
         paths: &["belief.calibration"],
         but: &[],
         when: Some(|s| s.belief.model_set == ModelSet::Milling2005),
-        because: "`belief.model_set` is milling_2005, which has one calibration",
+        because: text!("`belief.model_set` is milling_2005, which has one calibration"),
     },
     Unused {
         paths: &["formula.force_of_ra"],
         but: &[],
         when: Some(|s| s.target.reference == Reference::Force),
-        because: "`target.reference` is force",
+        because: text!("`target.reference` is force"),
     },
     Unused {
         paths: &["formula.force_of_ra"],
@@ -112,7 +128,7 @@ const PLAN_UNUSED: &[Unused] = &[
             s.belief.calibration != Calibration::Formula
                 || s.belief.model_set == ModelSet::Milling2005
         }),
-        because: "`belief.calibration` is not formula, or `belief.model_set` milling_2005",
+        because: text!("`belief.calibration` is not formula, or `belief.model_set` milling_2005"),
     },
     CORNER_UNUSED,
 ];
@@ -164,13 +180,15 @@ const CHART_UNUSED: &[Unused] = &[
         paths: &["workpiece.radial_depth_mm"],
         but: &[],
         when: Some(|s| !s.workpiece.cuts.is_empty()),
-        because: "`workpiece.cuts` gives the radial depths",
+        because: text!("`workpiece.cuts` gives the radial depths"),
     },
     Unused {
         paths: &["tool.shape", "tool.corner_radius_mm"],
         but: &[],
         when: Some(|s| s.workpiece.cuts.is_empty()),
-        because: "`workpiece.radial_depth_mm` is the width of the cut whatever the end's shape is",
+        because: text!(
+            "`workpiece.radial_depth_mm` is the width of the cut whatever the end's shape is"
+        ),
     },
     CORNER_UNUSED,
 ];
@@ -178,7 +196,7 @@ const CORNER_UNUSED: Unused = Unused {
     paths: &["tool.corner_radius_mm"],
     but: &[],
     when: Some(|s| s.tool.shape != EndShape::BullNose),
-    because: "`tool.shape` is no bull_nose",
+    because: text!("`tool.shape` is no bull_nose"),
 };
 const WORN: &[Unused] = &[
     BY_CURVES[0],
@@ -189,7 +207,7 @@ const WORN: &[Unused] = &[
         paths: &["wear.flank_end_mm"],
         but: &[],
         when: Some(|s| s.wear.indentation_n_mm3 == 0.0),
-        because: "`wear.indentation_n_mm3` is 0",
+        because: text!("`wear.indentation_n_mm3` is 0"),
     },
 ];
 const TRENDS_UNUSED: &[Unused] =
@@ -261,12 +279,12 @@ const CALIBRATED_UNUSED: &[Unused] = &[Unused {
     paths: &["formula.ra"],
     but: &[],
     when: Some(|s| s.plant.calibration != Calibration::Formula),
-    because: "`plant.calibration` is not formula",
+    because: text!("`plant.calibration` is not formula"),
 }];
 /// What tells a machine's tool how a run goes.
 const OF_A_RUN: (&[&str], &str) = (
     &["wear.model", "wear.used_life", "wear.time_scale", "wear.adjust_speed"],
-    "it tells how a run goes, and this is no run",
+    text!("it tells how a run goes, and this is no run"),
 );
 
 /// What short steady cuts at constant feed leave out.
@@ -297,8 +315,9 @@ const STEADY_CUTS: &[(&[&str], &str)] = &[
             "workpiece.cuts",
             "program.cut_feeds_mm_min",
             "run.duration_s",
+            "disturbances.",
         ],
-        "every cut is short, straight and of one depth",
+        "every cut is short, straight and of one depth, and nothing disturbs it",
     ),
     (&["machine.roughness_from", "profile."], "Ra is measured without the marks of vibration"),
     (&["wear.adjust_speed", "life."], "every cut is made at constant speed"),
@@ -311,6 +330,7 @@ const EXPERIMENT_RUN: &[(&[&str], &str)] = &[
     STEADY_CUTS[2],
     STEADY_CUTS[3],
     STEADY_CUTS[4],
+    ECONOMICS,
     DESCRIPTION,
     ROWS,
 ];
@@ -320,6 +340,7 @@ impl Reader {
     pub(super) fn reads(self) -> Reads {
         match self {
             Self::Run => AS_RUN,
+            Self::RunTwin => Reads { also: &["twin."], unused: TWIN_UNUSED, ..AS_RUN },
             Self::RunProfile => Reads {
                 also: &["profile.short_um", "profile.long_mm"],
                 but: &[DESCRIPTION, TOLERANCE],

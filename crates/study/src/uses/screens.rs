@@ -1,6 +1,7 @@
 //! Which screen offers which setting, and when it greys it.
 
 use super::{Reader, named};
+use crate::base::language::tr;
 use crate::run::scenario::{Param, Scenario};
 
 steadycut_core::choice! {
@@ -26,7 +27,7 @@ impl Screen {
     #[must_use]
     pub fn readers(self) -> &'static [Reader] {
         match self {
-            Self::Console => &[Reader::Run],
+            Self::Console => &[Reader::RunTwin, Reader::Run],
             Self::Workpiece => &[Reader::RunProfile],
             Self::Plan => &[Reader::Plan],
             Self::Machine => &[
@@ -38,6 +39,7 @@ impl Screen {
             ],
             Self::Learning => &[Reader::Unks, Reader::Run],
             Self::Find => &[
+                Reader::RunTwin,
                 Reader::Run,
                 Reader::RunProfile,
                 Reader::Plan,
@@ -62,7 +64,7 @@ impl Screen {
         }
     }
 
-    /// Why a setting is greyed there; none where it can be changed.
+    /// Why a setting is greyed there, in the chosen language; none where it can be changed.
     #[must_use]
     pub fn greyed(self, scenario: &Scenario, path: &str) -> Option<String> {
         let mut first = None;
@@ -72,7 +74,7 @@ impl Screen {
                 Ok(Some(because)) => first = first.or(Some(because)),
             }
         }
-        first
+        first.map(|because| tr(&because).to_owned())
     }
 }
 

@@ -4,12 +4,18 @@
 use steadycut_core::base::formula::Formula;
 use steadycut_core::base::math;
 use steadycut_core::base::rng::Stream;
+use steadycut_core::models::formula_model::FormulaModel;
 use steadycut_core::run::job::{Budget, Job};
+use steadycut_study::identify::gp::band::FormulaBand;
+use steadycut_study::identify::gp::constants::fitted;
 use steadycut_study::identify::gp::declared::declared_report;
 use steadycut_study::identify::gp::inspect::FormulaInspection;
 use steadycut_study::identify::gp::job::{GpJob, GpSettings};
+use steadycut_study::identify::gp::model::fitted_model;
 use steadycut_study::identify::gp::problem::GpProblem;
-use steadycut_study::identify::gp::report::{FrontFormula, GpReport, OutlyingRow};
+use steadycut_study::identify::gp::report::{
+    FrontFormula, GpReport, OutlyingRow, ReportedConstant,
+};
 use steadycut_study::identify::gp::standing::{GpStage, GpStanding};
 use steadycut_study::identify::gp::watched::WatchedSearch;
 use steadycut_study::published::PaperId;
@@ -249,6 +255,128 @@ fn an_input_that_passes_zero_has_whole_powers_only() {
         let rows = levels.iter().map(|x| vec![*x, x * x]);
         assert_eq!(problem(&table(&["x", "y"], rows), "y", &["x"]).positive(), [true]);
     }
+}
+
+/// An input without a unit may be negative, however the rows lie: a formula that stops at 0 is chosen only where none
+/// that goes on is nearly as good. One whose unit is told is as positive as its rows.
+#[test]
+fn where_an_input_may_be_negative_a_formula_that_goes_on_is_chosen() {
+    let stream = Stream::new(5, "goes on");
+    let rows = |name: &str| {
+        let rows = (0..60).map(|row| {
+            let x = 0.2 + 3.8 * stream.uniform(2 * row);
+            vec![x, 3.0 * math::pow(x, 0.7) + 0.02 * stream.normal(2 * row + 1)]
+        });
+        problem(&table(&[name, "y"], rows), "y", &[name])
+    };
+    let free = report(rows("x"), 1, 30);
+    let law = Formula::parse(&chosen(&free).formula, &["x"]).unwrap();
+    let wide = &free.ranges.as_ref().unwrap().widened;
+    assert!(wide.finite && wide.ranges[0][0] < -0.8, "{wide:?}");
+    for i in 0..=59 {
+        let x = -0.8 + 0.1 * f64::from(i);
+        assert!(law.value(&[x]).is_finite(), "{x}: {law}");
+    }
+    assert!(chosen(&free).error < 0.03, "{:?}", chosen(&free));
+    // The others stay on the front.
+    let stops = |found: &FrontFormula| {
+        Formula::parse(&found.formula, &["x"]).unwrap().value(&[-0.8]).is_nan()
+    };
+    assert!(free.front.iter().any(stops), "{:?}", free.front);
+    for pair in free.front.windows(2) {
+        assert!(pair[0].size <= pair[1].size, "{pair:?}");
+    }
+    let length = report(rows("x_mm"), 1, 30);
+    assert!(length.ranges.as_ref().unwrap().widened.ranges[0][0] > 0.0);
+    assert!(chosen(&length).formula.contains('^'), "{:?}", chosen(&length));
+    let mm = steadycut_core::base::formula::Unit::parse("mm").unwrap();
+    let told = rows("x").told(&[("x".to_owned(), mm)]);
+    assert_eq!((rows("x").surely_positive(), told.surely_positive()), (vec![false], vec![true]));
+    // Far from 0, nothing is to be told.
+    let far = (0..40).map(|i| vec![5.0 + 0.1 * f64::from(i), f64::from(i)]);
+    assert_eq!(problem(&table(&["x", "y"], far), "y", &["x"]).surely_positive(), [true]);
+}
+
+/// Of many rows a sample is searched, and the front is judged by it; the formula chosen has its constants from all.
+#[test]
+fn many_rows_are_searched_by_a_sample_and_fitted_at_the_end() {
+    let stream = Stream::new(8, "many rows");
+    let rows = (0..2500).map(|row| {
+        let x = 1.0 + 4.0 * stream.uniform(2 * row);
+        vec![x, 2.0 * x + 1.5 * x * x + 0.1 * stream.normal(2 * row + 1)]
+    });
+    let problem = problem(&table(&["x_mm", "y"], rows), "y", &["x_mm"]);
+    let settings = GpSettings { seed: 4, batches: 4, paper: None };
+    let mut job = GpJob::new(problem.clone(), &settings).unwrap();
+    job.to_end();
+    let report = job.report();
+    assert_eq!((report.rows, report.searched_rows, report.seed), (2500, 2000, 4));
+    assert_eq!((report.residuals.len(), report.bands.len()), (2500, 2500));
+    for found in &report.front {
+        let formula = Formula::parse(&found.formula, &["x_mm"]).unwrap();
+        let rows = if found.chosen { problem.rows.clone() } else { problem.sample(4) };
+        let fit = fitted(&formula, &rows).unwrap();
+        assert!((fit.rms() / found.error - 1.0).abs() < 1e-9, "{found:?}");
+        for (own, again) in found.constants.iter().zip(&fit.constants) {
+            assert!((own.value / again.value - 1.0).abs() < 1e-5, "{found:?} {again:?}");
+        }
+    }
+    // Whichever is looked at has its constants from all rows, too.
+    let other = report.front.iter().find(|found| !found.chosen && found.size > 3).unwrap();
+    let seen = FormulaInspection::of(&problem, other, &[], String::new()).unwrap();
+    let all = fitted(&Formula::parse(&other.formula, &["x_mm"]).unwrap(), &problem.rows).unwrap();
+    assert_ne!(seen.formula.to_string(), other.formula);
+    assert_eq!(seen.formula.to_string(), all.formula.to_string());
+}
+
+/// The band that a model file carries covers the truth as often as it says, over redraws of the noise.
+#[test]
+fn the_band_of_a_model_file_covers_the_truth() {
+    let truth = Formula::parse("286.44 - 5.82e-10*n^3 - 8973*ln(0.039*f)/f", &["f", "n"]).unwrap();
+    let law = "286 - 5.8e-10*speed_rpm^3.001 - 8970*ln(0.04*feed_mm_min)/feed_mm_min";
+    let law = Formula::parse(law, &FORCE).unwrap();
+    let draws = Stream::new(9, "band of a file");
+    let (redraws, count) = (200_u64, 60_u64);
+    let places: Vec<[f64; 2]> = (0..5)
+        .flat_map(|i| {
+            (0..5).map(move |j| [160.0 + 107.0 * f64::from(i), 820.0 + 412.0 * f64::from(j)])
+        })
+        .collect();
+    let mut covered = vec![0_u32; places.len()];
+    for redraw in 0..redraws {
+        let noise = Stream::new(redraw, "noise of the band");
+        let rows = (0..count).map(|row| {
+            let corner = |x: f64, share: f64| if row < 4 { x } else { share };
+            let at = [
+                corner([150.0, 600.0][row as usize % 2], 150.0 + 450.0 * draws.uniform(2 * row)),
+                corner(
+                    [800.0, 2500.0][row as usize / 2 % 2],
+                    800.0 + 1700.0 * draws.uniform(2 * row + 1),
+                ),
+            ];
+            vec![at[0], at[1], truth.value(&at) + 0.1 * noise.normal(row)]
+        });
+        let problem =
+            problem(&table(&["feed_mm_min", "speed_rpm", "force_n"], rows), "force_n", &FORCE);
+        let fit = fitted(&law, &problem.rows).unwrap();
+        let constants: Vec<ReportedConstant> =
+            fit.constants.iter().map(ReportedConstant::from).collect();
+        let model = fitted_model(&problem, &fit.formula, &constants, &[], String::new()).unwrap();
+        let model = FormulaModel::parse(&model.write()).unwrap();
+        let band = FormulaBand::of(&model).unwrap();
+        for (place, covered) in places.iter().zip(&mut covered) {
+            let half = band.half_width(place).unwrap();
+            // The same as that of the fit itself.
+            assert!((half / fit.band(place).unwrap() - 1.0).abs() < 1e-4, "{place:?}");
+            let off = model.at(place).value - truth.value(place);
+            *covered += u32::from(off.abs() <= half);
+        }
+    }
+    let share = |count: u32| f64::from(count) / redraws as f64;
+    let whole = covered.iter().map(|count| share(*count)).sum::<f64>() / places.len() as f64;
+    assert!((0.92..=0.98).contains(&whole), "{whole}: {covered:?}");
+    // 200 redraws tell a share of 95 % to 1.5 % (one standard deviation).
+    assert!(covered.iter().all(|count| (0.90..=1.0).contains(&share(*count))), "{covered:?}");
 }
 
 /// A product of powers beside an input that says nothing.

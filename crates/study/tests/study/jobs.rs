@@ -20,7 +20,9 @@ use steadycut_core::run::presets::load;
 use steadycut_core::run::revolution::RevolutionJob;
 use steadycut_core::run::run_to::RunTo;
 use steadycut_core::run::scenario::{Scenario, parse_value};
+use steadycut_study::afc::TeachIn;
 use steadycut_study::combined::Combined;
+use steadycut_study::compare::by_hand::{ByHandJob, HAND};
 use steadycut_study::compare::contest::ContestJob;
 use steadycut_study::compare::entrants::{Entrant, TABLE_1, on};
 use steadycut_study::compare::iterations::IterationsJob;
@@ -40,6 +42,7 @@ use steadycut_study::identify::gp::watched::WatchedSearch;
 use steadycut_study::machine_life::adaptive::AdaptiveLife;
 use steadycut_study::machine_life::monte_carlo::{LifeMonteCarlo, Tools};
 use steadycut_study::machine_life::{LifeJob, model};
+use steadycut_study::mission::{Marking, MissionAnswer, shipped};
 use steadycut_study::papers::{CalibrationsJob, TableJob};
 use steadycut_study::plan::PlanJob;
 use steadycut_study::plan::flight::Flight;
@@ -49,6 +52,7 @@ use steadycut_study::published::PaperId;
 use steadycut_study::recommend::Advisor;
 use steadycut_study::recommend::table::Table;
 use steadycut_study::robust::Robustness;
+use steadycut_study::safe_feed::{SafeFeedJob, SafeFeedProblem};
 use steadycut_study::stability::chart::{ChartJob, Range};
 use steadycut_study::train::TrainingSession;
 use steadycut_study::train::claim::ForceClaimJob;
@@ -164,6 +168,11 @@ fn runs_and_what_is_made_of_one() {
     edits.push(&cut, changed).unwrap();
     check("BesideRun", &BesideRun::new(&Run::complete(&cut, &edits)), 5000);
     let run = Run::complete(&milled(), &Edits::none());
+    let safe = SafeFeedProblem::of(&Run::complete(&cut, &edits));
+    check("SafeFeedJob", &SafeFeedJob::new(safe), 5_003);
+    let short = [("workpiece.length_mm", "10"), ("twin.free_speed", "true")];
+    let any_speed = SafeFeedProblem::new(&scenario("table3-5-noise", &short), Vec::new());
+    check("SafeFeedJob", &SafeFeedJob::new(any_speed), 777);
     check("RunTo", &RunTo::new(&milled(), &Edits::none(), 20_000), 777);
     check("RevolutionJob", &RevolutionJob::new(&run, 2.0, 2, None), 777);
     let short = scenario("combined-2005", &[("run.duration_s", "2")]);
@@ -173,6 +182,7 @@ fn runs_and_what_is_made_of_one() {
     check("Combined", &combined, 5_000);
     let passes = scenario("experiment-2", &[("workpiece.cuts", "[[[10.0, 3.0, 2.0]]]")]);
     check("Passes", &Passes::new(&passes, 2), 37);
+    check("TeachIn", &TeachIn::new(&scenario("afc", &[])), 777);
 }
 
 #[test]
@@ -187,7 +197,21 @@ fn comparisons_of_runs() {
     check("CalibrationsJob", &CalibrationsJob::new(PaperId::Strategy2013), 20_011);
     check("ContestJob", &ContestJob::new(milling, 2), 5_000);
     check("IterationsJob", &IterationsJob::new(&milled()), 10_007);
+    let mut by_hand = ByHandJob::without_control(&load("table3-5-noise").unwrap());
+    by_hand.set("run.duration_s", Value::Float(0.5)).unwrap();
+    let turned = Edit { at_s: 0.1, path: HAND.to_owned(), value: Value::Float(80.0) };
+    let mut edits = Edits::none();
+    edits.push(&by_hand, turned).unwrap();
+    check("ByHandJob", &ByHandJob::new(&by_hand, &edits), 777);
     check("Robustness", &Robustness::new(&milled(), ControllerKind::Preview, 3, 7), 10_007);
+}
+
+#[test]
+fn missions() {
+    let mission = shipped::load("depth-step-at-constant-feed").unwrap();
+    let text = include_str!("../data/missions/depth-step-at-constant-feed.right.toml");
+    let marking = Marking::new(&mission, MissionAnswer::read(text, &mission).unwrap()).unwrap();
+    check("Marking", &marking, 7_001);
 }
 
 #[test]
@@ -326,7 +350,7 @@ fn patterns_of_unks_are_the_same_however_they_are_sliced() {
 /// Independent jobs in the sources: parts of others are checked with them.
 #[test]
 fn every_job_is_checked_here() {
-    let parts = ["CutPlan", "PointJob", "TrialJob", "NetworkJob", "OneStep"];
+    let parts = ["CutPlan", "PartCut", "PointJob", "TrialJob", "NetworkJob", "OneStep"];
     let mut found = BTreeSet::new();
     for folder in ["src", "../core/src"] {
         let mut folders = vec![std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)];

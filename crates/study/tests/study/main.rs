@@ -1,5 +1,6 @@
 //! Tests of the whole `steadycut-study`, in one program: it links once.
 
+mod afc;
 mod closed_loop;
 mod coupled;
 mod experiment;
@@ -9,7 +10,9 @@ mod gp;
 mod jobs;
 mod learning;
 mod milling;
+mod missions;
 mod per_cut;
 mod preview;
+mod safe_feed;
 mod stability;
 mod way;

@@ -52,6 +52,30 @@ fn models_from_cuts_hold_ra_where_the_papers_models_do_not() {
     assert!(tracking_papers.worst_percent.unwrap() < 0.1, "{tracking_papers:?}");
 }
 
+#[test]
+fn the_way_goes_on_from_its_file_with_the_same_bits() {
+    let settings = WaySettings { batches: 3, cuts: 60, ..WaySettings::default() };
+    let whole = gone(&settings, 1);
+    let mut begun = WayJob::new(&settings).unwrap().with_rows(1);
+    // Some searches are over, one is under way, the last ones are not begun.
+    while begun.progress().share() < 0.5 {
+        assert!(!begun.advance(&Budget::steps(40)));
+    }
+    let text = begun.state_text();
+    assert!(text.contains("\"Input\"") && text.ends_with(",null]}"), "{}", &text[..300]);
+    let mut resumed = WayJob::new(&settings).unwrap().with_rows(1);
+    resumed.resume(&text).unwrap();
+    // What was not begun yet is kept.
+    assert_eq!(resumed.state_text(), text);
+    resumed.to_end();
+    assert_eq!(resumed.partial(), whole);
+    let other = WaySettings { cuts: 61, ..settings };
+    let error = WayJob::new(&other).unwrap().resume(&text).unwrap_err();
+    assert!(error.contains("cuts: 60") && error.contains("cuts: 61"), "{error}");
+    let error = WayJob::new(&other).unwrap().resume("{}").unwrap_err();
+    assert!(error.contains("version"), "{error}");
+}
+
 /// Every model goes one way over all that it was found on, and the cuts lie as near to it as their noise.
 #[test]
 fn models_found_fit_their_cuts_to_the_noise_and_go_one_way() {

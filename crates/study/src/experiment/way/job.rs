@@ -10,11 +10,13 @@ use super::pilot::Pilot;
 use super::report::{WayReport, digest, summary};
 use super::rows::{ModelSource, RowOutcome, RowRuns, WayRow};
 use super::{FEWEST_CUTS, MOST_CUTS, WayPlant, WaySettings};
+use crate::base::language::{text, tr};
 use crate::base::units::mm_s_from_mm_min;
 use crate::blocks::control::ControllerKind;
 use crate::identify::gp::job::{GpJob, GpSettings};
 use crate::identify::gp::problem::GpProblem;
 use crate::identify::gp::report::GpReport;
+use crate::identify::gp::state::GpState;
 use crate::models::genetic::FormulaSettings;
 use crate::published::PaperId;
 use crate::run::edits::Edits;
@@ -46,6 +48,13 @@ struct Running {
     done: Parts<Run, RowOutcome>,
 }
 
+/// A search that is over.
+#[derive(Clone, Debug)]
+struct SearchOver {
+    report: GpReport,
+    state: GpState,
+}
+
 /// The way.
 #[derive(Clone)]
 pub struct WayJob {
@@ -57,7 +66,9 @@ pub struct WayJob {
     pilot: Option<Pilot>,
     planned: Option<Planned>,
     problems: Vec<GpProblem>,
-    searches: Parts<GpJob, GpReport>,
+    searches: Parts<GpJob, SearchOver>,
+    /// Searches of a file, to go on with.
+    saved: Vec<Option<GpState>>,
     models: Vec<FoundModel>,
     formulas: FormulaSettings,
     running: Option<Running>,
@@ -72,15 +83,23 @@ impl WayJob {
     pub fn new(settings: &WaySettings) -> Result<Self, String> {
         let cuts = settings.cuts;
         if !(FEWEST_CUTS..=MOST_CUTS).contains(&cuts) {
-            return Err(format!(
-                "cuts: {cuts} is not possible: allowed are {FEWEST_CUTS} to {MOST_CUTS}"
+            return Err(tr!(
+                "cuts: {cuts} is not possible: allowed are {fewest} to {most}",
+                cuts = cuts,
+                fewest = FEWEST_CUTS,
+                most = MOST_CUTS
             ));
         }
         let noise = settings.noise;
         for (name, value, most) in [("noise", noise.force_n, 50.0), ("ra-noise", noise.ra_um, 1.0)]
         {
             if !(0.0..=most).contains(&value) {
-                return Err(format!("{name}: {value} is not possible: allowed is 0 to {most}"));
+                return Err(tr!(
+                    "{name}: {value} is not possible: allowed is 0 to {most}",
+                    name = name,
+                    value = value,
+                    most = most
+                ));
             }
         }
         let (plant, base) = (settings.chosen_plant()?, settings.scenario()?);
@@ -98,6 +117,7 @@ impl WayJob {
             planned: None,
             problems: Vec::new(),
             searches: Parts::default(),
+            saved: Vec::new(),
             models: Vec::new(),
             formulas: FormulaSettings::default(),
             running: None,
@@ -109,6 +129,26 @@ impl WayJob {
     #[must_use]
     pub fn with_rows(self, rows: usize) -> Self {
         Self { rows, ..self }
+    }
+
+    /// How it is gone.
+    pub(super) fn settings(&self) -> &WaySettings {
+        &self.settings
+    }
+
+    /// The searches as they stand, in the order of the models; none that was not begun.
+    pub(super) fn searches(&self) -> Vec<Option<GpState>> {
+        let one = |number: usize| match self.searches.part(number) {
+            Some(Ok(over)) => Some(over.state.clone()),
+            Some(Err(job)) => Some(job.state()),
+            None => self.saved.get(number).cloned().flatten(),
+        };
+        (0..FoundRole::ALL.len()).map(one).collect()
+    }
+
+    /// Begins its searches where these stand.
+    pub(super) fn go_on_with(&mut self, searches: Vec<Option<GpState>>) {
+        self.saved = searches;
     }
 
     /// The cuts as a table, which `identify gp --data` reads.
@@ -129,16 +169,16 @@ impl WayJob {
     /// # Errors
     /// There are no models yet, or a setting does not go with the plant.
     pub fn example(&self) -> Result<Scenario, String> {
-        let running = self.running.as_ref().ok_or("there are no models yet")?;
+        let running = self.running.as_ref().ok_or_else(|| tr("there are no models yet"))?;
         let row = PaperId::Sdnrp2007.rows().into_iter().find(|row| row.sim == EXAMPLE_SIM);
-        let row = row.ok_or("the table has no such row")?;
+        let row = row.ok_or_else(|| tr("the table has no such row"))?;
         let scenario = running.runs.scenario(&row, ControllerKind::Tracking, ModelSource::Found)?;
         let (tool, material) = (self.settings.tool, self.settings.material);
         let described = scenario.with(|s| {
             s.info.name = format!("{}-{}", tool.id(), material.id());
             s.info.description = format!(
                 "{} in {}: Tracking on models K1 to K5 that genetic programming has found from {} simulated cuts. Made by \
-                 `steadycut experiment way`. Force: {}; Ra: what a force leaves by the papers' K5.",
+                 `steadycut experiment way`, as the screen Identify does by Go the whole way. Force: {}; Ra: what a force leaves by the papers' K5.",
                 tool.label(),
                 material.label(),
                 self.settings.cuts,
@@ -206,7 +246,7 @@ impl WayJob {
                 if let Some(problem) = pilot.refusal() {
                     return Err(problem.to_owned());
                 }
-                let found = pilot.result().ok_or("the pilot cuts found nothing")?;
+                let found = pilot.result().ok_or_else(|| tr("the pilot cuts found nothing"))?;
                 base.change(|s| s.workpiece.axial_depth_mm = found.axial_depth_mm)
                     .map_err(|error| error.to_string())?;
                 [found.feeds_mm_min, found.speeds_rpm]
@@ -220,14 +260,18 @@ impl WayJob {
 
     fn search(&mut self, budget: &Budget<'_>) -> Result<bool, String> {
         let WaySettings { seed, batches, .. } = self.settings;
-        let problems = &self.problems;
+        let (problems, saved) = (&self.problems, &self.saved);
         let begin = |number: usize| {
             let settings = GpSettings { seed, batches, ..GpSettings::default() };
             let name = FoundRole::ALL[number].label();
-            GpJob::new(problems[number].clone(), &settings)
-                .map_err(|problem| format!("{name}: {problem}"))
+            let mut job = GpJob::new(problems[number].clone(), &settings)
+                .map_err(|problem| format!("{name}: {problem}"))?;
+            if let Some(state) = saved.get(number).cloned().flatten() {
+                job.resume_state(state).map_err(|problem| format!("{name}: {problem}"))?;
+            }
+            Ok(job)
         };
-        let end = |_: usize, job: &GpJob| job.report();
+        let end = |_: usize, job: &GpJob| SearchOver { report: job.report(), state: job.state() };
         let making = Making { begin: &begin, end: &end };
         let over = self.searches.advance(problems.len(), budget, &making);
         match self.searches.refusal() {
@@ -238,12 +282,12 @@ impl WayJob {
 
     /// Takes the models of all fronts, and gets the rows ready.
     fn take(&mut self) -> Result<(), String> {
-        let Some(planned) = &self.planned else { return Err("nothing is planned".to_owned()) };
+        let Some(planned) = &self.planned else { return Err(tr("nothing is planned").to_owned()) };
         let source = self.source();
         let found = FoundRole::ALL.iter().zip(&self.problems).zip(self.searches.done());
         let models: Vec<FoundModel> = found
-            .map(|((role, problem), report)| {
-                pick(*role, problem, report, (&source, self.settings.tool))
+            .map(|((role, problem), over)| {
+                pick(*role, problem, &over.report, (&source, self.settings.tool))
             })
             .collect::<Result<_, String>>()?;
         let formulas = settings(&models)?;
@@ -306,7 +350,7 @@ impl Job for WayJob {
             share(&rows, false),
         ];
         let done = parts.iter().zip(SHARES).map(|(part, share)| part * share).sum();
-        Progress { done, total: 100.0, unit: "percent of the way" }
+        Progress { done, total: 100.0, unit: text!("percent of the way") }
     }
 
     fn partial(&self) -> WayReport {

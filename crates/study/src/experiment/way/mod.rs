@@ -6,6 +6,7 @@
 //! | Pilot cuts | tooth by tooth: depth and feeds at which the forces are those of the papers' table | [`pilot`] |
 //! | The cuts | a third on a line, from least feed and largest speed to the opposite corner, the others a Latin hypercube over the box; with measuring noise | [`cuts`] |
 //! | The models | genetic programming: K1 F(Ra), K4 F(f, n), K5 = K6 Ra(F) from all cuts; K2 f(F), K3 n(F) from those on the line | [`models`] |
+//! | Kept, to go on later | the searches, as a file | [`state`] |
 //! | The rows | the ten rows of 2007 Table 3 with SDNRP and Tracking, on the models found and on the papers' own | [`rows`] |
 //!
 //! Feed and speed for a force (K2, K3) are a choice: one force can be had by many pairs of feed and speed, and the
@@ -23,6 +24,7 @@ pub mod pilot;
 pub mod plant;
 pub mod report;
 pub mod rows;
+pub mod state;
 
 use serde::Serialize;
 

@@ -9,6 +9,8 @@ use super::super::measure::MeasuredCut;
 use super::super::plan::ExperimentPlan;
 use super::super::sheet::{FORCE, ROUGHNESS};
 use crate::base::formula::{Formula, Interval, Trend};
+use crate::base::language::tr;
+use crate::identify::gp::model::banded;
 use crate::identify::gp::problem::GpProblem;
 use crate::identify::gp::report::{FrontFormula, GpReport};
 use crate::identify::gp::units::by_name;
@@ -147,7 +149,7 @@ pub fn pick(
     let mut front: Vec<&FrontFormula> = report.front.iter().collect();
     let error = |formula: &FrontFormula| formula.loo_error.unwrap_or(formula.error);
     front.sort_by(|a, b| b.chosen.cmp(&a.chosen).then_with(|| error(a).total_cmp(&error(b))));
-    let mut why = "its front is empty".to_owned();
+    let mut why = tr("its front is empty").to_owned();
     for found in front {
         match taken(role, problem, found, source) {
             Ok(model) => {
@@ -171,7 +173,12 @@ pub fn pick(
         }
     }
     let (name, count) = (role.label(), report.front.len());
-    Err(format!("{name}: none of the {count} formulas found can be used: {why}"))
+    Err(tr!(
+        "{name}: none of the {count} formulas found can be used: {why}",
+        name = name,
+        count = count,
+        why = why
+    ))
 }
 
 fn taken(
@@ -191,11 +198,23 @@ fn taken(
         Some(Trend::Constant | Trend::Turning | Trend::Uncertified(_)) | None => None,
     };
     if way != Some(role.rises()) {
-        let wanted = if role.rises() { "rise" } else { "fall" };
         let input = &problem.inputs[0];
-        return Err(format!("`{text}` is not certain to {wanted} with {input} over its cuts"));
+        return Err(match role.rises() {
+            true => tr!(
+                "`{formula}` is not certain to rise with {input} over its cuts",
+                formula = text,
+                input = input
+            ),
+            false => tr!(
+                "`{formula}` is not certain to fall with {input} over its cuts",
+                formula = text,
+                input = input
+            ),
+        });
     }
-    let unit = |column: &str| by_name(column).ok_or_else(|| format!("`{column}` has no unit"));
+    let unit = |column: &str| {
+        by_name(column).ok_or_else(|| tr!("`{column}` has no unit", column = column))
+    };
     let inputs = problem
         .inputs
         .iter()
@@ -209,7 +228,8 @@ fn taken(
         problem.rows.len(),
         found.error
     );
-    FormulaModel::new(formula, inputs, output, told)
+    let model = FormulaModel::new(formula, inputs, output, told)?;
+    Ok(banded(model, problem, &found.constants))
 }
 
 /// The models as settings of a scenario.

@@ -7,6 +7,7 @@
 //! far more than K4's does.
 
 use super::super::measure::{steady, steady_values};
+use crate::base::language::{text, tr};
 use crate::base::math;
 use crate::models::tool::Tool;
 use crate::run::edits::Edits;
@@ -121,7 +122,9 @@ impl Pilot {
             s.program.spindle_rpm = speed;
             s.workpiece.axial_depth_mm = depth;
         });
-        let cut = cut.map_err(|error| format!("pilot cuts: {error}: give another depth"))?;
+        let cut = cut.map_err(|error| {
+            tr!("pilot cuts: {error}: give another depth", error = error.to_string())
+        })?;
         Ok(Run::new(&cut, &Edits::none()))
     }
 
@@ -131,16 +134,18 @@ impl Pilot {
         let force = force.unwrap_or(f64::NAN);
         let ratio = FORCES[self.stage] / force;
         if !ratio.is_finite() {
-            return Err("pilot cuts: no chip is cut: give other depths".to_owned());
+            return Err(tr("pilot cuts: no chip is cut: give other depths").to_owned());
         }
         self.cuts += 1;
         self.cut += 1;
         let near = (ratio - 1.0).abs() < NEAR;
         if !near && self.cut == CUTS {
             let force = force.round();
-            return Err(format!(
-                "pilot cuts: {} gives {force} N in place of {} N: give another depth",
-                self.now[self.stage], FORCES[self.stage]
+            return Err(tr!(
+                "pilot cuts: {value} gives {force} N in place of {wanted} N: give another depth",
+                value = self.now[self.stage],
+                force = force,
+                wanted = FORCES[self.stage]
             ));
         }
         let (exponent, steps) = match SOUGHT[self.stage] {
@@ -153,8 +158,11 @@ impl Pilot {
         if near {
             let [depth, low, high] = self.now;
             if self.stage > 0 && low >= high {
-                return Err(format!(
-                    "pilot cuts at {depth} mm: feeds {low} to {high} are no range"
+                return Err(tr!(
+                    "pilot cuts at {depth} mm: feeds {low} to {high} are no range",
+                    depth = depth,
+                    low = low,
+                    high = high
                 ));
             }
             self.stage += 1;
@@ -199,7 +207,7 @@ impl Job for Pilot {
         let within = (self.cut as f64 + run) / CUTS as f64;
         let done =
             (self.stage - first) as f64 + if self.stage < SOUGHT.len() { within } else { 0.0 };
-        Progress { done, total: (SOUGHT.len() - first) as f64, unit: "pilot values" }
+        Progress { done, total: (SOUGHT.len() - first) as f64, unit: text!("pilot values") }
     }
 
     fn partial(&self) -> Option<PilotResult> {

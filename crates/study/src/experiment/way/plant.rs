@@ -1,6 +1,7 @@
 //! The plant of the way, as a scenario; what it is, in words.
 
 use super::{WayPlant, WaySettings};
+use crate::base::language::tr;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::{Calibration, ModelSet};
 use crate::run::scenario::{Scenario, Settings};
@@ -18,10 +19,10 @@ impl WaySettings {
         let steel =
             Scenario::default().plant.material == self.material && self.hardness_hb.is_none();
         match self.plant {
-            Some(WayPlant::Formula) if !papers => Err(format!(
-                "plant: formula: the papers' K4 does not know the cutter {}: allowed is {}",
-                self.tool.id(),
-                WayPlant::Mechanistic.id()
+            Some(WayPlant::Formula) if !papers => Err(tr!(
+                "plant: formula: the papers' K4 does not know the cutter {tool}: allowed is {allowed}",
+                tool = self.tool.id(),
+                allowed = WayPlant::Mechanistic.id()
             )),
             Some(plant) => Ok(plant),
             None if papers && steel => Ok(WayPlant::Formula),
@@ -67,18 +68,19 @@ impl WaySettings {
     pub fn truth(&self) -> Result<String, String> {
         let force = match self.chosen_plant()? {
             WayPlant::Formula => {
-                "the papers' K4 with its intercept restored, times the factor of material and hardness".to_owned()
+                tr("the papers' K4 with its intercept restored, times the factor of material and hardness").to_owned()
             }
-            WayPlant::Mechanistic => format!(
-                "tooth by tooth, the mechanistic model of the cutter {} in {} (Kienzle's laws; materials but Ck45 and \
-                 16MnCrSi5 by the ratio of their forces), its largest value of each control period",
-                self.tool.id(),
-                self.material.label()
+            WayPlant::Mechanistic => tr!(
+                "tooth by tooth, the mechanistic model of the cutter {tool} in {material} (Kienzle's laws; materials \
+                 but Ck45 and 16MnCrSi5 by the ratio of their forces), its largest value of each control period",
+                tool = self.tool.id(),
+                material = tr(self.material.label())
             ),
         };
-        Ok(format!(
+        Ok(tr!(
             "force: {force}; Ra: what that force leaves by the papers' K5, which no measurement confirms for another \
-             cutter or material"
+             cutter or material",
+            force = force
         ))
     }
 }

@@ -1,7 +1,7 @@
 //! One offspring from its draw to its place: made, fitted, cleared of what is superfluous, judged.
 
 use super::archive::{Archive, FittedSum};
-use super::draw::{Draws, Language};
+use super::draw::{Draws, Grammar};
 use super::families::{families, families_of};
 use super::fit::{EXACT, Effort, Fitter};
 use super::node::{Product, Step, Sum, start_of};
@@ -37,8 +37,9 @@ pub struct Nursery {
     pub rows: DataRows,
     /// A few of them.
     first: DataRows,
-    probes: Probes,
-    languages: Vec<Language>,
+    /// For each island where its formulas must have values.
+    probes: Vec<Probes>,
+    languages: Vec<Grammar>,
     bounds: SumBounds,
     spread: f64,
     rule: Option<UnitRule>,
@@ -53,12 +54,16 @@ struct Lock {
     free: Vec<u8>,
 }
 
+fn probes(rows: &DataRows, parts: &[CompiledFormula], languages: &[Grammar]) -> Vec<Probes> {
+    languages.iter().map(|language| Probes::new(rows, parts, &language.positive)).collect()
+}
+
 impl Nursery {
     /// For rows, islands by their languages, and bounds of formulas.
     #[must_use]
-    pub fn new(rows: DataRows, languages: Vec<Language>, bounds: SumBounds) -> Self {
+    pub fn new(rows: DataRows, languages: Vec<Grammar>, bounds: SumBounds) -> Self {
         let first = rows.sample(FIRST_ROWS);
-        let probes = Probes::new(&rows, &[], &languages[0].positive);
+        let probes = probes(&rows, &[], &languages);
         let spread = rows.spread();
         Self { rows, first, probes, languages, bounds, spread, rule: None, lock: None }
     }
@@ -82,8 +87,8 @@ impl Nursery {
 
     fn relocked(mut self, lock: Option<Lock>) -> Self {
         if let Some(lock) = &lock {
-            self.probes = Probes::new(&self.rows, &lock.parts, &self.languages[0].positive);
-            let on = |language: Language| language.on(&lock.free);
+            self.probes = probes(&self.rows, &lock.parts, &self.languages);
+            let on = |language: Grammar| language.on(&lock.free);
             self.languages = self.languages.into_iter().map(on).collect();
         }
         self.lock = lock;
@@ -140,7 +145,13 @@ impl Nursery {
             Some(lock) => families_of(&self.rows, &self.languages[0].positive, &lock.free),
         };
         let locked = families.into_iter().map(|sum| self.with_lock(sum));
-        locked.filter_map(|sum| self.judge(sum, &empty, &mut fitter)).collect()
+        locked.filter_map(|sum| self.judge(sum, (0, &empty), &mut fitter)).collect()
+    }
+
+    /// Whether a formula has values wherever those of an island must have some.
+    #[must_use]
+    pub fn is_at_home(&self, candidate: &FittedSum, island: usize) -> bool {
+        self.has_values(&candidate.sum, island, &mut Fitter::default())
     }
 
     /// Number of islands.
@@ -200,7 +211,7 @@ impl Nursery {
         if !variation.fits(&sum) || sum.terms.is_empty() {
             return None;
         }
-        self.judge(sum, own, &mut fitter)
+        self.judge(sum, (island, own), &mut fitter)
     }
 
     /// A survivor without the term whose loss is felt least: terms that once explained scatter go so.
@@ -224,8 +235,13 @@ impl Nursery {
         least.map(|(_, sum)| sum)
     }
 
-    /// Fits a formula and judges it against the survivors; none where it has no place among them.
-    pub fn judge(&self, mut sum: Sum, own: &Archive, fitter: &mut Fitter) -> Option<FittedSum> {
+    /// Fits a formula and judges it against the survivors of an island; none where it has no place among them.
+    pub fn judge(
+        &self,
+        mut sum: Sum,
+        (island, own): (usize, &Archive),
+        fitter: &mut Fitter,
+    ) -> Option<FittedSum> {
         let n = self.rows.len() as f64;
         sum.settle();
         if self.first.len() < self.rows.len() {
@@ -257,7 +273,7 @@ impl Nursery {
         }
         let parts = self.is_exact(&candidate) || self.leads(&candidate, own);
         let candidate = self.clear(candidate, parts, fitter);
-        (self.is_allowed(&candidate) && self.has_values(&candidate.sum, fitter))
+        (self.is_allowed(&candidate) && self.has_values(&candidate.sum, island, fitter))
             .then_some(candidate)
     }
 
@@ -418,12 +434,13 @@ impl Nursery {
         None
     }
 
-    /// Whether a formula has values at the probes, and in the box no wild ones.
-    fn has_values(&self, sum: &Sum, fitter: &mut Fitter) -> bool {
+    /// Whether a formula has values at the probes of an island, and in the box no wild ones.
+    fn has_values(&self, sum: &Sum, island: usize, fitter: &mut Fitter) -> bool {
         let mut values = Vec::new();
-        let [low, high] = self.probes.bounds;
-        fitter.predict(sum, &self.probes.inputs, &mut values)
-            && values[..self.probes.inside].iter().all(|value| (low..=high).contains(value))
+        let probes = &self.probes[island];
+        let [low, high] = probes.bounds;
+        fitter.predict(sum, &probes.inputs, &mut values)
+            && values[..probes.inside].iter().all(|value| (low..=high).contains(value))
     }
 }
 

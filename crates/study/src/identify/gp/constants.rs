@@ -5,11 +5,16 @@ use super::fit::dot;
 use super::rows::DataRows;
 use crate::base::cholesky;
 use crate::base::formula::{CompiledFormula, Formula, Node, Operator};
+use crate::base::language::tr;
 
 /// Share of a column that must be left for its constant to be determined.
 const INDEPENDENT: f64 = 1e-7;
 /// Steps of the fit.
 const STEPS: usize = 30;
+/// Rows above which a fit has few steps: it begins at constants that a sample of such rows has given.
+const MANY: usize = 20_000;
+/// Steps of the fit to so many.
+const FEW_STEPS: usize = 5;
 
 /// A constant with its interval.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,12 +53,6 @@ pub struct FittedFormula {
 }
 
 impl FittedFormula {
-    /// The same without what it has for each row.
-    #[must_use]
-    pub fn without_rows(self) -> Self {
-        Self { residuals: Vec::new(), leverages: Vec::new(), ..self }
-    }
-
     /// The same with its residuals and leverages on these rows, to which it was fitted.
     #[must_use]
     pub fn with_rows(self, rows: &DataRows) -> Self {
@@ -101,8 +100,26 @@ impl FittedFormula {
     /// The 95 % band of the formula at a place: half its width.
     #[must_use]
     pub fn band(&self, inputs: &[f64]) -> Option<f64> {
+        Some(self.band_scale() * self.leverage_at(inputs)?.sqrt())
+    }
+
+    /// The same at every row.
+    #[must_use]
+    pub fn bands(&self, rows: &DataRows) -> Vec<Option<f64>> {
+        // It goes over all rows, so only once.
+        let scale = self.band_scale();
+        let mut at = vec![0.0; rows.inputs.len()];
+        let mut band = |row: usize| {
+            at.iter_mut().zip(&rows.inputs).for_each(|(x, column)| *x = column[row]);
+            Some(scale * self.leverage_at(&at)?.sqrt())
+        };
+        (0..rows.len()).map(&mut band).collect()
+    }
+
+    /// Half the width of the band over the root of the leverage.
+    fn band_scale(&self) -> f64 {
         let freedom = self.residuals.len().saturating_sub(self.fitted);
-        Some(t_quantile(freedom) * self.deviation() * self.leverage_at(inputs)?.sqrt())
+        t_quantile(freedom) * self.deviation()
     }
 
     /// Residuals in units of their own standard deviation, each estimated without its row (externally
@@ -231,7 +248,7 @@ pub fn rounded(fit: FittedFormula, rows: &DataRows) -> FittedFormula {
 }
 
 /// Values over rows, with the numbers behind the inputs.
-fn column(program: &CompiledFormula, rows: &DataRows, numbers: &[f64]) -> Vec<f64> {
+pub(super) fn column(program: &CompiledFormula, rows: &DataRows, numbers: &[f64]) -> Vec<f64> {
     let count = rows.inputs.len();
     let mut values = vec![0.0; count + numbers.len()];
     values[count..].copy_from_slice(numbers);
@@ -250,11 +267,14 @@ fn column(program: &CompiledFormula, rows: &DataRows, numbers: &[f64]) -> Vec<f6
 /// # Errors
 /// The formula has no finite value on a row, or more constants than there are rows.
 pub fn fitted(formula: &Formula, rows: &DataRows) -> Result<FittedFormula, String> {
-    let (open, mut numbers) = opened(formula).ok_or("the formula is too large")?;
+    let (open, mut numbers) = opened(formula).ok_or_else(|| tr("the formula is too large"))?;
     let first = formula.inputs().len();
     if numbers.len() >= rows.len() {
-        let (constants, rows) = (numbers.len(), rows.len());
-        return Err(format!("{constants} constants cannot be fitted to {rows} rows"));
+        return Err(tr!(
+            "{constants} constants cannot be fitted to {rows} rows",
+            constants = numbers.len(),
+            rows = rows.len()
+        ));
     }
     let program = open.compile();
     let derived: Vec<Formula> =
@@ -267,7 +287,7 @@ pub fn fitted(formula: &Formula, rows: &DataRows) -> Result<FittedFormula, Strin
     let mut left = residuals(&numbers);
     let mut squares = dot(&left, &left);
     if !squares.is_finite() {
-        return Err("the formula has no finite value on some row".to_owned());
+        return Err(tr("the formula has no finite value on some row").to_owned());
     }
     let mut damping = 1e-6;
     if !Numbers::of(formula).names.is_empty() {
@@ -288,7 +308,8 @@ pub fn fitted(formula: &Formula, rows: &DataRows) -> Result<FittedFormula, Strin
             (numbers, squares, left) = (whole(&next), less, residual);
         }
     }
-    for _ in 0..STEPS {
+    let steps = if rows.len() > MANY { FEW_STEPS } else { STEPS };
+    for _ in 0..steps {
         let jacobian: Vec<Vec<f64>> =
             slopes.iter().map(|slope| column(slope, rows, &numbers)).collect();
         let Some((next, less, residual)) =
@@ -304,7 +325,7 @@ pub fn fitted(formula: &Formula, rows: &DataRows) -> Result<FittedFormula, Strin
     }
     let jacobian: Vec<Vec<f64>> =
         slopes.iter().map(|slope| column(slope, rows, &numbers)).collect();
-    let formula = closed(formula, &numbers).ok_or("a constant is not finite")?;
+    let formula = closed(formula, &numbers).ok_or_else(|| tr("a constant is not finite"))?;
     Ok(with_intervals(formula, &numbers, jacobian, left, slopes))
 }
 
@@ -408,7 +429,7 @@ fn leverages(jacobian: &[Vec<f64>], rows: usize) -> Vec<f64> {
 }
 
 /// The inverse of the columns' products; none where they all but depend on each other.
-fn covariance(columns: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
+pub(super) fn covariance(columns: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
     let norms: Vec<f64> = columns.iter().map(|column| dot(column, column).sqrt()).collect();
     let lower: Vec<Vec<f64>> = (0..columns.len())
         .map(|i| (0..=i).map(|j| dot(&columns[i], &columns[j]) / (norms[i] * norms[j])).collect())

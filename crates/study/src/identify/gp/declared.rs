@@ -8,6 +8,7 @@ use super::report::{GpReport, only};
 use super::rows::DataRows;
 use super::template::Template;
 use crate::base::formula::{Formula, Node, Operator};
+use crate::base::language::tr;
 use crate::base::math;
 
 /// Places that a fit is begun at.
@@ -44,7 +45,7 @@ fn started(formula: &Formula, draws: &mut Draws, first: bool) -> Option<Formula>
 
 fn best(formula: &Formula, rows: &DataRows, seed: u64) -> Result<FittedFormula, String> {
     let mut found: Result<FittedFormula, String> =
-        Err("no start has a value on all rows".to_owned());
+        Err(tr("no start has a value on all rows").to_owned());
     for number in 0..STARTS {
         let mut draws = Draws::new(seed, "identify.gp.declared", number);
         let Some(start) = started(formula, &mut draws, number == 0) else { continue };
@@ -80,5 +81,5 @@ pub fn declared_report(
             errors[row] = rows.target[row] - program.value(&at);
         }
     }
-    Ok(only(problem, fit, LeftOut { errors }))
+    Ok(only(problem, fit, LeftOut { errors }, seed))
 }

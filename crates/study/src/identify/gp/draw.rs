@@ -71,7 +71,7 @@ pub struct Functions {
 
 /// What random formulas are made of.
 #[derive(Clone, Debug)]
-pub struct Language {
+pub struct Grammar {
     /// Which functions.
     pub functions: Functions,
     /// Size of the values of each input.
@@ -84,7 +84,7 @@ pub struct Language {
     most: usize,
 }
 
-impl Language {
+impl Grammar {
     /// The language for some rows.
     #[must_use]
     pub fn new(rows: &DataRows, positive: Vec<bool>, functions: Functions) -> Self {

@@ -8,6 +8,7 @@ use super::node::Sum;
 use super::problem::SMALL;
 use super::rows::DataRows;
 use super::search::{GpSearch, Stop};
+use crate::base::language::text;
 use crate::run::job::Budget;
 use crate::run::parts::{Making, OneStep, Parts};
 
@@ -98,11 +99,11 @@ impl Folds {
     #[must_use]
     pub fn told(&self) -> &'static str {
         match self {
-            Self::Repeated { .. } => "the search repeated without each row",
+            Self::Repeated { .. } => text!("the search repeated without each row"),
             Self::Refitted { rows, .. } if rows.len() <= SMALL => {
-                "the constants fitted without each row"
+                text!("the constants fitted without each row")
             }
-            Self::Refitted { .. } => "the constants fitted without each tenth of the rows",
+            Self::Refitted { .. } => text!("the constants fitted without each tenth of the rows"),
         }
     }
 

@@ -1,9 +1,10 @@
 //! One formula of the front looked at closely: predictions and residuals row by row, outliers, units of its
 //! constants, where it holds, and its model.
 
+use super::band::FormulaBand;
 use super::constants::fitted;
-use super::model::model;
-use super::problem::GpProblem;
+use super::model::fitted_model;
+use super::problem::{GpProblem, MOST_SEARCHED};
 use super::range::RangeReport;
 use super::report::{FrontFormula, OutlyingRow, ReportedConstant, outliers};
 use super::standing::StandingFormula;
@@ -20,6 +21,9 @@ pub struct FormulaInspection {
     pub constants: Vec<ReportedConstant>,
     /// Its values, row by row.
     pub predicted: Vec<f64>,
+    /// Half the width of its 95 % band, row by row; none where the rows do not determine its constants, or it can be
+    /// no model.
+    pub bands: Vec<Option<f64>>,
     /// Target minus formula, row by row.
     pub residuals: Vec<f64>,
     /// Rows that do not fit it, by the rule of the report.
@@ -39,6 +43,20 @@ fn unit_of(column: &str, given: &[(String, Unit)]) -> Unit {
     own.or_else(|| by_name(column)).unwrap_or_else(Unit::none)
 }
 
+/// Half the width of a model's band at the rows.
+fn bands(problem: &GpProblem, model: Option<&FormulaModel>) -> Vec<Option<f64>> {
+    let count = problem.rows.len();
+    let Some((model, band)) = model.and_then(|model| Some((model, FormulaBand::of(model)?))) else {
+        return vec![None; count];
+    };
+    let place = |name: &String| problem.inputs.iter().position(|input| input == name);
+    let columns: Vec<&Vec<f64>> = (model.formula().inputs().iter())
+        .filter_map(|name| problem.rows.inputs.get(place(name)?))
+        .collect();
+    let at = |row: usize| -> Vec<f64> { columns.iter().map(|column| column[row]).collect() };
+    (0..count).map(|row| band.half_width(&at(row))).collect()
+}
+
 impl FormulaInspection {
     /// Looks at a formula of a report; `given` are units of columns, `source` says where the formula comes from.
     ///
@@ -52,6 +70,9 @@ impl FormulaInspection {
     ) -> Result<Self, String> {
         let formula =
             Formula::parse(&found.formula, &problem.inputs).map_err(|error| error.to_string())?;
+        if problem.rows.len() > MOST_SEARCHED && !found.chosen {
+            return Self::fitted(problem, &formula, given, source);
+        }
         // Where nothing is left over, no row stands out.
         let outliers = match fitted(&formula, &problem.rows) {
             Ok(fit) if !found.exact => outliers(problem, &fit),
@@ -72,7 +93,17 @@ impl FormulaInspection {
     ) -> Result<Self, String> {
         let formula =
             Formula::parse(&found.formula, &problem.inputs).map_err(|error| error.to_string())?;
-        let fit = fitted(&formula, &problem.rows)?;
+        Self::fitted(problem, &formula, given, source)
+    }
+
+    /// With its constants fitted to all rows.
+    fn fitted(
+        problem: &GpProblem,
+        formula: &Formula,
+        given: &[(String, Unit)],
+        source: String,
+    ) -> Result<Self, String> {
+        let fit = fitted(formula, &problem.rows)?;
         let constants = fit.constants.iter().map(ReportedConstant::from).collect();
         Ok(Self::told(
             problem,
@@ -116,7 +147,8 @@ impl FormulaInspection {
             })
             .map_err(|error| error.to_string());
         let ranges = RangeReport::of(problem, &formula);
-        let model = model(problem, &formula.to_string(), given, source);
-        Self { formula, constants, predicted, residuals, outliers, units, ranges, model }
+        let model = fitted_model(problem, &formula, &constants, given, source);
+        let bands = bands(problem, model.as_ref().ok());
+        Self { formula, constants, predicted, bands, residuals, outliers, units, ranges, model }
     }
 }

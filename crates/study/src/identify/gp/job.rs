@@ -1,22 +1,20 @@
 //! The whole identification as a job: search, cross-validation of its front, report.
 
-use super::archive::FittedSum;
+use super::archive::{Archive, FittedSum};
 use super::breed::Nursery;
-use super::draw::{Functions, Language};
+use super::draw::{Functions, Grammar};
 use super::folds::Folds;
 use super::paper::PaperSearch;
 use super::problem::{GpProblem, SMALL};
 use super::report::{GpReport, report};
 use super::rows::DataRows;
-use super::search::{GpSearch, Stop};
+use super::search::{GROUP, GpSearch, Stop};
 use super::standing::GpStage;
-use super::units::UnitRule;
 use super::vary::SumBounds;
+use crate::base::language::text;
 use crate::published::PaperId;
 use crate::run::job::{Budget, Job, Progress};
 
-/// Islands with their functions: on half of them formulas have no sines and cosines.
-const ISLANDS: usize = 4;
 /// Batches without gain after which a search ends.
 const IDLE: u64 = 200;
 /// Most batches of a search by default.
@@ -52,13 +50,19 @@ pub struct GpJob {
     over: bool,
 }
 
-fn nursery(rows: DataRows, positive: &[bool], rule: Option<UnitRule>) -> Nursery {
+/// On half of the islands of a group formulas have no sines and cosines. Where an input is no more than likely to be
+/// positive, a second group takes it to be of any sign; with few rows there is nothing to choose from by that.
+fn nursery(rows: DataRows, problem: &GpProblem) -> Nursery {
+    let rule = problem.rule.clone();
+    let (likely, sure) = (problem.positive(), problem.surely_positive());
+    let groups =
+        if likely == sure || rows.len() <= SMALL { vec![likely] } else { vec![likely, sure] };
     let language = |island: usize| {
-        let periodic = island >= ISLANDS / 2;
+        let periodic = island % GROUP >= GROUP / 2;
         let functions = Functions { ln: true, exp: true, periodic, scaled: rule.is_some() };
-        Language::new(&rows, positive.to_vec(), functions)
+        Grammar::new(&rows, groups[island / GROUP].clone(), functions)
     };
-    let languages = (0..ISLANDS).map(language).collect();
+    let languages = (0..groups.len() * GROUP).map(language).collect();
     let constants = (rows.len() / 2).min(16);
     let bounds = SumBounds { terms: 6, factors: 5, nodes: 15, size: 44, constants };
     Nursery::new(rows, languages, bounds).with(rule)
@@ -74,8 +78,7 @@ impl GpJob {
             return Err(collinear.to_string());
         }
         let rows = problem.searched(settings.seed);
-        let nursery = nursery(rows, &problem.positive(), problem.rule.clone())
-            .locked(problem.template.as_ref());
+        let nursery = nursery(rows, &problem).locked(problem.template.as_ref());
         let stop = Stop { batches: settings.batches, idle: IDLE };
         let paper = settings
             .paper
@@ -133,11 +136,26 @@ impl GpJob {
         }
     }
 
-    /// The front: the best formula of each size that pays for its size; one with sines and cosines only
-    /// where it halves the error of all that have none.
+    /// The front: the best formula of each size that pays for its size. Where an input may be of any sign, those that
+    /// stop at 0 have a front, and those that do not have one of their own, which comes first at a size of both.
     #[must_use]
     pub fn front(&self) -> Vec<FittedSum> {
-        let (calm, best) = (self.search.calm(), self.search.best());
+        let mut front = self.front_of(self.search.calm(), self.search.best());
+        if let Some([calm, best]) = self.search.whole() {
+            let whole = self.front_of(&calm, &best);
+            front.retain(|other| !whole.iter().any(|candidate| candidate.size == other.size));
+            front.extend(whole);
+            front.sort_by_key(|candidate| candidate.size);
+        }
+        // Nothing larger than an exact formula says more.
+        let exact = front.iter().position(|candidate| self.search.nursery().is_exact(candidate));
+        front.truncate(exact.map_or(front.len(), |exact| exact + 1));
+        front
+    }
+
+    /// The best formulas of some survivors; one with sines and cosines only where it halves the error of all that
+    /// have none.
+    fn front_of(&self, calm: &Archive, best: &Archive) -> Vec<FittedSum> {
         let nursery = self.search.nursery();
         // A few rows are soon followed by a wave: there, only an exact one counts.
         let few = nursery.rows.len() <= SMALL;
@@ -155,9 +173,6 @@ impl GpJob {
                 front.push(candidate.clone());
             }
         }
-        // Nothing larger than an exact formula says more.
-        let exact = front.iter().position(|candidate| self.search.nursery().is_exact(candidate));
-        front.truncate(exact.map_or(front.len(), |exact| exact + 1));
         front
     }
 
@@ -200,7 +215,7 @@ impl Job for GpJob {
         let folds = self.folds.as_ref().map_or(0.0, share);
         let paper = self.paper.as_ref().map_or(1.0, |paper| paper.progress().share());
         let done = self.search.progress().share() + 0.25 * (folds + paper);
-        Progress { done: batches * done / 1.5, total: batches, unit: "batches" }
+        Progress { done: batches * done / 1.5, total: batches, unit: text!("batches") }
     }
 
     fn partial(&self) -> GpReport {

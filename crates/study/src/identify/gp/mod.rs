@@ -11,7 +11,7 @@
 //! | How they do on rows left out | [`folds`] |
 //! | Formulas as people write them, constants with intervals | [`written`], [`constants`] |
 //! | The papers' own search, beside | [`paper`] |
-//! | A formula of the front as a model file | [`model`] |
+//! | A formula of the front as a model file, with its band | [`model`], [`band`] |
 //! | What a screen shows of a table and of a formula | [`columns`], [`inspect`] |
 //! | Formulas of which a part is known | [`template`] |
 //! | What is told: front, choice, range, outliers | [`report`], [`range`], [`outliers`] |
@@ -21,6 +21,7 @@
 //! the batch, so that threads, slices and pauses do not show in the bits.
 
 pub mod archive;
+pub mod band;
 pub mod breed;
 pub mod columns;
 pub mod constants;

@@ -1,9 +1,40 @@
 //! A formula of the front as a model file.
 
+use super::band::fit;
 use super::problem::GpProblem;
+use super::report::ReportedConstant;
 use super::units::by_name;
 use crate::base::formula::{Formula, Interval, Unit};
 use crate::models::formula_model::{FormulaInput, FormulaModel, FormulaOutput};
+
+/// The model of a formula that was fitted to the problem's rows, with its band where they determine all constants.
+///
+/// # Errors
+/// As [`model`].
+pub fn fitted_model(
+    problem: &GpProblem,
+    formula: &Formula,
+    constants: &[ReportedConstant],
+    given: &[(String, Unit)],
+    source: String,
+) -> Result<FormulaModel, String> {
+    let model = model(problem, &formula.to_string(), given, source)?;
+    Ok(banded(model, problem, constants))
+}
+
+/// A model of a formula that was fitted to the problem's rows, with its band where they determine all constants.
+#[must_use]
+pub fn banded(
+    model: FormulaModel,
+    problem: &GpProblem,
+    constants: &[ReportedConstant],
+) -> FormulaModel {
+    let values: Vec<f64> = constants.iter().map(|constant| constant.value).collect();
+    let whole = Formula::parse(&model.formula().to_string(), &problem.inputs).ok();
+    let fit = whole.and_then(|whole| fit(&whole, &values, &problem.rows));
+    // What is no sound fit is none: the model stands without.
+    fit.and_then(|fit| model.clone().with_fit(fit).ok()).unwrap_or(model)
+}
 
 /// The model of a formula of this problem, with the ranges of its rows. Units are those given, those that the
 /// columns' names end with, or none.

@@ -12,6 +12,7 @@ use super::draw::Draws;
 use super::lanes::{self, LANE, Lane};
 use super::rows::DataRows;
 use crate::base::formula::{Formula, Function, Node as Tree, Operator};
+use crate::base::language::text;
 use crate::base::math;
 use crate::published::PaperId;
 use crate::run::job::{Budget, Job, Progress};
@@ -373,10 +374,10 @@ impl Job for PaperSearch {
     fn progress(&self) -> Progress {
         let total = (GENERATIONS + 1) as f64;
         if self.is_over() {
-            return Progress { done: total, total, unit: "generations" };
+            return Progress { done: total, total, unit: text!("generations") };
         }
         let share = self.parts.progress() / self.setting.population as f64;
-        Progress { done: self.generation as f64 + share, total, unit: "generations" }
+        Progress { done: self.generation as f64 + share, total, unit: text!("generations") }
     }
 
     /// The best fitness so far.

@@ -1,17 +1,19 @@
 //! What is asked: a column of a table as a formula of other columns.
 
+use super::range::WIDER;
 use super::rows::{DataRows, widened};
 use super::template::Template;
 use super::units::{UnitRule, by_name};
 use super::written::Columns;
 use crate::base::formula::Unit;
+use crate::base::language::tr;
 use crate::base::math;
 use crate::base::rng::Stream;
 use crate::base::stats;
 use crate::csv_table::CsvCells;
 
 /// Fewest rows.
-const FEWEST: usize = 5;
+pub(super) const FEWEST: usize = 5;
 /// Most inputs.
 const MOST_INPUTS: usize = 20;
 /// Most rows that a search goes over.
@@ -26,6 +28,14 @@ const COLLINEAR: f64 = 0.995;
 
 /// Levels of a column from which they are many.
 const MANY_LEVELS: usize = 20;
+
+/// Says that there are too few rows.
+pub(super) fn too_few(rows: usize) -> String {
+    match rows {
+        1 => tr!("1 row: at least {fewest} are needed", fewest = FEWEST),
+        rows => tr!("{rows} rows: at least {fewest} are needed", rows = rows, fewest = FEWEST),
+    }
+}
 
 /// A target, its inputs and their rows.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,6 +52,8 @@ pub struct GpProblem {
     pub template: Option<Template>,
     /// What the inputs of the search stand for.
     pub columns: Columns,
+    /// Columns whose units were told, though their names do not tell them.
+    pub told: Vec<String>,
 }
 
 impl GpProblem {
@@ -51,14 +63,18 @@ impl GpProblem {
     /// Names the column, line and value that do not do, and what is allowed.
     pub fn read(text: &str, target: &str, inputs: &[String]) -> Result<Self, String> {
         if inputs.is_empty() || inputs.len() > MOST_INPUTS {
-            return Err(format!("{} inputs: allowed are 1 to {MOST_INPUTS}", inputs.len()));
+            return Err(tr!(
+                "{count} inputs: allowed are 1 to {most}",
+                count = inputs.len(),
+                most = MOST_INPUTS
+            ));
         }
         for (index, input) in inputs.iter().enumerate() {
             if input == target {
-                return Err(format!("`{input}` is the target and an input"));
+                return Err(tr!("`{input}` is the target and an input", input = input));
             }
             if inputs[..index].contains(input) {
-                return Err(format!("the input `{input}` is named twice"));
+                return Err(tr!("the input `{input}` is named twice", input = input));
             }
         }
         let names: Vec<[&str; 1]> =
@@ -74,6 +90,7 @@ impl GpProblem {
             rule: None,
             template: None,
             columns: Columns { names: inputs.to_vec(), parts: Vec::new() },
+            told: Vec::new(),
         };
         problem.check()?;
         Ok(problem)
@@ -89,8 +106,9 @@ impl GpProblem {
             .map(|column| {
                 let own = given.iter().find(|(name, _)| name == column);
                 own.map(|(_, unit)| unit.clone()).or_else(|| by_name(column)).ok_or_else(|| {
-                    format!(
-                        "the unit of `{column}` is not known: give it with `--unit {column}=UNIT`, `1` for none"
+                    tr!(
+                        "the unit of `{column}` is not known: give it with `--unit {column}=UNIT`, `1` for none",
+                        column = column
                     )
                 })
             })
@@ -98,6 +116,18 @@ impl GpProblem {
         let output = units.pop().unwrap_or_else(Unit::none);
         self.rule = Some(UnitRule { columns: self.columns.clone(), inputs: units, output });
         Ok(self)
+    }
+
+    /// The same where the units of some columns are told: an input with a unit is as positive as its rows.
+    #[must_use]
+    pub fn told(mut self, given: &[(String, Unit)]) -> Self {
+        let new = given.iter().map(|(name, _)| name).filter(|name| by_name(name).is_none());
+        self.told = new.cloned().collect();
+        self
+    }
+
+    fn tells_unit(&self, name: &String) -> bool {
+        by_name(name).is_some() || self.told.contains(name)
     }
 
     /// The same with a part of the formula that is known.
@@ -118,18 +148,22 @@ impl GpProblem {
     fn check(&self) -> Result<(), String> {
         let count = self.rows.len();
         if count < FEWEST {
-            return Err(format!("{count} rows: at least {FEWEST} are needed"));
+            return Err(too_few(count));
         }
         let columns = self.inputs.iter().zip(&self.rows.inputs);
         for (name, column) in columns.chain([(&self.target, &self.rows.target)]) {
             if column.iter().all(|x| *x == column[0]) {
-                return Err(format!(
-                    "`{name}` is {} in every row: nothing can be told by it",
-                    column[0]
+                return Err(tr!(
+                    "`{name}` is {value} in every row: nothing can be told by it",
+                    name = name,
+                    value = column[0]
                 ));
             }
             if column.iter().any(|x| x.abs() > 1e100) {
-                return Err(format!("`{name}` has values above 1e100: choose another unit"));
+                return Err(tr!(
+                    "`{name}` has values above 1e100: choose another unit",
+                    name = name
+                ));
             }
         }
         Ok(())
@@ -143,7 +177,7 @@ impl GpProblem {
         let columns = self.rows.inputs.iter().zip(&self.inputs);
         let one = |(column, name): (&Vec<f64>, &String)| {
             let [low, _] = math::extent(column.iter().copied());
-            low > 0.0 && (by_name(name).is_some() || !passes_zero(column))
+            low > 0.0 && (self.tells_unit(name) || !passes_zero(column))
         };
         let mut positive: Vec<bool> = columns.map(one).collect();
         if let Some(template) = &self.template
@@ -154,7 +188,20 @@ impl GpProblem {
         positive
     }
 
-    /// The range of each input, widened by `share` of its width on both sides where that is not 0.
+    /// The same without the inputs of which it is no more than likely: they tell no unit, and their range wider by
+    /// 30 % has 0 in it.
+    #[must_use]
+    pub fn surely_positive(&self) -> Vec<bool> {
+        let mut positive = self.positive();
+        let inputs = self.inputs.iter().zip(self.rows.ranges());
+        for (positive, (name, range)) in positive.iter_mut().zip(inputs) {
+            *positive &= self.tells_unit(name) || widened(range, false, WIDER)[0] > 0.0;
+        }
+        positive
+    }
+
+    /// The range of each input, widened by `share` of its width on both sides where that is not 0; what is surely
+    /// positive stays so.
     #[must_use]
     pub fn ranges(&self, share: f64) -> Vec<[f64; 2]> {
         let ranges = self.rows.ranges();
@@ -162,7 +209,7 @@ impl GpProblem {
             return ranges;
         }
         let wide = |(range, positive): ([f64; 2], bool)| widened(range, positive, share);
-        ranges.into_iter().zip(self.positive()).map(wide).collect()
+        ranges.into_iter().zip(self.surely_positive()).map(wide).collect()
     }
 
     /// Two inputs that lie so nearly on one line that the rows do not tell their effects apart.
@@ -179,16 +226,22 @@ impl GpProblem {
         found.max_by(|a, b| a.correlation.abs().total_cmp(&b.correlation.abs()))
     }
 
-    /// The rows that the search goes over: all, or a sample drawn with the seed.
+    /// The rows that the search goes over, with the parts of a template as further columns.
     #[must_use]
     pub fn searched(&self, seed: u64) -> DataRows {
-        let extended = |rows: DataRows| match &self.template {
+        let rows = self.sample(seed);
+        match &self.template {
             Some(template) => template.extended(&rows).unwrap_or(rows),
             None => rows,
-        };
+        }
+    }
+
+    /// All rows, or of many a sample drawn with the seed.
+    #[must_use]
+    pub fn sample(&self, seed: u64) -> DataRows {
         let count = self.rows.len();
         if count <= MOST_SEARCHED {
-            return extended(self.rows.clone());
+            return self.rows.clone();
         }
         let stream = Stream::new(seed, "identify.gp.sample");
         let mut order: Vec<(u64, usize)> =
@@ -196,7 +249,7 @@ impl GpProblem {
         order.sort_unstable();
         let mut keep = vec![false; count];
         order[..MOST_SEARCHED].iter().for_each(|(_, row)| keep[*row] = true);
-        extended(self.rows.only(|row| keep[row]))
+        self.rows.only(|row| keep[row])
     }
 }
 
@@ -229,11 +282,13 @@ impl std::fmt::Display for Collinear {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let [a, b] = &self.inputs;
         let inflation = 1.0 / (1.0 - self.correlation * self.correlation);
-        write!(
-            f,
-            "`{a}` and `{b}` lie on one line (correlation {:.3}, variance inflation {inflation:.0}): these rows do \
-             not tell their effects apart, and a free formula of both would be an accident",
-            self.correlation
-        )
+        f.write_str(&tr!(
+            "`{a}` and `{b}` lie on one line (correlation {correlation:.3}, variance inflation {inflation:.0}): these \
+             rows do not tell their effects apart, and a free formula of both would be an accident",
+            a = a,
+            b = b,
+            correlation = self.correlation,
+            inflation = inflation
+        ))
     }
 }

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use super::problem::GpProblem;
 use crate::base::formula::{Certificate, Formula, Interval, Trend, UncertifiedPlace};
+use crate::base::language::text;
 
 /// By how much of their width the ranges are widened on each side.
 pub const WIDER: f64 = 0.3;
@@ -40,7 +41,7 @@ pub struct RangeReport {
     pub inputs: Vec<String>,
     /// On the ranges of the rows. Beyond them every value is an extrapolation.
     pub training: RangeCertificate,
-    /// On the wider ranges; an input that is positive stays so.
+    /// On the wider ranges; an input that is surely positive, as one with a unit, stays so.
     pub widened: RangeCertificate,
 }
 
@@ -55,11 +56,11 @@ fn place(place: &UncertifiedPlace) -> UncertainPlace {
 impl RangeCertificate {
     fn of(certificate: &Certificate) -> Self {
         let slope = |trend: &Trend| match trend {
-            Trend::Constant => "constant",
-            Trend::Rising => "rising",
-            Trend::Falling => "falling",
-            Trend::Turning => "turning",
-            Trend::Uncertified(_) => "uncertain",
+            Trend::Constant => text!("constant"),
+            Trend::Rising => text!("rising"),
+            Trend::Falling => text!("falling"),
+            Trend::Turning => text!("turning"),
+            Trend::Uncertified(_) => text!("uncertain"),
         };
         Self {
             ranges: certificate.ranges.iter().copied().map(pair).collect(),

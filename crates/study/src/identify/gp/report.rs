@@ -11,11 +11,13 @@ use super::families::declared;
 use super::folds::{LeftOut, refitted};
 use super::outliers::without;
 use super::paper::PaperResult;
-use super::problem::{GpProblem, MOST_SEARCHED, SMALL};
-use super::range::RangeReport;
+use super::problem::{GpProblem, SMALL};
+use super::range::{RangeReport, WIDER};
+use super::rows::DataRows;
 use super::search::GpSearch;
 use super::written::formula;
 use crate::base::formula::{Formula, Function, Interval, Node, Operator};
+use crate::base::language::text;
 use crate::base::math;
 use crate::run::digest::Digest;
 
@@ -27,6 +29,9 @@ const SMALL_SIZE: usize = 11;
 const NEAR: f64 = 1.03;
 /// Error over that of the best of its size up to which a formula with a certificate stands for it.
 const SECOND: f64 = 1.5;
+/// How many times the error of a formula that may stop within the ranges 30 % wider is accepted of one that does not:
+/// where it stops, its own is boundless.
+const WHOLE: f64 = 10.0;
 /// What a node costs in the description of a formula, in units of twice the log-likelihood.
 const PER_NODE: f64 = 2.0;
 /// The same for a sine or cosine.
@@ -101,8 +106,11 @@ pub struct GpReport {
     pub target: String,
     /// Number of rows.
     pub rows: usize,
-    /// Number of rows that the search went over; the constants are fitted to all.
+    /// Number of rows that the search went over, and that its front is judged by. The constants of the formula
+    /// chosen are fitted to all.
     pub searched_rows: usize,
+    /// Seed of all draws, those of the rows that were searched among them.
+    pub seed: u64,
     /// The formulas, the smallest first.
     pub front: Vec<FrontFormula>,
     /// How the errors at rows left out were found.
@@ -171,6 +179,8 @@ struct Entry {
     periodic: usize,
     left_out: Option<LeftOut>,
     certified: bool,
+    /// Whether it is certain to be finite on the ranges 30 % wider, too.
+    whole: bool,
 }
 
 impl Entry {
@@ -202,7 +212,8 @@ fn powers(node: &Node) -> usize {
 
 /// Which formula is chosen, of those certified on the ranges of the rows: one that is exact, or with few rows
 /// the smallest whose error at rows left out is near the least, with many the one of the least description
-/// by that error, its constants and its size.
+/// by that error, its constants and its size: of all, or of those that are certain to be finite on the ranges 30 % wider
+/// where its error is at most ten times as large.
 fn choose(entries: &[Entry], rows: usize) -> Option<usize> {
     let numbers: Vec<usize> =
         (0..entries.len()).filter(|number| entries[*number].certified).collect();
@@ -223,36 +234,67 @@ fn choose(entries: &[Entry], rows: usize) -> Option<usize> {
             + PER_NODE * entry.size() as f64
             + PER_WAVE * entry.periodic as f64
     };
-    numbers.into_iter().min_by(|a, b| description(a).total_cmp(&description(b)))
+    let least = |numbers: &mut dyn Iterator<Item = usize>| {
+        numbers.min_by(|a, b| description(a).total_cmp(&description(b)))
+    };
+    let any = least(&mut numbers.iter().copied())?;
+    let whole = least(&mut numbers.iter().copied().filter(|number| entries[*number].whole));
+    let near = |whole: &usize| entries[*whole].loo() <= WHOLE * entries[any].loo();
+    Some(whole.filter(near).unwrap_or(any))
 }
 
-/// The box of the rows.
-fn ranges(problem: &GpProblem, share: f64) -> Vec<Interval> {
-    problem.ranges(share).into_iter().map(|[low, high]| Interval::new(low, high)).collect()
+/// What the formulas of a front are judged by.
+struct Judged<'a> {
+    problem: &'a GpProblem,
+    search: &'a GpSearch,
+    /// The rows that were searched.
+    rows: DataRows,
+    boxes: Boxes,
+}
+
+/// The ranges of all rows, and wider ones.
+struct Boxes {
+    training: Vec<Interval>,
+    wider: Vec<Interval>,
+}
+
+impl Boxes {
+    fn of(problem: &GpProblem) -> Self {
+        let of = |share: f64| {
+            let ranges = problem.ranges(share).into_iter();
+            ranges.map(|[low, high]| Interval::new(low, high)).collect()
+        };
+        Self { training: of(0.0), wider: of(WIDER) }
+    }
+}
+
+/// Whether a formula is certain to be finite on ranges.
+fn is_finite(formula: &Formula, ranges: &[Interval]) -> bool {
+    formula.certify_values(ranges).is_ok_and(|(_, open)| open.is_empty())
 }
 
 fn finished(
-    problem: &GpProblem,
-    search: &GpSearch,
+    judged: &Judged<'_>,
     candidate: &FittedSum,
     left_out: Option<LeftOut>,
 ) -> Option<Entry> {
+    let Judged { problem, search, rows, boxes } = judged;
     let written: Formula = formula(&candidate.sum, &problem.columns).ok()?;
     let exact = search.nursery().is_exact(candidate);
-    let mut fit = fitted(&written, &problem.rows).ok()?;
+    let mut fit = fitted(&written, rows).ok()?;
     if exact {
-        fit = rounded(fit, &problem.rows);
+        fit = rounded(fit, rows);
     }
     // A constant may have become one that simplifies.
     let simpler = fit.formula.simplified();
     if simpler.size() < fit.formula.size() {
-        fit = fitted(&simpler, &problem.rows).ok()?;
+        fit = fitted(&simpler, rows).ok()?;
     }
-    let certificate = fit.formula.certify(&ranges(problem, 0.0)).ok()?;
     let rms = fit.rms();
     Some(Entry {
-        certified: certificate.is_finite(),
-        fit: if problem.rows.len() > MOST_SEARCHED { fit.without_rows() } else { fit },
+        certified: is_finite(&fit.formula, &boxes.training),
+        whole: is_finite(&fit.formula, &boxes.wider),
+        fit,
         rms,
         error: candidate.error,
         exact,
@@ -264,16 +306,16 @@ fn finished(
 /// The entries of the search's front; where the best of a size has no certificate, the next of the same size
 /// that has one.
 fn searched(
-    problem: &GpProblem,
-    search: &GpSearch,
+    judged: &Judged<'_>,
     front: &[FittedSum],
     left_out: Option<&Vec<LeftOut>>,
     repeated: bool,
 ) -> Vec<Entry> {
+    let search = judged.search;
     let mut entries = Vec::new();
     for (number, candidate) in front.iter().enumerate() {
         let errors = left_out.and_then(|errors| errors.get(number).cloned());
-        let Some(entry) = finished(problem, search, candidate, errors.clone()) else { continue };
+        let Some(entry) = finished(judged, candidate, errors.clone()) else { continue };
         let others = search.calm().of_size(candidate.size).iter();
         let other = others
             .filter(|other| !entry.certified && other.error <= SECOND * candidate.error)
@@ -283,7 +325,7 @@ fn searched(
                     true => errors.clone(),
                     false => errors.as_ref().map(|_| refitted(&other.sum, &search.nursery().rows)),
                 };
-                finished(problem, search, other, errors).filter(|entry| entry.certified)
+                finished(judged, other, errors).filter(|entry| entry.certified)
             });
         entries.push(other.unwrap_or(entry));
     }
@@ -292,10 +334,11 @@ fn searched(
 
 /// The families of curves beside what was searched, with few rows: nobody has searched for them, so their
 /// constants alone are fitted without each row.
-fn with_families(problem: &GpProblem, search: &GpSearch, mut entries: Vec<Entry>) -> Vec<Entry> {
+fn with_families(judged: &Judged<'_>, mut entries: Vec<Entry>) -> Vec<Entry> {
+    let problem = judged.problem;
     for family in declared(&problem.rows, &problem.positive(), SMALL_SIZE) {
         let left_out = refitted(&family.sum, &problem.rows);
-        entries.extend(finished(problem, search, &family, Some(left_out)));
+        entries.extend(finished(judged, &family, Some(left_out)));
     }
     entries.sort_by(|a, b| {
         (a.size(), a.loo()).partial_cmp(&(b.size(), b.loo())).unwrap_or(Ordering::Equal)
@@ -325,19 +368,25 @@ pub fn report(
     repeated: bool,
 ) -> GpReport {
     let (errors, left_out) = left_out.unzip();
-    let mut entries = searched(problem, search, front, errors.as_ref(), repeated);
+    let (rows, boxes) = (problem.sample(search.seed()), Boxes::of(problem));
+    let judged = Judged { problem, search, rows, boxes };
+    let mut entries = searched(&judged, front, errors.as_ref(), repeated);
     if repeated && problem.template.is_none() {
-        entries = with_families(problem, search, entries);
+        entries = with_families(&judged, entries);
     }
-    let chosen = choose(&entries, search.nursery().rows.len());
+    let chosen = choose(&entries, judged.rows.len());
     let least = entries.iter().map(Entry::loo).fold(f64::INFINITY, f64::min);
+    if let Some(chosen) = chosen.filter(|_| judged.rows.len() < problem.rows.len()) {
+        on_all_rows(&judged, &mut entries[chosen]);
+    }
     told(
         problem,
         &entries,
         chosen,
         least,
         Searched {
-            rows: search.nursery().rows.len(),
+            rows: judged.rows.len(),
+            seed: search.seed(),
             left_out,
             batches: search.batches(),
             evaluations: search.evaluations(),
@@ -346,12 +395,29 @@ pub fn report(
     )
 }
 
+/// Fits the constants of a formula to all rows that were found on some of them. Where it were no longer certain to be
+/// finite, they stay as they are.
+fn on_all_rows(judged: &Judged<'_>, entry: &mut Entry) {
+    let (rows, boxes) = (&judged.problem.rows, &judged.boxes);
+    let fit = fitted(&entry.fit.formula, rows).ok();
+    let fit = fit.map(|fit| if entry.exact { rounded(fit, rows) } else { fit });
+    match fit.filter(|fit| is_finite(&fit.formula, &boxes.training)) {
+        Some(fit) => {
+            entry.whole = is_finite(&fit.formula, &boxes.wider);
+            entry.rms = fit.rms();
+            entry.fit = fit;
+        }
+        None => entry.fit = entry.fit.clone().with_rows(rows),
+    }
+}
+
 /// The report on one formula whose structure was declared.
 #[must_use]
-pub fn only(problem: &GpProblem, fit: FittedFormula, left_out: LeftOut) -> GpReport {
-    let certificate = fit.formula.certify(&ranges(problem, 0.0));
+pub fn only(problem: &GpProblem, fit: FittedFormula, left_out: LeftOut, seed: u64) -> GpReport {
+    let boxes = Boxes::of(problem);
     let entry = Entry {
-        certified: certificate.is_ok_and(|certificate| certificate.is_finite()),
+        certified: is_finite(&fit.formula, &boxes.training),
+        whole: is_finite(&fit.formula, &boxes.wider),
         error: fit.rms(),
         rms: fit.rms(),
         exact: false,
@@ -362,7 +428,8 @@ pub fn only(problem: &GpProblem, fit: FittedFormula, left_out: LeftOut) -> GpRep
     let least = entry.loo();
     let searched = Searched {
         rows: problem.rows.len(),
-        left_out: Some("the constants fitted without some of the rows"),
+        seed,
+        left_out: Some(text!("the constants fitted without some of the rows")),
         batches: 0,
         evaluations: 0,
         exact_batch: None,
@@ -373,6 +440,7 @@ pub fn only(problem: &GpProblem, fit: FittedFormula, left_out: LeftOut) -> GpRep
 /// How a search went.
 struct Searched {
     rows: usize,
+    seed: u64,
     left_out: Option<&'static str>,
     batches: u64,
     evaluations: u64,
@@ -404,22 +472,19 @@ fn told(
         })
         .collect();
     let exact = chosen.is_some_and(|chosen| entries[chosen].exact);
-    let chosen = chosen.map(|chosen| {
-        let fit = entries[chosen].fit.clone();
-        if fit.residuals.is_empty() { fit.with_rows(&problem.rows) } else { fit }
-    });
-    let chosen = chosen.as_ref();
+    let chosen = chosen.map(|chosen| &entries[chosen].fit);
     let digest = digest(&front);
     GpReport {
         target: problem.target.clone(),
         rows: problem.rows.len(),
         searched_rows: searched.rows,
+        seed: searched.seed,
         front,
         left_out: searched.left_out,
         ranges: chosen.map(|fit| RangeReport::of(problem, &fit.formula)),
         residual_deviation: chosen.map(FittedFormula::deviation),
         residuals: chosen.map(|fit| fit.residuals.clone()).unwrap_or_default(),
-        bands: chosen.map(|fit| bands(problem, fit)).unwrap_or_default(),
+        bands: chosen.map(|fit| fit.bands(&problem.rows)).unwrap_or_default(),
         // Where nothing is left over, no row stands out.
         outliers: chosen.filter(|_| !exact).map(|fit| outliers(problem, fit)).unwrap_or_default(),
         paper: None,
@@ -436,12 +501,6 @@ fn worst(problem: &GpProblem, left_out: &LeftOut) -> f64 {
     shares
         .map(|(error, y)| (error / y).abs())
         .fold(0.0, |a: f64, b| if b.is_finite() { a.max(b) } else { f64::INFINITY })
-}
-
-fn bands(problem: &GpProblem, fit: &FittedFormula) -> Vec<Option<f64>> {
-    let at =
-        |row: usize| -> Vec<f64> { problem.rows.inputs.iter().map(|column| column[row]).collect() };
-    (0..problem.rows.len()).map(|row| fit.band(&at(row))).collect()
 }
 
 /// Rows that do not fit a formula, the farthest first.

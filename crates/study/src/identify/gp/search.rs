@@ -7,9 +7,12 @@ use super::archive::{Archive, FittedSum};
 use super::breed::Nursery;
 use super::draw::Draws;
 use super::state::GpState;
+use crate::base::language::{text, tr};
 use crate::run::job::{Budget, Job, Progress};
 use crate::run::parts::{Making, OneStep, Parts};
 
+/// Islands that search alike: two outer ones, and between them two inner ones that begin anew now and then.
+pub const GROUP: usize = 4;
 /// Offspring of a batch on each island.
 const PER_ISLAND: usize = 32;
 /// Batches that go on after an exact formula was found, to find a smaller one.
@@ -51,14 +54,20 @@ impl GpSearch {
     /// A search that begins with the families of curves.
     #[must_use]
     pub fn started(nursery: Nursery, seed: u64, stop: Stop) -> Self {
-        let mut archive = Archive::default();
-        nursery.first().into_iter().for_each(|candidate| archive.admit(candidate));
+        let first = nursery.first();
+        let archive = |island: usize| {
+            let mut archive = Archive::default();
+            let own = first.iter().filter(|candidate| nursery.is_at_home(candidate, island));
+            own.for_each(|candidate| archive.admit(candidate.clone()));
+            archive
+        };
+        let islands: Vec<Archive> = (0..nursery.islands()).map(archive).collect();
         Self {
             seed,
             stop,
-            islands: vec![archive.clone(); nursery.islands()],
-            calm: archive.clone(),
-            best: archive,
+            calm: archive(0),
+            best: archive(0),
+            islands,
             batch: 0,
             evaluations: 0,
             gained: 0,
@@ -84,7 +93,7 @@ impl GpSearch {
         if state.islands.len() != self.islands.len()
             || !archives.into_iter().all(|archive| archive.is_sound(inputs))
         {
-            return Err("the saved search has formulas that cannot be".to_owned());
+            return Err(tr("the saved search has formulas that cannot be").to_owned());
         }
         self.islands = state.islands;
         self.best = state.best;
@@ -95,6 +104,12 @@ impl GpSearch {
         self.exact = state.exact;
         self.parts = Parts::default();
         Ok(())
+    }
+
+    /// Seed of all draws.
+    #[must_use]
+    pub fn seed(&self) -> u64 {
+        self.seed
     }
 
     /// The nursery.
@@ -113,6 +128,22 @@ impl GpSearch {
     #[must_use]
     pub fn calm(&self) -> &Archive {
         &self.calm
+    }
+
+    /// Where an input may be of any sign: the best formulas of all sizes that have values on both sides of 0, those
+    /// without sines and cosines first.
+    #[must_use]
+    pub fn whole(&self) -> Option<[Archive; 2]> {
+        let group = self.islands.get(GROUP..).filter(|group| !group.is_empty())?;
+        let mut both = [Archive::default(), Archive::default()];
+        for candidate in group.iter().flat_map(Archive::all) {
+            let [calm, best] = &mut both;
+            if candidate.sum.periodic() == 0 {
+                calm.admit(candidate.clone());
+            }
+            best.admit(candidate.clone());
+        }
+        Some(both)
     }
 
     /// Batches that are over.
@@ -149,18 +180,17 @@ impl GpSearch {
         exact.map_or(usize::MAX, |candidate| candidate.size)
     }
 
-    /// The inner islands in turn hand their survivors to the outer one beside them and begin anew: a search
-    /// that has run itself into a corner is no longer asked.
+    /// The inner islands of each group in turn hand their survivors to the outer one beside them and begin anew: a
+    /// search that has run itself into a corner is no longer asked.
     fn restart(&mut self) {
-        let inner = self.islands.len().saturating_sub(2);
-        if inner == 0 {
-            return;
-        }
+        let inner = GROUP - 2;
         let turn = (self.batch / RESTART) as usize % inner;
         let outer = if turn < inner / 2 { 0 } else { inner + 1 };
-        let survivors = std::mem::take(&mut self.islands[1 + turn]);
-        for survivor in survivors.all() {
-            self.islands[outer].admit(survivor.clone());
+        for group in self.islands.chunks_mut(GROUP) {
+            let survivors = std::mem::take(&mut group[1 + turn]);
+            for survivor in survivors.all() {
+                group[outer].admit(survivor.clone());
+            }
         }
     }
 
@@ -231,11 +261,11 @@ impl Job for GpSearch {
 
     fn progress(&self) -> Progress {
         if self.is_over() {
-            return Progress { done: 1.0, total: 1.0, unit: "batches" };
+            return Progress { done: 1.0, total: 1.0, unit: text!("batches") };
         }
         let share = self.parts.progress() / (PER_ISLAND * self.islands.len()) as f64;
         let done = self.batch as f64 + share;
-        Progress { done, total: self.stop.batches as f64, unit: "batches" }
+        Progress { done, total: self.stop.batches as f64, unit: text!("batches") }
     }
 
     fn partial(&self) -> Archive {

@@ -6,6 +6,7 @@ use super::archive::Archive;
 use super::job::GpJob;
 use super::problem::GpProblem;
 use crate::base::files::from_json;
+use crate::base::language::tr;
 use crate::run::digest::Digest;
 
 /// Version of the format.
@@ -39,6 +40,9 @@ fn digest(problem: &GpProblem, seed: u64) -> String {
     format!("{:?}{:?}", problem.rule, problem.template)
         .bytes()
         .for_each(|byte| digest.word(u64::from(byte)));
+    for text in &problem.told {
+        text.bytes().for_each(|byte| digest.word(u64::from(byte)));
+    }
     for column in problem.rows.inputs.iter().chain([&problem.rows.target]) {
         column.iter().for_each(|x| digest.word(x.to_bits()));
     }
@@ -83,17 +87,28 @@ impl GpJob {
     /// # Errors
     /// The text is no such file, of another version, or of another table, other columns or another seed.
     pub fn resume(&mut self, text: &str) -> Result<(), String> {
-        let state: GpState = from_json(text)?;
+        self.resume_state(from_json(text)?)
+    }
+
+    /// Goes on where a state left off.
+    ///
+    /// # Errors
+    /// As [`Self::resume`].
+    pub fn resume_state(&mut self, state: GpState) -> Result<(), String> {
         if state.version != VERSION {
             let version = state.version;
-            return Err(format!("`version` cannot be {version}: allowed is {VERSION}"));
+            return Err(tr!(
+                "`version` cannot be {version}: allowed is {allowed}",
+                version = version,
+                allowed = VERSION
+            ));
         }
         if state.problem != digest(self.problem(), self.settings().seed) {
-            return Err(
-                "the search was of another table, of other columns, units or another seed: all of \
-                        these have to be as they were"
-                    .to_owned(),
+            let problem = tr(
+                "the search was of another table, of other columns, units or another seed: all of these have to be as \
+                 they were",
             );
+            return Err(problem.to_owned());
         }
         self.search_mut().go_on(state)
     }

@@ -7,6 +7,7 @@ use super::rows::DataRows;
 use crate::base::formula::{
     CompiledFormula, Formula, Function, NamedConstant, Node as Tree, Operator,
 };
+use crate::base::language::tr;
 
 /// Name under which T is read.
 const FREE: &str = "T_";
@@ -56,11 +57,11 @@ fn without_brackets(text: &str) -> Result<(String, Option<Vec<String>>), String>
         .filter(|(at, name)| *name == "T" && text[at + 1..].trim_start().starts_with('('));
     let Some((at, _)) = places.next() else { return Ok((text.to_owned(), None)) };
     if places.next().is_some() {
-        return Err("T stands there twice: allowed is once".to_owned());
+        return Err(tr("T stands there twice: allowed is once").to_owned());
     }
     let rest = &text[at + 1..];
     let open = rest.find('(').unwrap_or(0);
-    let close = rest.find(')').ok_or("the bracket of T is not closed")?;
+    let close = rest.find(')').ok_or_else(|| tr("the bracket of T is not closed"))?;
     let inputs = rest[open + 1..close].split(',');
     let inputs = inputs.map(|name| name.trim().trim_matches('"').to_owned()).collect();
     Ok((format!("{}{FREE}{}", &text[..at], &rest[close + 1..]), Some(inputs)))
@@ -129,18 +130,26 @@ impl Template {
             }
         }
         if constants.len() > MOST + 1 {
-            return Err(format!("{} constants: allowed are {MOST}", constants.len()));
+            return Err(tr!(
+                "{count} constants: allowed are {most}",
+                count = constants.len(),
+                most = MOST
+            ));
         }
         let formula = Formula::parse_with(&text, inputs, &constants).map_err(|e| e.to_string())?;
         let Some(free) = free else {
             return match count(formula.root()) {
-                0 => Err("there is neither a constant to fit nor T to search for".to_owned()),
+                0 => Err(tr("there is neither a constant to fit nor T to search for").to_owned()),
                 _ => Ok(Self { formula, parts: Vec::new(), free: None }),
             };
         };
         let number = |name: &String| {
             inputs.iter().position(|input| input == name).map(|at| at as u8).ok_or_else(|| {
-                format!("T({name}): `{name}` is no input; inputs are {}", inputs.join(", "))
+                tr!(
+                    "T({name}): `{name}` is no input; inputs are {list}",
+                    name = name,
+                    list = inputs.join(", ")
+                )
             })
         };
         let free = free.iter().map(number).collect::<Result<Vec<u8>, String>>()?;
@@ -159,14 +168,16 @@ impl Template {
                 continue;
             }
             let part = without_constant(&term).filter(|_| count(&term) == 1).ok_or_else(|| {
-                format!(
-                    "`{told}`: beside T, every part needs one constant that multiplies it, and no other"
+                tr!(
+                    "`{part}`: beside T, every part needs one constant that multiplies it, and no other",
+                    part = told
                 )
             })?;
             parts.push(Formula::new(part, inputs)?.simplified());
         }
         if !found {
-            return Err("T has to stand in the sum by itself, as in `a + b*n^3 + T(f)`".to_owned());
+            let problem = tr("T has to stand in the sum by itself, as in `a + b*n^3 + T(f)`");
+            return Err(problem.to_owned());
         }
         Ok(Self { formula, parts, free: Some(free) })
     }
@@ -182,7 +193,7 @@ impl Template {
         let whole = rows.inputs.iter().flatten().all(|x| x.is_finite());
         whole
             .then_some(rows)
-            .ok_or("a part of the template has no finite value on some row".to_owned())
+            .ok_or_else(|| tr("a part of the template has no finite value on some row").to_owned())
     }
 }
 

@@ -268,7 +268,7 @@ impl Tidy<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::{Draws, Functions, Language};
+    use super::super::draw::{Draws, Functions, Grammar};
     use super::super::evaluate::Sweeps;
     use super::super::rows::DataRows;
     use super::*;
@@ -279,7 +279,7 @@ mod tests {
         let inputs: Vec<Vec<f64>> = vec![column(0.5, 0.03), column(-1.0, 0.041)];
         let rows = DataRows { target: inputs[0].clone(), inputs: inputs.clone() };
         let functions = Functions { ln: true, exp: true, periodic: true, scaled: false };
-        let language = Language::new(&rows, rows.positive(), functions);
+        let language = Grammar::new(&rows, rows.positive(), functions);
         let tidy = Tidy { positive: &[true, false] };
         let mut sweeps = Sweeps::default();
         let mut compared = 0;

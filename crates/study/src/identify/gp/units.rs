@@ -2,50 +2,8 @@
 
 use super::node::Sum;
 use super::written::{Columns, formula};
+pub use crate::base::column_unit::{by_name, without_unit};
 use crate::base::formula::{Formula, NumberUnits, Unit};
-
-/// Endings of column names that tell a unit, the longer ones first.
-const ENDINGS: [(&str, &str); 20] = [
-    ("_mm3_min", "mm^3/min"),
-    ("_cm3_min", "cm^3/min"),
-    ("_n_mm2", "N/mm^2"),
-    ("_mm_min", "mm/min"),
-    ("_mm_rev", "mm"),
-    ("_m_min", "m/min"),
-    ("_mm_s", "mm/s"),
-    ("_m_s", "m/s"),
-    ("_rpm", "1/min"),
-    ("_mpa", "MPa"),
-    ("_min", "min"),
-    ("_kn", "kN"),
-    ("_nm", "N m"),
-    ("_kw", "kW"),
-    ("_hz", "Hz"),
-    ("_um", "um"),
-    ("_mm", "mm"),
-    ("_n", "N"),
-    ("_w", "W"),
-    ("_s", "s"),
-];
-
-/// The unit that a column's name ends with.
-#[must_use]
-pub fn by_name(column: &str) -> Option<Unit> {
-    let column = column.to_lowercase();
-    let ending = ENDINGS.iter().find(|(ending, _)| column.ends_with(ending));
-    ending.and_then(|(_, unit)| Unit::parse(unit).ok())
-}
-
-/// A column's name without the ending that tells its unit.
-#[must_use]
-pub fn without_unit(column: &str) -> &str {
-    let lower = column.to_lowercase();
-    let ending = ENDINGS.iter().find(|(ending, _)| lower.ends_with(ending));
-    // Where small letters are as long as large ones.
-    let length = ending.map_or(0, |(ending, _)| ending.len());
-    let bare = column.len().checked_sub(length).and_then(|end| column.get(..end));
-    bare.filter(|bare| !bare.is_empty()).unwrap_or(column)
-}
 
 /// The rule that formulas are right in their units.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,6 +41,7 @@ impl UnitRule {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::column_unit::ENDINGS;
 
     #[test]
     fn columns_tell_their_units_by_the_ends_of_their_names() {
@@ -93,5 +52,28 @@ mod tests {
         assert!(by_name("force").is_none());
         let bare = ["force_final_n", "Feed_MM_min", "force", "_n"].map(without_unit);
         assert_eq!(bare, ["force_final", "Feed", "force", "_n"]);
+    }
+    #[test]
+    fn units_in_brackets_and_behind_words_are_read() {
+        for (column, name, unit) in [
+            ("Force [N]", "Force", "N"),
+            ("n (1/min)", "n", "1/min"),
+            ("n(U/min)", "n", "1/min"),
+            ("v_f [mm/min]", "v_f", "mm/min"),
+            ("Ra / µm", "Ra", "um"),
+            ("Feed in mm/min", "Feed", "mm/min"),
+            ("Kraft, kN", "Kraft", "kN"),
+            ("Spindle speed [rpm]", "Spindle speed", "rpm"),
+            ("f_z [mm/rev]", "f_z", "mm"),
+            ("ratio [-]", "ratio", "1"),
+        ] {
+            let told = by_name(column).unwrap_or_else(|| panic!("{column}"));
+            assert!(told.is_same(&Unit::parse(unit).unwrap()), "{column}: {told}");
+            assert_eq!(without_unit(column), name);
+        }
+        for column in ["Force (mean)", "share in words", "x []", "[N]", "F (1)2", "a / b"] {
+            assert!(by_name(column).is_none(), "{column}");
+            assert_eq!(without_unit(column), column);
+        }
     }
 }

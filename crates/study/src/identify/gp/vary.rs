@@ -1,6 +1,6 @@
 //! How offspring come from parents.
 
-use super::draw::{Draws, Language};
+use super::draw::{Draws, Grammar};
 use super::fit::Fitter;
 use super::node::{Factor, Product, RECIPROCAL, Step, Sum, fixed, start_of};
 use super::rows::DataRows;
@@ -31,7 +31,7 @@ const SWUNG: f64 = 0.1;
 /// Everything that variation needs besides the parents.
 pub struct Variation<'a> {
     /// What new parts are drawn from.
-    pub language: &'a Language,
+    pub language: &'a Grammar,
     /// What formulas may be.
     pub bounds: SumBounds,
     /// The rows by which candidates for a term are compared.
