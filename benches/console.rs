@@ -7,13 +7,14 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use eframe::egui;
+use steadycut::app::Console;
 use steadycut::app::cut::Cut;
-use steadycut::app::{Console, twin};
 use steadycut::base::settings::Value;
-use steadycut::run::constant_feed_twin;
 use steadycut::run::edits::{Edit, Edits};
+use steadycut::run::metrics;
 use steadycut::run::one_run::Run;
 use steadycut::run::{Start, presets};
+use steadycut::run::{against_twin, constant_feed_twin};
 use steadycut::study::compare::contest::ContestJob;
 use steadycut::study::compare::entrants::{TABLE_1, experiment_2, on};
 
@@ -155,10 +156,26 @@ fn parts(criterion: &mut Criterion) {
             cut.advance(u64::MAX);
         });
     });
-    let twin = Run::complete(&constant_feed_twin::scenario(&scenario), &plans[0]);
-    let rows = run.recording().rows().len();
-    criterion.bench_function("compare with the twin", |bencher| {
-        bencher.iter(|| black_box(twin::compare(&run, rows, &twin)));
+    let mut twin = Cut::new(&constant_feed_twin::scenario(&scenario), &plans[0]);
+    [&mut cut, &mut twin].into_iter().for_each(|cut| cut.advance(u64::MAX));
+    let rows = cut.run().recording().rows().len();
+    // As while it plays: 400 ms more each time, from the start again at the end.
+    let mut shown = 0;
+    criterion.bench_function("compare with the twin, counted on", |bencher| {
+        bencher.iter(|| {
+            shown = (shown + 400) % rows;
+            black_box(against_twin::compare_on(cut.counted(), shown, twin.counted()))
+        });
+    });
+    criterion.bench_function("the same counted from the start each time", |bencher| {
+        bencher.iter(|| {
+            shown = (shown + 400) % rows;
+            let of = |cut: &Cut| {
+                let run = cut.run();
+                metrics::metrics(run.recording(), shown, run.scenario(), run.edits())
+            };
+            black_box([of(&cut), of(&twin)])
+        });
     });
 }
 

@@ -1,5 +1,6 @@
 //! SteadyCut: the simulator's layers under one name, with its two front ends, command line and
-//! console. The simulation itself is [`steadycut_core`], many runs are [`steadycut_study`].
+//! console. The simulation itself is [`steadycut_core`], many runs are [`steadycut_study`], measured data
+//! [`steadycut_measured`].
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -7,6 +8,7 @@
 #![deny(clippy::wildcard_enum_match_arm)]
 
 pub use steadycut_core::{base, blocks, models, run};
+pub use steadycut_measured as measured;
 pub use steadycut_study as study;
 
 #[cfg(not(target_arch = "wasm32"))]

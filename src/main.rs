@@ -6,7 +6,7 @@ fn main() -> std::process::ExitCode {
     let cli = steadycut::cli::parse();
     match &cli.command {
         Some(command) => steadycut::cli::execute(command),
-        None => steadycut::cli::console(cli.scenario.as_deref(), open_console),
+        None => steadycut::cli::console(cli.scenario.as_deref(), &cli.embed, open_console),
     }
 }
 
@@ -14,7 +14,7 @@ fn main() -> std::process::ExitCode {
 use steadycut::app::open as open_console;
 
 #[cfg(all(not(target_arch = "wasm32"), not(feature = "app")))]
-fn open_console(_: steadycut::run::Start) -> Result<(), String> {
+fn open_console(_: steadycut::study::opening::Opening) -> Result<(), String> {
     Err("this program was built without the console; `steadycut --help` lists its commands, or \
          build it with the feature `app`"
         .to_owned())
@@ -80,6 +80,34 @@ mod web_exports {
     #[wasm_bindgen]
     pub fn tab_leaves() -> bool {
         steadycut::app::web::tab_leaves()
+    }
+
+    /// Makes the page's elements for screen readers, or no more.
+    #[cfg(feature = "app")]
+    #[wasm_bindgen]
+    pub fn mirror(on: bool) {
+        steadycut::app::web::mirror(on);
+    }
+
+    /// Does with one of them what a person did.
+    #[cfg(feature = "app")]
+    #[wasm_bindgen]
+    pub fn mirror_act(deed: &str) -> Result<(), JsValue> {
+        steadycut::app::web::act(deed).map_err(|error| JsValue::from_str(&error))
+    }
+
+    /// Whether one of them has the keyboard.
+    #[cfg(feature = "app")]
+    #[wasm_bindgen]
+    pub fn mirror_hold(held: bool) {
+        steadycut::app::web::hold(held);
+    }
+
+    /// Whether a link pasted into the open page is not followed.
+    #[cfg(feature = "app")]
+    #[wasm_bindgen]
+    pub fn keeps_address() -> bool {
+        steadycut::app::web::keeps_address()
     }
 
     /// The console's state, for the browser test.

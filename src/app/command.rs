@@ -4,7 +4,14 @@
 
 use super::panels::BroughtFile;
 use super::playback::Speed;
+use super::session::MissionLock;
+use super::session::hand::KnobScale;
+use crate::base::language::Language;
 use crate::base::settings::Value;
+use crate::models::disturbances::{Disturbance, Zone};
+use crate::run::edits::Edits;
+use crate::run::scenario::Scenario;
+use crate::study::mission::MissionResult;
 
 /// One thing to do, by the part of the console that does it.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +37,18 @@ impl Command {
     #[must_use]
     pub fn set_formula(path: &str, value: Value) -> Self {
         Self::Session(SessionCommand::SetFormula { path: path.to_owned(), value })
+    }
+
+    /// Drops a disturbance a little ahead of the tool.
+    #[must_use]
+    pub fn drop(kind: Disturbance) -> Self {
+        Self::Session(SessionCommand::Disturb(DisturbCommand::Drop { kind, at_mm: None }))
+    }
+
+    /// Drives the cut by hand.
+    #[must_use]
+    pub fn hand(command: HandCommand) -> Self {
+        Self::Session(SessionCommand::Hand(command))
     }
 
     /// Shows a message.
@@ -70,6 +89,15 @@ pub enum SessionCommand {
     /// Changes settings of the scenario itself, all or none, in one step of undo, wherever the
     /// playhead stands: paths with their new values. A refused one becomes a notice.
     SetUp(Vec<(String, Value)>),
+    /// Makes the settings at the playhead those of the scenario itself, without its edits, and plays it from the
+    /// start; one step of undo.
+    CutAgain,
+    /// Drops a disturbance into the cut, or says what the next one is like.
+    Disturb(DisturbCommand),
+    /// Drives the cut by hand.
+    Hand(HandCommand),
+    /// Hides the cut of the mission under way, at its start, while it is to be predicted; or shows it from there.
+    HideCut(bool),
     /// Loads a shipped scenario and plays it from the start.
     LoadPreset(String),
     /// Loads the text of a scenario file and plays it from the start.
@@ -86,12 +114,65 @@ pub enum SessionCommand {
         /// The file's text.
         text: String,
     },
+    /// Begins a mission's cut: what the mission does not open cannot be changed until it is left.
+    BeginMission {
+        /// Its cut, as the learner has it.
+        scenario: Box<Scenario>,
+        /// The changes during it.
+        edits: Edits,
+        /// What it opens.
+        lock: Box<MissionLock>,
+    },
+    /// Leaves the mission; the cut stays as it is.
+    EndMission,
     /// Shows a message.
     Notify(String),
     /// Takes back the last change; the playhead stays.
     Undo,
     /// Does the change taken back last again.
     Redo,
+}
+
+/// What is done with disturbances.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DisturbCommand {
+    /// Drops one, as long and large as the last one of its kind: a step of undo.
+    Drop {
+        /// Its kind.
+        kind: Disturbance,
+        /// Where along the way it begins, mm; none: a little ahead of the tool.
+        at_mm: Option<f64>,
+    },
+    /// How long and large the next one of a kind is.
+    Offer {
+        /// Its kind.
+        kind: Disturbance,
+        /// Its length and size; the place is not used.
+        zone: Zone,
+    },
+}
+
+/// What is done with the feed override in the learner's hand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HandCommand {
+    /// Switches the operator mode on or off.
+    Mode(bool),
+    /// Switches the operator mode.
+    Toggle,
+    /// How far the knob goes.
+    Scale(KnobScale),
+    /// Turns the knob by clicks, up or down.
+    Turn(i32),
+    /// Turns the knob to the click nearest to an override in percent.
+    To(f64),
+    /// Takes the feed from the controller that has it, at the override that it sends.
+    Take,
+    /// Gives the feed back to the controller that had it.
+    GiveBack,
+    /// Cuts the part from its start without a controller, the override at 100 %.
+    CutByHand,
+    /// Cuts the part from its start by a way of control, by its id in the comparison.
+    CutBy(&'static str),
 }
 
 /// What moves the playhead.
@@ -109,6 +190,8 @@ pub enum PlaybackCommand {
     SeekTo(f64),
     /// Moves the playhead to the end of the cut.
     SeekToEnd,
+    /// Moves the playhead to 2 s before what went wrong last, and pauses: the next change branches there.
+    TryAgain,
     /// Sets the speed of the playhead.
     Speed(Speed),
     /// Plots show the last seconds before the playhead (on) or the whole run (off).
@@ -138,6 +221,13 @@ pub enum FileCommand {
         /// Its text.
         text: String,
     },
+    /// Saves bytes under this name.
+    SaveBytes {
+        /// The file's name.
+        name: String,
+        /// The bytes.
+        bytes: Vec<u8>,
+    },
     /// Asks for a table, for the screen that searches for formulas.
     OpenTable,
     /// Asks for a saved search for a formula, and goes on with it.
@@ -150,8 +240,26 @@ pub enum FileCommand {
     OpenFormula(String),
     /// Saves the networks as they are at the end of the cut.
     SaveNetworks,
-    /// Copies a link (on the desktop: its part after `#`) that holds scenario and edits.
+    /// Copies a link to this state and puts it up: scenario and edits, the mission under way.
     CopyLink,
+    /// The same with a link of another thing, by its part after `#`.
+    CopyLinkTo(String),
+    /// Copies a text of the link that is put up.
+    CopyText {
+        /// Which one.
+        what: LinkText,
+        /// The text.
+        text: String,
+    },
+}
+
+/// What of a link that is put up goes into the clipboard.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LinkText {
+    /// The link.
+    Link,
+    /// The command line that repeats its run.
+    CommandLine,
 }
 
 /// What concerns the window around the screens.
@@ -163,6 +271,12 @@ pub enum ShellCommand {
     ShowPart(&'static str, &'static str),
     /// Light, dark, or as the system has it.
     Theme(egui::ThemePreference),
+    /// Everything large, for a projector, or of its usual size.
+    Projector(bool),
+    /// Nothing moves but what shows the cut, or again as usual.
+    LessMotion(bool),
+    /// Speaks this language from now on, and at the next start.
+    Speak(Language),
     /// Shows or hides the sheet of shortcuts.
     ShowShortcuts(bool),
     /// Opens or closes the search.
@@ -171,6 +285,24 @@ pub enum ShellCommand {
     Dismiss(u64),
     /// Closes what lies on top: search, sheet, link, or the newest message.
     CloseTopmost,
-    /// Puts a link up, for copying it by hand.
-    ShowLink(String),
+    /// Puts a link up with its code: an address, or its part from `#` on.
+    ShowLink {
+        /// The link.
+        link: String,
+        /// Whether it is in the clipboard.
+        copied: bool,
+    },
+    /// A text of the link that is put up was copied.
+    Copied {
+        /// Which one.
+        what: LinkText,
+        /// Whether the clipboard took it.
+        copied: bool,
+    },
+    /// The address of a page of this program, for links of the desktop.
+    PageIs(String),
+    /// A mission was marked.
+    Marked(Box<MissionResult>),
+    /// Forgets the stars won in all missions.
+    ForgetStars,
 }

@@ -4,6 +4,7 @@
 use super::history::LearningHistory;
 use super::trace::Traces;
 use crate::run::edits::Edits;
+use crate::run::metrics::Counting;
 use crate::run::one_run::Run;
 use crate::run::scenario::Scenario;
 use crate::run::story::Scan;
@@ -15,6 +16,7 @@ pub struct Cut {
     traces: Traces,
     learning: LearningHistory,
     scan: Scan,
+    counting: Counting,
 }
 
 /// What a run was before a change: drawn from the change on.
@@ -33,7 +35,8 @@ impl Cut {
         let run = Run::new(scenario, edits);
         let traces = Traces::new(run.recording().row_s());
         let learning = LearningHistory::new(&run);
-        let mut cut = Self { run, traces, learning, scan: Scan::default() };
+        let mut cut =
+            Self { run, traces, learning, scan: Scan::default(), counting: Counting::default() };
         cut.advance(0);
         cut
     }
@@ -47,6 +50,7 @@ impl Cut {
             let kept = self.run.recording().rows().len();
             self.traces.truncate(kept);
             self.scan.truncate(kept);
+            self.counting.forget();
             self.learning.truncate(&self.run);
             self.advance(0);
         }
@@ -81,6 +85,11 @@ impl Cut {
     #[must_use]
     pub fn scan(&self) -> &Scan {
         &self.scan
+    }
+
+    /// The run, with what its metrics are counted on from.
+    pub fn counted(&mut self) -> (&Run, &mut Counting) {
+        (&self.run, &mut self.counting)
     }
 
     /// What its networks learned.

@@ -1,15 +1,27 @@
 //! How the console carries commands out: what is not the session's is done here.
 
-use super::command::{Command, FileCommand, SessionCommand, ShellCommand};
+use super::command::{Command, FileCommand, LinkText, SessionCommand, ShellCommand};
+use super::link::{LinkWindow, RunTold};
+use super::session::PREDICT_FIRST;
 #[cfg(target_arch = "wasm32")]
 use super::web;
-use super::{Console, files};
+use super::{Console, files, format, framed, theme};
+use crate::base::language::tr;
 use crate::run::scenario_file;
 use crate::study::export;
+use crate::study::mission::MissionResult;
 use crate::study::unks_passes::learned;
+
+/// Id of the screen with the operator's view.
+const CONSOLE: &str = "console";
 
 impl Console {
     pub(super) fn execute(&mut self, command: Command, ctx: &egui::Context) {
+        let shown = self.panels[self.shown].id();
+        if let Some(refused) = framed::refused(&self.frame, shown, &command) {
+            self.session.notify(refused);
+            return;
+        }
         match command {
             Command::Session(command) => {
                 if matches!(
@@ -17,11 +29,19 @@ impl Console {
                     SessionCommand::Set { .. }
                         | SessionCommand::SetUp(_)
                         | SessionCommand::SetFormula { .. }
+                        | SessionCommand::Disturb(_)
+                        | SessionCommand::Hand(_)
                         | SessionCommand::LoadFormula { .. }
                 ) {
                     self.since_change_s = 0.0;
                 }
+                let was_on = self.session.hand().is_on();
+                let by_hand = matches!(command, SessionCommand::Hand(_));
                 self.session.execute(command);
+                // The operator's view is on the console.
+                if by_hand && !was_on && self.session.hand().is_on() {
+                    self.show_screen(CONSOLE);
+                }
             }
             Command::Playback(command) => self.session.play(command),
             Command::File(command) => self.execute_file(command, ctx),
@@ -37,10 +57,28 @@ impl Console {
                 self.panels[self.shown].show_part(part);
             }
             ShellCommand::Theme(preference) => ctx.set_theme(preference),
+            ShellCommand::Projector(large) => theme::set_large(ctx, large),
+            ShellCommand::LessMotion(still) => theme::set_still(ctx, still),
+            ShellCommand::Speak(language) => {
+                self.speak(language);
+                self.remembered.speaks(language);
+                // What was said was said in another language; the list keeps it as it was said.
+                self.messages.dismiss_all();
+            }
             ShellCommand::ShowShortcuts(show) => self.shortcuts = show,
             ShellCommand::ShowSearch(show) => self.search.show_it(show),
             ShellCommand::Dismiss(number) => self.messages.dismiss(number),
-            ShellCommand::ShowLink(link) => self.link = Some(link),
+            ShellCommand::ShowLink { link, copied } => {
+                self.link = Some(LinkWindow::new(link, copied));
+            }
+            ShellCommand::Copied { what, copied } => {
+                if let Some(link) = &mut self.link {
+                    link.was_copied(what, copied);
+                }
+            }
+            ShellCommand::PageIs(page) => self.remembered.page_is(&page),
+            ShellCommand::Marked(result) => self.marked(*result),
+            ShellCommand::ForgetStars => self.remembered.forget_stars(),
             ShellCommand::CloseTopmost => self.close_topmost(),
         }
     }
@@ -49,6 +87,7 @@ impl Console {
         let shown = self.panels.iter().position(|p| p.id() == id).unwrap_or(self.shown);
         if shown != self.shown {
             self.panels[self.shown].left();
+            self.messages.leave_screen();
         }
         self.shown = shown;
     }
@@ -68,11 +107,15 @@ impl Console {
                 let text = scenario_file::write(self.session.scenario(), self.session.edits());
                 self.save(ctx, "toml", text.into_bytes());
             }
+            FileCommand::ExportCsv if self.session.hides_the_cut() => {
+                self.session.notify(tr(PREDICT_FIRST));
+            }
             FileCommand::ExportCsv => self.export_csv(ctx),
             FileCommand::SaveCsv { what, text } => {
                 self.save(ctx, &format!("{what}.csv"), text.into_bytes());
             }
             FileCommand::SaveText { name, text } => self.files.save(ctx, &name, text.into_bytes()),
+            FileCommand::SaveBytes { name, bytes } => self.files.save(ctx, &name, bytes),
             FileCommand::OpenTable => self.files.open_table(ctx),
             FileCommand::OpenSearch => self.files.open_search(ctx),
             FileCommand::Bring(file) => {
@@ -82,19 +125,42 @@ impl Console {
             FileCommand::OpenNetworks => self.files.open_networks(ctx),
             FileCommand::OpenFormula(path) => self.files.open_formula(ctx, path),
             FileCommand::SaveNetworks => self.save_networks(ctx),
-            FileCommand::CopyLink => self.copy_link(ctx),
+            FileCommand::CopyLink => self.copy_link(ctx, &self.fragment()),
+            FileCommand::CopyLinkTo(fragment) => self.copy_link(ctx, &fragment),
+            FileCommand::CopyText { what, text } => self.copy_text(ctx, what, text),
         }
     }
 
+    /// Remembers the stars of a mission, and tells the page around, which may hand them to a learning platform.
+    fn marked(&mut self, result: MissionResult) {
+        self.remembered.won(&result.kept_as(), result.verdict.stars);
+        #[cfg(target_arch = "wasm32")]
+        web::tell_page("steadycutResult", &result.write());
+        self.result = Some(result);
+    }
+
     fn save(&self, ctx: &egui::Context, extension: &str, bytes: Vec<u8>) {
-        let name = files::file_name(&self.session.scenario().info.name, extension);
+        let called = files::called(self.session.scenario(), self.session.edits());
+        let name = files::file_name(&called, extension);
         self.files.save(ctx, &name, bytes);
     }
 
     fn export_csv(&mut self, ctx: &egui::Context) {
         let mut bytes = Vec::new();
         match export::csv::write(&mut bytes, self.session.chosen().run().recording()) {
-            Ok(()) => self.save(ctx, "csv", bytes),
+            Ok(()) => {
+                // What is not worked out to its end yet says so.
+                let over = self.session.chosen().is_over();
+                if !over {
+                    let until = format::time(self.session.chosen().simulated_s());
+                    self.session.notify(tr!(
+                        "The signals are those up to {until}: the cut is still being computed. The name of the \
+                         file says so.",
+                        until = until
+                    ));
+                }
+                self.save(ctx, if over { "csv" } else { "partial.csv" }, bytes);
+            }
             Err(error) => self.session.notify(format!("CSV: {error}")),
         }
     }
@@ -103,34 +169,38 @@ impl Console {
     fn save_networks(&mut self, ctx: &egui::Context) {
         match learned(self.session.chosen().run(), 1) {
             Some(stored) => self.save(ctx, "json", stored.write().into_bytes()),
-            None => self.session.notify("The chosen controller has no networks that learn."),
+            None => self.session.notify(tr("The chosen controller has no networks that learn.")),
         }
     }
 
     #[cfg(target_arch = "wasm32")]
-    fn copy_link(&mut self, ctx: &egui::Context) {
-        let said = "The link is in the clipboard: it opens this scenario with its edits.";
-        let said = format!("{said} {}", self.repeated());
-        self.files.copy(ctx, web::address(&self.fragment()), said);
+    fn copy_link(&self, ctx: &egui::Context, fragment: &str) {
+        let link = web::address(fragment);
+        self.files.copy(ctx, link, |link, copied| ShellCommand::ShowLink { link, copied });
+    }
+
+    #[cfg(target_arch = "wasm32")]
+    fn copy_text(&self, ctx: &egui::Context, what: LinkText, text: String) {
+        self.files.copy(ctx, text, move |_, copied| ShellCommand::Copied { what, copied });
     }
 
     #[cfg(not(target_arch = "wasm32"))]
-    fn copy_link(&mut self, ctx: &egui::Context) {
-        ctx.copy_text(format!("#{}", self.fragment()));
-        let said = "The link's part from # on is in the clipboard: append it to the address of \
-                    SteadyCut's web page.";
-        self.session.notify(format!("{said} {}", self.repeated()));
+    fn copy_text(&self, ctx: &egui::Context, what: LinkText, text: String) {
+        ctx.copy_text(text);
+        self.push(Command::Shell(ShellCommand::Copied { what, copied: true }));
     }
 
-    /// How the run is repeated elsewhere, and how to see that it is the same.
-    pub(super) fn repeated(&self) -> String {
+    #[cfg(not(target_arch = "wasm32"))]
+    fn copy_link(&self, ctx: &egui::Context, fragment: &str) {
+        let link = format!("{}#{fragment}", self.remembered.page());
+        ctx.copy_text(link.clone());
+        self.push(Command::Shell(ShellCommand::ShowLink { link, copied: true }));
+    }
+
+    /// The run that is shown, for a link that is put up.
+    pub(super) fn told(&self) -> RunTold {
         let run = self.session.chosen().run();
-        let digest = match run.end() {
-            Some(_) => format!("its digest is {}.", run.recording().digest()),
-            None => {
-                "copied when the cut is worked out to its end, it comes with the digest.".to_owned()
-            }
-        };
-        format!("`steadycut run 'LINK'` repeats the run on the command line: {digest}")
+        let digest = run.end().map(|_| run.recording().digest());
+        RunTold { fragment: self.fragment(), digest }
     }
 }

@@ -6,8 +6,13 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use super::command::ShellCommand;
 use super::command::{Command, FileCommand, SessionCommand};
 use super::panels::BroughtFile;
+use crate::base::language::{self, Catalogue, tr};
 use crate::base::text::decode;
+use crate::run::edits::Edits;
+use crate::run::presets;
+use crate::run::scenario::Scenario;
 use crate::study::identify::gp::state::GpState;
+use crate::study::mission::{Mission, MissionResult};
 
 #[cfg(not(target_arch = "wasm32"))]
 mod fallback;
@@ -29,9 +34,16 @@ impl Default for Files {
 struct Answer {
     sender: Sender<Command>,
     ctx: egui::Context,
+    /// Of what is said in it: threads that wait for a dialog have none of their own.
+    language: Option<&'static Catalogue>,
 }
 
 impl Answer {
+    /// Speaks on this thread as the window does.
+    fn speak(&self) {
+        language::use_catalogue(self.language);
+    }
+
     fn send(self, command: Command) {
         // The window may be gone by now: then nobody waits for the answer.
         let _ = self.sender.send(command);
@@ -41,7 +53,7 @@ impl Answer {
 
 impl Files {
     fn answer(&self, ctx: &egui::Context) -> Answer {
-        Answer { sender: self.sender.clone(), ctx: ctx.clone() }
+        Answer { sender: self.sender.clone(), ctx: ctx.clone(), language: language::catalogue() }
     }
 
     /// Answers with a command.
@@ -57,22 +69,22 @@ impl Files {
 
     /// Asks for a scenario file.
     pub fn open(&self, ctx: &egui::Context) {
-        self.ask(ctx, "SteadyCut scenario", &["toml"], loaded);
+        self.ask(ctx, tr("SteadyCut scenario"), &["toml"], loaded);
     }
 
     /// Asks for a file of UNKS networks.
     pub fn open_networks(&self, ctx: &egui::Context) {
-        self.ask(ctx, "UNKS networks", &[JSON], loaded);
+        self.ask(ctx, tr("UNKS networks"), &[JSON], loaded);
     }
 
     /// Asks for a table.
     pub fn open_table(&self, ctx: &egui::Context) {
-        self.ask(ctx, "Table", &["csv", "tsv", "txt"], table);
+        self.ask(ctx, tr("Table"), &["csv", "tsv", "txt"], table);
     }
 
     /// Asks for a saved search for a formula.
     pub fn open_search(&self, ctx: &egui::Context) {
-        self.ask(ctx, "Saved search", &[JSON], search);
+        self.ask(ctx, tr("Saved search"), &[JSON], search);
     }
 
     /// Asks for a file of a formula's model, for the setting at `path`.
@@ -81,7 +93,7 @@ impl Files {
             Ok(text) => Command::Session(SessionCommand::LoadFormula { path, name, text }),
             Err(error) => Command::notify(format!("{name}: {error}")),
         };
-        self.ask(ctx, "Model of a formula", &["toml"], of_file);
+        self.ask(ctx, tr("Model of a formula"), &["toml"], of_file);
     }
 
     /// Asks for a file, which becomes a command by `read`.
@@ -106,14 +118,16 @@ impl Files {
                     // The dialog's own reader panics where a file cannot be read.
                     #[cfg(not(target_arch = "wasm32"))]
                     let bytes = crate::disk::read(file.path());
+                    answer.speak();
                     answer.send(match bytes {
                         Ok(bytes) => read(name, &bytes),
-                        Err(error) => Command::notify(format!("{name} could not be read: {error}")),
+                        Err(error) => Command::notify(unread(&name, &error.to_string())),
                     });
                 }
                 #[cfg(not(target_arch = "wasm32"))]
                 None if opened.was_never_shown() => {
-                    answer.send(Command::notify(fallback::NO_DIALOG_TO_OPEN.to_owned()));
+                    answer.speak();
+                    answer.send(Command::notify(tr(fallback::NO_DIALOG_TO_OPEN).to_owned()));
                 }
                 // The user has thought better of it.
                 None => {}
@@ -131,9 +145,10 @@ impl Files {
                 let bytes = file.bytes_async().await;
                 #[cfg(not(target_arch = "wasm32"))]
                 let bytes = file.bytes();
+                answer.speak();
                 answer.send(match bytes {
                     Ok(bytes) => loaded(name, &bytes),
-                    Err(error) => Command::notify(format!("{name} could not be read: {error}")),
+                    Err(error) => Command::notify(unread(&name, &error.to_string())),
                 });
             });
         }
@@ -147,13 +162,15 @@ impl Files {
         let opened = fallback::Opened::now();
         let picked = rfd::AsyncFileDialog::new().set_file_name(&name).save_file();
         spawn(async move {
-            match picked.await {
+            let picked = picked.await;
+            answer.speak();
+            match picked {
                 Some(file) => {
                     let name = file.file_name();
                     // Not with the dialog's own writer: a full disk would spoil the file before.
                     answer.send(Command::notify(match crate::disk::write(file.path(), &bytes) {
-                        Ok(()) => format!("saved as {name}"),
-                        Err(error) => format!("not saved: {error}"),
+                        Ok(()) => tr!("saved as {name}", name = name),
+                        Err(error) => tr!("not saved: {error}", error = error.to_string()),
                     }));
                 }
                 None if opened.was_never_shown() => {
@@ -161,13 +178,17 @@ impl Files {
                         .and_then(|folder| fallback::save(&folder, &name, &bytes))
                         .map_or_else(
                             |error| {
-                                format!(
-                                    "No file dialog is available, and {name} could not be \
-                                         written: {error}"
+                                tr!(
+                                    "No file dialog is available, and {name} could not be written: {error}",
+                                    name = name,
+                                    error = error.to_string()
                                 )
                             },
                             |path| {
-                                format!("No file dialog is available: saved as {}", path.display())
+                                tr!(
+                                    "No file dialog is available: saved as {path}",
+                                    path = path.display().to_string()
+                                )
                             },
                         );
                     answer.send(Command::notify(text));
@@ -182,8 +203,8 @@ impl Files {
     #[cfg(target_arch = "wasm32")]
     pub fn save(&self, ctx: &egui::Context, name: &str, bytes: Vec<u8>) {
         let text = match super::web::download(name, &bytes) {
-            Ok(()) => format!("saved as {name} in the browser's downloads"),
-            Err(_) => format!("the browser did not take {name} for download"),
+            Ok(()) => tr!("saved as {name} in the browser's downloads", name = name),
+            Err(_) => tr!("the browser did not take {name} for download", name = name),
         };
         self.answer(ctx).send(Command::notify(text));
     }
@@ -191,16 +212,18 @@ impl Files {
 
 #[cfg(target_arch = "wasm32")]
 impl Files {
-    /// Puts a link into the clipboard and says what is `said` once it is there; where the browser refuses, or has no
-    /// clipboard (plain http), the link is put up for copying.
-    pub fn copy(&self, ctx: &egui::Context, link: String, said: String) {
+    /// Puts a text into the clipboard, where the browser has one and does not refuse, and then does `copied` with it and
+    /// whether it is there.
+    pub fn copy(
+        &self,
+        ctx: &egui::Context,
+        text: String,
+        copied: impl FnOnce(String, bool) -> ShellCommand + 'static,
+    ) {
         let answer = self.answer(ctx);
         spawn(async move {
-            let copied = super::web::copy(&link).await;
-            answer.send(match copied {
-                Ok(()) => Command::notify(said),
-                Err(_) => Command::Shell(ShellCommand::ShowLink(link)),
-            });
+            let is_there = super::web::copy(&text).await.is_ok();
+            answer.send(Command::Shell(copied(text, is_there)));
         });
     }
 }
@@ -218,6 +241,11 @@ fn ends_with_one_of(name: &str, endings: &[&str]) -> bool {
     ending.is_some_and(|ending| endings.iter().any(|known| ending.eq_ignore_ascii_case(known)))
 }
 
+/// That a file could not be read.
+fn unread(name: &str, error: &str) -> String {
+    tr!("{name} could not be read: {error}", name = name, error = error)
+}
+
 /// The command for a file that was read.
 #[must_use]
 pub fn loaded(name: String, bytes: &[u8]) -> Command {
@@ -226,7 +254,15 @@ pub fn loaded(name: String, bytes: &[u8]) -> Command {
     }
     text_of(name, bytes, |name, text| {
         Command::Session(if !ends_with_one_of(&name, &[JSON]) {
+            if Mission::is_meant_by(&text) {
+                return Command::File(FileCommand::Bring(BroughtFile::Mission { name, text }));
+            }
             SessionCommand::LoadText { name, text }
+        } else if MissionResult::is_meant_by(&text) {
+            return Command::notify(tr!(
+                "{name} is the result of a mission: steadycut mission check {name} verifies it.",
+                name = name
+            ));
         } else if GpState::is_meant_by(&text) {
             return Command::File(FileCommand::Bring(BroughtFile::Search { name, text }));
         } else {
@@ -238,8 +274,9 @@ pub fn loaded(name: String, bytes: &[u8]) -> Command {
 /// The command for a table that was read.
 fn table(name: String, bytes: &[u8]) -> Command {
     if ends_with_one_of(&name, &SPREADSHEETS) {
-        return Command::notify(format!(
-            "{name} is a file of a spreadsheet: save it there as CSV, which can be opened and dropped here."
+        return Command::notify(tr!(
+            "{name} is a file of a spreadsheet: save it there as CSV, which can be opened and dropped here.",
+            name = name
         ));
     }
     let bring = |name, text| Command::File(FileCommand::Bring(BroughtFile::Table { name, text }));
@@ -257,6 +294,18 @@ fn text_of(name: String, bytes: &[u8], of: impl FnOnce(String, String) -> Comman
         Ok(text) => of(name, text),
         Err(error) => Command::notify(format!("{name}: {error}")),
     }
+}
+
+/// What a file of a scenario with these changes during the cut is called: a shipped one has the words of its title,
+/// under which the window shows it, and says like the window where it is not what was shipped any more.
+#[must_use]
+pub fn called(scenario: &Scenario, edits: &Edits) -> String {
+    let name = &scenario.info.name;
+    let Some(title) = presets::title(name) else { return name.clone() };
+    let words = title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    let changed = !edits.list().is_empty() || presets::is_changed(scenario);
+    let words = words.map(str::to_lowercase).chain(changed.then(|| "changed".to_owned()));
+    words.collect::<Vec<String>>().join("-")
 }
 
 /// A file's name that a scenario's name can become.
@@ -298,11 +347,33 @@ fn spawn(future: impl Future<Output = ()> + Send + 'static) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::settings::Value;
+    use crate::run::edits::Edit;
 
     #[test]
     fn names_of_files_hold_nothing_but_plain_letters() {
         assert_eq!(file_name("../a/b:c", "toml"), ".._a_b_c.toml");
         assert_eq!(file_name("  ", "csv"), "scenario.csv");
+    }
+
+    #[test]
+    fn a_shipped_scenario_is_saved_under_the_words_of_its_title() {
+        let none = Edits::none();
+        let mut scenario = presets::load("first-cut").unwrap();
+        assert_eq!(called(&scenario, &none), "drag-the-target-roughness");
+        let value = Value::Float(0.5);
+        let mut edits = Edits::none();
+        let edit = Edit { at_s: 1.0, path: "target.ra_um".to_owned(), value: value.clone() };
+        edits.push(&scenario, edit).unwrap();
+        assert_eq!(called(&scenario, &edits), "drag-the-target-roughness-changed");
+        scenario.set("target.ra_um", value).unwrap();
+        assert_eq!(called(&scenario, &none), "drag-the-target-roughness-changed");
+        scenario.set("name", Value::Text("my own cut".to_owned())).unwrap();
+        assert_eq!(called(&scenario, &edits), "my own cut");
+        let shipped = presets::PRESETS.iter().map(|preset| presets::load(preset.name).unwrap());
+        let names: std::collections::BTreeSet<String> =
+            shipped.map(|scenario| called(&scenario, &none)).collect();
+        assert_eq!(names.len(), presets::PRESETS.len(), "no two are called the same");
     }
 
     #[test]
@@ -331,6 +402,9 @@ mod tests {
         let said = loaded("x.xlsx".to_owned(), b"PK");
         let Command::Session(SessionCommand::Notify(said)) = said else { panic!("{said:?}") };
         assert!(said.starts_with("x.xlsx is a file of a spreadsheet"), "{said}");
+        let said = loaded("x.json".to_owned(), br#"{"format":"steadycut mission result"}"#);
+        let Command::Session(SessionCommand::Notify(said)) = said else { panic!("{said:?}") };
+        assert!(said.contains("steadycut mission check x.json"), "{said}");
         let bytes = br#"{"version":1,"problem":"00","islands":[]}"#;
         let brought = BroughtFile::Search { name: "x.json".to_owned(), text: text(bytes) };
         assert_eq!(loaded("x.json".to_owned(), bytes), Command::File(FileCommand::Bring(brought)));

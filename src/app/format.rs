@@ -1,5 +1,8 @@
-//! How numbers, units and times are written for people: the one place for number formats.
+//! How numbers, units and times are written for people: the one place for number formats. A negative number has the
+//! sign minus (U+2212), and no line is broken between a number and its unit; files, links and the command line have
+//! neither.
 
+use crate::base::language::{self, tr};
 use crate::base::math::{ln, pow};
 use crate::run::signals::{Row, flag};
 
@@ -7,6 +10,76 @@ use crate::run::signals::{Row, flag};
 #[must_use]
 pub fn unit(unit: &str) -> String {
     unit.replace("um", "µm").replace("cm^3", "cm³").replace("cm3", "cm³").replace("deg", "°")
+}
+
+/// The sign of a negative number.
+pub const MINUS: char = '\u{2212}';
+/// The space that no line is broken at.
+const FIRM: char = '\u{a0}';
+
+/// A number that was written with a hyphen before it, with the sign minus.
+#[must_use]
+pub fn signed(number: String) -> String {
+    match number.strip_prefix('-') {
+        Some(size) => format!("{MINUS}{size}"),
+        None => number,
+    }
+}
+
+/// A number, written already, with its unit.
+#[must_use]
+pub fn beside(number: String, unit: &str) -> String {
+    if unit.is_empty() { number } else { format!("{number}{FIRM}{unit}") }
+}
+
+/// Units behind numbers, as people read them.
+const UNITS: &[&str] = &[
+    "%", "µm", "mm", "mm²", "m", "mm/min", "m/min", "mm/s", "s", "ms", "min", "N", "kN", "N/mm²",
+    "N/µm", "1/min", "Hz", "kHz", "kW", "W", "HB", "cm³", "cm³/min", "kg", "°C", "rad/s",
+];
+
+/// A sentence that was made elsewhere, for people: with the sign minus, and numbers that keep to their units. What
+/// stands between grave accents is meant to be typed, and stays.
+#[must_use]
+pub fn typeset(sentence: &str) -> String {
+    let mut out = String::with_capacity(sentence.len() + 8);
+    for (place, part) in sentence.split('`').enumerate() {
+        if place > 0 {
+            out.push('`');
+        }
+        if place % 2 == 1 {
+            out.push_str(part);
+            continue;
+        }
+        let mut before = None;
+        for (at, c) in part.char_indices() {
+            let rest = &part[at + c.len_utf8()..];
+            let digit_before = before.is_some_and(|c: char| c.is_ascii_digit());
+            let digit_after = rest.starts_with(|c: char| c.is_ascii_digit());
+            let begins =
+                before.is_none_or(|c: char| c.is_whitespace() || "([\u{201e}\u{201c}=".contains(c));
+            out.push(match c {
+                '-' if begins && digit_after => MINUS,
+                ' ' if digit_before && unit_leads(rest) => FIRM,
+                other => other,
+            });
+            before = Some(c);
+        }
+    }
+    out
+}
+
+/// A typeset text as keys write it; none where it is that already.
+#[must_use]
+pub fn typed(text: &str) -> Option<String> {
+    text.contains([MINUS, FIRM]).then(|| text.replace(MINUS, "-").replace(FIRM, " "))
+}
+
+/// Whether a text begins with a unit.
+fn unit_leads(text: &str) -> bool {
+    let ends = |c: char| c.is_whitespace() || ",;:.)]\u{201d}".contains(c);
+    let word = text.split(ends).next().unwrap_or("");
+    UNITS.contains(&word)
 }
 
 /// A value with the number of digits that suits its unit, without the unit.
@@ -20,11 +93,11 @@ pub fn number(value: f64, unit: &str) -> String {
         _ => 0,
     };
     // No negative zero.
-    let text = format!("{value:.decimals$}");
-    if text.trim_start_matches(['-', '0', '.']).is_empty() {
+    let text = language::fixed(value, decimals);
+    if text.trim_start_matches(['-', '0', '.', ',']).is_empty() {
         text.trim_start_matches('-').to_owned()
     } else {
-        text
+        signed(text)
     }
 }
 
@@ -32,20 +105,20 @@ pub fn number(value: f64, unit: &str) -> String {
 #[must_use]
 pub fn quantity(value: f64, unit_text: &str) -> String {
     let unit = if unit_text == "-" { String::new() } else { unit(unit_text) };
-    format!("{} {unit}", number(value, unit_text)).trim_end().to_owned()
+    beside(number(value, unit_text), &unit)
 }
 
 /// A deviation in percent with its sign; one that rounds to zero has no minus.
 #[must_use]
 pub fn deviation(percent: f64) -> String {
     let value = number(percent, "%");
-    if value.starts_with('-') { format!("{value} %") } else { format!("+{value} %") }
+    beside(if value.starts_with(MINUS) { value } else { format!("+{value}") }, "%")
 }
 
 /// An override in percent with its unit; a quantised one is a whole number.
 #[must_use]
 pub fn override_percent(value: f64, quantised: bool) -> String {
-    if quantised { format!("{value:.0} %") } else { quantity(value, "%") }
+    if quantised { beside(format!("{value:.0}"), "%") } else { quantity(value, "%") }
 }
 
 /// A value of any size with about four significant digits and its unit: where a quantity's usual
@@ -59,7 +132,22 @@ pub fn fine(value: f64, unit_text: &str) -> String {
         size if size >= 0.1 => 3,
         _ => 4,
     };
-    format!("{value:.decimals$} {}", unit(unit_text)).trim_end().to_owned()
+    beside(signed(language::fixed(value, decimals)), &unit(unit_text))
+}
+
+/// Words that begin small as a sentence: with a capital and a full stop.
+#[must_use]
+pub fn sentence(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters.next().map_or(String::new(), |letter| letter.to_uppercase().to_string());
+    format!("{first}{}.", letters.as_str())
+}
+
+/// A quantity without a decimal that is zero, for round numbers.
+#[must_use]
+pub fn round_quantity(value: f64, unit_text: &str) -> String {
+    let zero = format!("{}0{FIRM}", language::decimal_sign());
+    quantity(value, unit_text).replace(&zero, &FIRM.to_string())
 }
 
 /// The decimal logarithm.
@@ -84,10 +172,11 @@ pub fn round_step(raw: f64) -> Option<f64> {
 #[must_use]
 pub fn time(time_s: f64) -> String {
     if time_s < 600.0 {
-        format!("{time_s:.2} s")
+        beside(language::fixed(time_s, 2), "s")
     } else {
         let minutes = (time_s / 60.0).floor();
-        format!("{minutes:.0}:{:04.1} min", time_s - 60.0 * minutes)
+        let seconds = language::decimal(format!("{:04.1}", time_s - 60.0 * minutes));
+        beside(format!("{minutes:.0}:{seconds}"), "min")
     }
 }
 
@@ -96,7 +185,7 @@ pub fn time(time_s: f64) -> String {
 pub fn time_of(time_s: f64, length_s: f64) -> String {
     let length = time(length_s);
     if length_s < 600.0 {
-        format!("{time_s:.2} / {length}")
+        format!("{} / {length}", language::fixed(time_s, 2))
     } else {
         format!("{} / {length}", time(time_s))
     }
@@ -105,7 +194,34 @@ pub fn time_of(time_s: f64, length_s: f64) -> String {
 /// What stands in the place of a value that a row has none of.
 #[must_use]
 pub fn none(row: &Row) -> &'static str {
-    if row.has(flag::AIR) { "no contact" } else { "outside model" }
+    if row.has(flag::AIR) { tr("no contact") } else { tr("outside model") }
+}
+
+/// A value of a roughness, marked where its model is asked outside its range: there it is continued beyond what was
+/// measured, which a bare number does not tell.
+#[must_use]
+pub fn continued(text: String, row: &Row, signal: &str) -> String {
+    let models = match signal {
+        "ra_um" => flag::K5_OUTSIDE,
+        "ra_dyn_um" => flag::K5_OUTSIDE | flag::K6_OUTSIDE,
+        _ => 0,
+    };
+    if row.has(models) { format!("{CONTINUED} {text}") } else { text }
+}
+
+/// The mark of a value that a model gives outside its range.
+const CONTINUED: char = '\u{2248}';
+
+/// What is said of that mark beside such a value; empty where none of the rows is outside.
+#[must_use]
+pub fn continued_help(rows: [&Row; 2]) -> &'static str {
+    match rows.iter().any(|row| row.has(flag::K5_OUTSIDE | flag::K6_OUTSIDE)) {
+        true => tr(
+            "With \u{2248} before it a value lies outside the range of its model: it is continued beyond what was \
+             measured.",
+        ),
+        false => "",
+    }
 }
 
 #[cfg(test)]
@@ -114,14 +230,32 @@ mod tests {
 
     #[test]
     fn numbers_read_well() {
-        assert_eq!(quantity(0.8123, "um"), "0.812 µm");
-        assert_eq!(quantity(-0.004, "%"), "0.0 %");
+        let plain = |text: String| {
+            assert!(!text.contains([' ', '-']), "{text}");
+            text.replace(FIRM, " ").replace(MINUS, "-")
+        };
+        assert_eq!(plain(quantity(0.8123, "um")), "0.812 µm");
+        assert_eq!(plain(quantity(-0.004, "%")), "0.0 %");
         assert_eq!(quantity(1.0, "-"), "1.00");
-        assert_eq!([deviation(-0.004), deviation(-5.77)], ["+0.0 %", "-5.8 %"]);
-        assert_eq!(fine(0.11658, "mm"), "0.117 mm");
-        assert_eq!(fine(0.005_63, "mm"), "0.0056 mm");
-        assert_eq!(fine(2434.3, "1/min"), "2434 1/min");
-        assert_eq!(time(61.25), "61.25 s");
-        assert_eq!(time(3599.5), "59:59.5 min");
+        assert_eq!([deviation(-0.004), deviation(-5.77)].map(plain), ["+0.0 %", "-5.8 %"]);
+        assert_eq!([400.0, 12.5].map(|x| plain(round_quantity(x, "N"))), ["400 N", "12.5 N"]);
+        assert_eq!([sentence("žaga je topa"), sentence("")], ["Žaga je topa.", "."]);
+        assert_eq!(plain(fine(0.11658, "mm")), "0.117 mm");
+        assert_eq!(plain(fine(-0.005_63, "mm")), "-0.0056 mm");
+        assert_eq!(plain(fine(2434.3, "1/min")), "2434 1/min");
+        assert_eq!(plain(time(61.25)), "61.25 s");
+        assert_eq!(plain(time(3599.5)), "59:59.5 min");
+    }
+
+    #[test]
+    fn sentences_have_the_sign_minus_and_keep_numbers_to_their_units() {
+        for (said, shown) in [
+            ("Ra is -3.2 % off (-12 N)", "Ra is \u{2212}3.2\u{a0}% off (\u{2212}12\u{a0}N)"),
+            ("from 2 to 5 mm, at 300 mm/min.", "from 2 to 5\u{a0}mm, at 300\u{a0}mm/min."),
+            ("step 2 of 3, 2013-05, K-1", "step 2 of 3, 2013-05, K-1"),
+            ("type `run -5 s` in 5 s", "type `run -5 s` in 5\u{a0}s"),
+        ] {
+            assert_eq!(typeset(said), shown);
+        }
     }
 }

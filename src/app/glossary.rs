@@ -8,10 +8,13 @@ use egui::{
     Align2, Area, Context, Frame, Id, LayerId, Order, Pos2, Rect, RichText, Shape, Vec2, vec2,
 };
 
+use crate::base::language::tr;
 use crate::run::glossary::{Term, terms_in};
 
 /// Rest of a pointer before it is answered, s.
 const REST_S: f32 = 0.7;
+/// The same where a tooltip is shown: two texts at once are one too many for those who only pass by.
+const REST_BESIDE_S: f32 = 1.6;
 /// A finger must stay for this long, s.
 const PRESS_S: f64 = 0.6;
 /// Terms explained at once, at most.
@@ -140,6 +143,11 @@ pub fn explain(ctx: &Context) {
         }
         return;
     };
+    let id = Id::unique("glossary");
+    let rests_s = ctx.input(|input| input.pointer.time_since_last_movement());
+    if rests_s < REST_BESIDE_S && !tooltips(ctx, id).is_empty() {
+        return ctx.request_repaint_after_secs(REST_BESIDE_S - rests_s);
+    }
     let mut terms: Vec<&'static Term> = Vec::new();
     let mut rect = Rect::NOTHING;
     for found in at(ctx, layer, place) {
@@ -154,20 +162,25 @@ pub fn explain(ctx: &Context) {
         return;
     }
     terms.truncate(MOST);
-    show(ctx, rect.intersect(place.expand(40.0)), &terms);
+    show(ctx, id, rect.intersect(place.expand(40.0)), &terms);
+}
+
+/// The tooltips that are shown, besides the explanation itself.
+fn tooltips(ctx: &Context, own: Id) -> Vec<Rect> {
+    ctx.memory(|memory| {
+        let others = memory.areas().visible_layer_ids().into_iter();
+        let others = others.filter(|layer| layer.order == Order::Tooltip && layer.id != own);
+        others.filter_map(|layer| memory.area_rect(layer.id)).collect()
+    })
 }
 
 /// Where an explanation of what stands in `rect` goes: above it, since a finger covers what is below; where a
 /// tooltip or the edge of the screen is there, below it or beside the tooltip.
 fn place(ctx: &Context, id: Id, rect: Rect, screen: Rect) -> (Align2, Pos2) {
     const GAP: f32 = 6.0;
-    let (size, tooltips) = ctx.memory(|memory| {
-        let size = memory.area_rect(id).map_or(vec2(WIDTH, 80.0), |before| before.size());
-        let others = memory.areas().visible_layer_ids().into_iter();
-        let others = others.filter(|layer| layer.order == Order::Tooltip && layer.id != id);
-        let rects: Vec<Rect> = others.filter_map(|layer| memory.area_rect(layer.id)).collect();
-        (size, rects)
-    });
+    let size =
+        ctx.memory(|memory| memory.area_rect(id).map_or(vec2(WIDTH, 80.0), |before| before.size()));
+    let tooltips = tooltips(ctx, id);
     let above = |rect: Rect| (Align2::LEFT_BOTTOM, rect.left_top() - vec2(0.0, GAP));
     let below = |rect: Rect| (Align2::LEFT_TOP, rect.left_bottom() + vec2(0.0, GAP));
     let beside = tooltips.iter().flat_map(|tooltip| {
@@ -187,9 +200,8 @@ fn place(ctx: &Context, id: Id, rect: Rect, screen: Rect) -> (Align2, Pos2) {
     *free.unwrap_or(&places[0])
 }
 
-fn show(ctx: &Context, rect: Rect, terms: &[&'static Term]) {
+fn show(ctx: &Context, id: Id, rect: Rect, terms: &[&'static Term]) {
     let screen = ctx.content_rect();
-    let id = Id::unique("glossary");
     let (pivot, at) = place(ctx, id, rect, screen);
     Area::new(id)
         .order(Order::Tooltip)
@@ -201,8 +213,8 @@ fn show(ctx: &Context, rect: Rect, terms: &[&'static Term]) {
             Frame::popup(ui.style()).show(ui, |ui| {
                 ui.set_max_width(WIDTH.min(screen.width() - 24.0));
                 for term in terms {
-                    ui.label(RichText::new(term.spellings.join(", ")).strong());
-                    ui.label(term.meaning);
+                    ui.label(RichText::new(term.written()).strong());
+                    ui.label(tr(term.meaning));
                 }
             });
         });

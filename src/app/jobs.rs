@@ -7,10 +7,11 @@ mod list;
 mod pool;
 
 use std::cell::{Cell, RefCell};
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::clock::now_s;
+use crate::base::language::{self, Catalogue};
 use crate::run::job::{Budget, Job, OneThread, Progress, Threads};
 pub use list::{show, time as time_left};
 
@@ -24,11 +25,9 @@ const OF_THE_FRAME: f64 = 0.5;
 /// Time of a slice on the pool, s: partial results are as old as that at most.
 #[cfg(not(target_arch = "wasm32"))]
 const POOL_SLICE_S: f64 = 0.03;
-/// A slice is ended after this share of its time; the clock is looked at once in so many steps. What is begun by then
-/// takes its own time, and all of it is to be within the slice's as a rule.
+/// A slice is ended after this share of its time. What is begun by then takes its own time, and all of it is to be
+/// within the slice's as a rule.
 const LATE: f64 = 0.75;
-/// See [`LATE`].
-const LOOKS: u32 = 4;
 /// Time of work up to which a brief job is not listed, s.
 const BRIEF_S: f64 = 0.4;
 /// Time between two frames while nothing else moves, s.
@@ -62,6 +61,8 @@ struct Slot<J: Job> {
 /// What a screen, the list and the pool share of a job.
 struct Shared<J: Job> {
     name: String,
+    /// Of the texts that it makes: threads of the pool have none of their own.
+    language: Option<&'static Catalogue>,
     /// Time of work from which it is listed, s.
     listed_from_s: f64,
     running: AtomicBool,
@@ -95,6 +96,7 @@ impl<J: Job> Shared<J> {
     /// Works at it for a slice that is to take `slice_s` seconds; `true` while there is more to do.
     fn slice(&self, threads: &dyn Threads, slice_s: f64) -> bool {
         let running = &self.running;
+        language::use_catalogue(self.language);
         let stopped = || !running.load(Ordering::Relaxed);
         let (mut job, steps) = {
             let mut slot = self.slot();
@@ -104,10 +106,9 @@ impl<J: Job> Shared<J> {
         // No lock is held while it works: a frame never waits for it.
         let begin_s = now_s();
         // Steps may become a thousand times longer from one stage of a job to the next: no frame waits for that.
-        let (looks, late) = (AtomicU32::new(0), AtomicBool::new(false));
+        let late = AtomicBool::new(false);
         let ended = || {
-            let look = looks.fetch_add(1, Ordering::Relaxed);
-            if look % LOOKS == LOOKS - 1 && now_s() - begin_s > LATE * slice_s {
+            if now_s() - begin_s > LATE * slice_s {
                 late.store(true, Ordering::Relaxed);
             }
             late.load(Ordering::Relaxed) || stopped()
@@ -358,6 +359,7 @@ impl Jobs {
         };
         let shared = Arc::new(Shared {
             name,
+            language: language::catalogue(),
             listed_from_s,
             running: AtomicBool::new(false),
             halted: AtomicBool::new(false),

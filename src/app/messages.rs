@@ -1,17 +1,26 @@
 //! Messages: they lie over the screen, move nothing on it and go by themselves once there was time to read
 //! them; all that were shown can be read again in a list.
 
-use egui::{Align, Align2, Area, Context, Layout, Order, Rect, RichText, ScrollArea, Ui, vec2};
+use egui::{
+    Align, Align2, Area, Context, Layout, Order, Rect, RichText, ScrollArea, Sense, Ui, vec2,
+};
 
 use super::command::{Command, ShellCommand};
+use super::format;
 use super::session::Notice;
 use super::theme::{self, Palette};
+use super::timeline::FREE_FROM;
 use super::widgets::icon::{self, Icon};
+use super::widgets::spoken::read_aloud;
+use crate::base::language::tr;
 
 /// Time that a message is shown, s, and more for each of its letters.
 const SHOWN_S: f64 = 5.0;
 /// See [`SHOWN_S`].
 const SHOWN_PER_CHAR_S: f64 = 0.08;
+/// A message with less time left than this goes with the screen that it came up on, s (chosen): what a change of the
+/// screen itself says has just come.
+const LEAST_LEFT_S: f64 = 4.0;
 /// Most messages over the screen, and over a narrow one; older ones are in the list.
 const MOST: usize = 3;
 /// See [`MOST`].
@@ -20,6 +29,10 @@ const MOST_NARROW: usize = 1;
 const WIDTH: f32 = 380.0;
 /// See [`WIDTH`].
 const EDGE: f32 = 10.0;
+/// Width of the list of screens at the left of a phone's bar, and of the menu at its right: both stay in reach, points.
+const SCREENS: f32 = 128.0;
+/// See [`SCREENS`].
+const MENU: f32 = 44.0;
 
 /// Messages over the screen.
 #[derive(Default)]
@@ -61,12 +74,24 @@ impl Messages {
         self.up.retain(|(up, _)| *up != number);
     }
 
+    /// Removes all from the screen.
+    pub fn dismiss_all(&mut self) {
+        self.up.clear();
+    }
+
+    /// Another screen is shown: what has had its least time goes, and does not lie over what is looked for there.
+    pub fn leave_screen(&mut self) {
+        self.up.retain(|(_, left_s)| *left_s > LEAST_LEFT_S);
+    }
+
     /// Removes the newest one from the screen; `false` where there is none.
     pub fn dismiss_newest(&mut self) -> bool {
         self.up.pop().is_some()
     }
 
-    /// Draws them over the lower right corner of `screen`.
+    /// Draws them over what is free at the right of the transport, or where there is no room over the lower right corner
+    /// of `screen`; on a phone over the bar, between its list of screens and its menu, in small letters. On the screen they
+    /// would lie on the figures, or on the sentence that tells the cut.
     pub fn show(
         &mut self,
         ctx: &Context,
@@ -79,18 +104,35 @@ impl Messages {
             return;
         };
         let narrow = screen.width() < theme::NARROW;
-        let width = WIDTH.min(screen.width() - 2.0 * EDGE);
+        let whole = ctx.content_rect();
+        let ends = ctx.data(|data| data.get_temp::<f32>(egui::Id::unique(FREE_FROM)));
+        let free = ends.is_some_and(|x| x + WIDTH + 3.0 * EDGE <= whole.right());
+        let screen = if free || narrow { whole } else { screen };
+        let taken = if narrow { SCREENS + MENU } else { 0.0 };
+        let width = WIDTH.min(screen.width() - 2.0 * EDGE - taken);
+        let (pivot, at) = match narrow {
+            true => (Align2::RIGHT_TOP, screen.right_top() + vec2(-EDGE - MENU, 4.0)),
+            false => (Align2::RIGHT_BOTTOM, screen.right_bottom() - vec2(EDGE, EDGE)),
+        };
         let shown = Area::new(egui::Id::unique("messages"))
             .order(Order::Foreground)
-            .pivot(Align2::RIGHT_BOTTOM)
-            .fixed_pos(screen.right_bottom() - vec2(EDGE, EDGE))
+            .pivot(pivot)
+            .fixed_pos(at)
             .constrain_to(screen)
             .show(ctx, |ui| {
                 ui.set_width(width);
                 let up = notices.iter().filter(|notice| self.is_up(notice.number));
                 let most = if narrow { MOST_NARROW } else { MOST };
                 for notice in up.clone().skip(up.count().saturating_sub(most)) {
-                    card(ui, notice, commands);
+                    let card = card(ui, notice, narrow, commands);
+                    // On a phone it lies over what a finger wants: a tap anywhere on it takes it away.
+                    let tapped = narrow.then(|| {
+                        let id = ui.scope_id().with(("tap", notice.number));
+                        ui.interact(card, id, Sense::click()).clicked()
+                    });
+                    if tapped == Some(true) {
+                        commands.push(Command::Shell(ShellCommand::Dismiss(notice.number)));
+                    }
                 }
             });
         let rect = shown.response.rect;
@@ -101,20 +143,25 @@ impl Messages {
     }
 }
 
-fn card(ui: &mut Ui, notice: &Notice, commands: &mut Vec<Command>) {
+/// One message; where it lies.
+fn card(ui: &mut Ui, notice: &Notice, narrow: bool, commands: &mut Vec<Command>) -> Rect {
     let palette = Palette::at(ui);
     let frame = theme::card(palette).stroke(egui::Stroke::new(1.0, palette.warn));
-    frame.shadow(ui.visuals().popup_shadow).show(ui, |ui| {
+    let shown = frame.shadow(ui.visuals().popup_shadow).show(ui, |ui| {
         ui.with_layout(Layout::right_to_left(Align::TOP), |ui| {
-            let help = "Remove this message; it stays in the list of messages";
-            if icon::button(ui, Icon::Close, "Dismiss", help, true).clicked() {
+            let help = tr("Remove this message; it stays in the list of messages");
+            if icon::button(ui, Icon::Close, tr("Dismiss"), help, true).clicked() {
                 commands.push(Command::Shell(ShellCommand::Dismiss(notice.number)));
             }
             ui.with_layout(Layout::left_to_right(Align::TOP), |ui| {
-                ui.add(egui::Label::new(&notice.text).wrap());
+                let text = RichText::new(format::typeset(&notice.text));
+                let text = if narrow { text.small() } else { text };
+                let text = ui.add(egui::Label::new(text).selectable(false).wrap());
+                read_aloud(&text);
             });
         });
     });
+    shown.response.rect
 }
 
 /// The button that opens the list of all messages, once there was one.
@@ -122,8 +169,8 @@ pub fn button(ui: &mut Ui, notices: &[Notice]) {
     if notices.is_empty() {
         return;
     }
-    let help = "What was said so far";
-    let response = icon::button(ui, Icon::Message, "Messages", help, true);
+    let help = tr("What was said so far");
+    let response = icon::button(ui, Icon::Message, tr("Messages"), help, true);
     egui::Popup::menu(&response)
         .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside)
         .show(|ui| {
@@ -137,13 +184,16 @@ fn list(ui: &mut Ui, notices: &[Notice]) {
     let palette = Palette::at(ui);
     let screen = ui.ctx().content_rect();
     ui.set_width(WIDTH.min(screen.width() - 4.0 * EDGE));
-    ui.label(RichText::new("Messages, the newest first").strong());
+    ui.label(RichText::new(tr("Messages, the newest first")).strong());
     let spacing = ui.spacing_mut();
     spacing.scroll = theme::solid_bars();
     ScrollArea::vertical().max_height(0.6 * screen.height()).show(ui, |ui| {
         for notice in notices.iter().rev() {
             ui.separator();
-            ui.add(egui::Label::new(RichText::new(&notice.text).color(palette.text)).wrap());
+            ui.add(
+                egui::Label::new(RichText::new(format::typeset(&notice.text)).color(palette.text))
+                    .wrap(),
+            );
         }
     });
 }
@@ -175,7 +225,11 @@ mod tests {
         assert_eq!(up, [4, 5, 6]);
         assert!(messages.dismiss_newest() && !messages.is_up(6));
         messages.dismiss(4);
-        messages.follow(&all, 60.0);
+        messages.leave_screen();
+        assert!(messages.is_up(5), "it has only just come");
+        messages.follow(&all, 2.0);
+        messages.leave_screen();
+        assert!(!messages.is_up(5), "it was there for two seconds");
         assert!(!messages.dismiss_newest(), "what has been shown does not come again");
     }
 }

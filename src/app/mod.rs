@@ -1,6 +1,7 @@
 //! The console: the only part that draws. Panels read a [`panels::View`] and push
 //! [`command::Command`]s; [`Console`] carries them out.
 
+mod about;
 mod bar;
 mod clock;
 pub mod command;
@@ -8,15 +9,18 @@ pub mod cut;
 mod execute;
 mod files;
 pub mod format;
+mod framed;
 mod glossary;
 pub mod history;
 pub mod jobs;
 mod link;
 mod messages;
+pub mod mirror;
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
 pub mod panels;
 pub mod playback;
+pub mod remembered;
 pub mod scene;
 mod search;
 pub mod session;
@@ -25,26 +29,31 @@ mod speaker;
 pub mod theme;
 mod timeline;
 pub mod trace;
-pub mod twin;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 pub mod widgets;
 
+use std::collections::BTreeMap;
+
 use egui::{CentralPanel, Frame, Margin, Panel as SidePanel, Ui};
 
+use crate::base::language::{self, Language, tr};
 use crate::run::signals::signal;
 use crate::run::{Start, scenario_link};
-use bar::Tab;
-use command::{Command, ShellCommand};
+use crate::study::mission::MissionResult;
+use crate::study::opening::{Frame as Embedding, FramePart, Opening};
+use bar::{LEARN, Tab};
+use command::{Command, FileCommand, ShellCommand};
 use files::Files;
 use jobs::Jobs;
-use link::{Address, Due};
+use link::{Address, Due, LinkWindow};
 use messages::Messages;
-use panels::{Panel, View, panels};
+use panels::{BroughtFile, Panel, View, panels};
+use remembered::Remembered;
 use search::Finder;
 use session::Session;
 use shortcuts::{Host, Reach};
-use widgets::{focus, scaffold, setting};
+use widgets::{focus, scaffold, setting, window};
 
 /// Time without a change after which a drag counts as over, s.
 const GESTURE_PAUSE_S: f64 = 0.6;
@@ -61,8 +70,15 @@ pub struct Console {
     /// Whether the sheet of keys is shown.
     shortcuts: bool,
     search: Finder,
-    /// A link that is put up for copying.
-    link: Option<String>,
+    /// A link that is put up.
+    link: Option<LinkWindow>,
+    /// What is hidden.
+    frame: Embedding,
+    remembered: Remembered,
+    /// The language that was chosen; none leaves that of the thread, English unless told otherwise.
+    language: Option<Language>,
+    /// What the last mission that was marked came to.
+    result: Option<MissionResult>,
     address: Address,
     /// Whether a control had the focus at the end of the last frame.
     had_focus: bool,
@@ -71,6 +87,8 @@ pub struct Console {
     frames: u64,
     since_change_s: f64,
     target_slider: Option<egui::Rect>,
+    /// Where the buttons of a mission are, by their names.
+    lesson_rects: BTreeMap<String, [f32; 4]>,
 }
 
 /// Opens the console in a window of the desktop and stays until it is closed.
@@ -78,8 +96,8 @@ pub struct Console {
 /// # Errors
 /// There is no display, or nothing to draw with: what is missing, and how to get it.
 #[cfg(not(target_arch = "wasm32"))]
-pub fn open(start: Start) -> Result<(), String> {
-    native::run(start)
+pub fn open(opening: Opening) -> Result<(), String> {
+    native::run(opening)
 }
 
 impl Console {
@@ -97,10 +115,12 @@ impl Console {
     pub fn with_screens(ctx: &egui::Context, start: Start, panels: Vec<Box<dyn Panel>>) -> Self {
         assert!(!panels.is_empty(), "a console has a screen");
         theme::install(ctx);
+        ctx.add_plugin(mirror::PlainNames);
         let mut session = Session::new(start.scenario, start.edits);
         if let Some(notice) = start.notice {
             session.notify(notice);
         }
+        session.wait_for_consent();
         Self {
             session,
             jobs: Jobs::default(),
@@ -112,13 +132,75 @@ impl Console {
             shortcuts: false,
             search: Finder::default(),
             link: None,
+            frame: Embedding::default(),
+            remembered: Remembered::default(),
+            language: None,
+            result: None,
             address: Address::default(),
             had_focus: false,
             tab_leaves: false,
             frames: 0,
             since_change_s: 0.0,
             target_slider: None,
+            lesson_rects: BTreeMap::new(),
         }
+    }
+
+    /// The console with all that a link says: mission, what is hidden and locked, the screen to begin with.
+    #[must_use]
+    pub fn opened(ctx: &egui::Context, opening: Opening) -> Self {
+        let Opening { start, mission, frame, problems, unread: _ } = opening;
+        let mut console = Self::new(ctx, start);
+        problems.into_iter().for_each(|problem| console.session.notify(problem));
+        console.session.lock(frame.locked().clone());
+        if let Some(id) = frame.screen() {
+            let ids: Vec<&str> = console.panels.iter().map(|panel| panel.id()).collect();
+            match ids.iter().position(|known| *known == id) {
+                Some(place) => console.shown = place,
+                None => {
+                    let allowed = ids.join(", ");
+                    let problem = tr!(
+                        "embed: `screen:{id}`: allowed behind screen: are {allowed}",
+                        id = id,
+                        allowed = allowed
+                    );
+                    console.session.notify(problem);
+                }
+            }
+        }
+        console.frame = frame;
+        if let Some(mission) = mission {
+            let brought = BroughtFile::Linked(Box::new(mission));
+            console.push(Command::File(FileCommand::Bring(brought)));
+        }
+        console
+    }
+
+    /// Keeps what is remembered from one start to the next; without this it is forgotten.
+    pub fn remember(&mut self, remembered: Remembered) {
+        self.remembered = remembered;
+    }
+
+    /// Speaks the language that a link names, else the one chosen at an earlier start, else the first of these tags
+    /// that the program has, else English.
+    pub fn speak_as_asked(&mut self, tags: impl IntoIterator<Item = String>) {
+        let asked = self.frame.language().or(self.remembered.language());
+        let language = asked.or_else(|| tags.into_iter().find_map(|tag| Language::of_tag(&tag)));
+        self.speak(language.unwrap_or(Language::English));
+    }
+
+    /// Speaks this language from now on.
+    pub fn speak(&mut self, language: Language) {
+        self.language = Some(language);
+        language::choose(language);
+        self.tell_anew();
+        #[cfg(target_arch = "wasm32")]
+        web::speaks(language);
+    }
+
+    /// Makes the texts anew that are kept from frame to frame, in the language of the thread.
+    pub fn tell_anew(&mut self) {
+        self.session.tell_anew();
     }
 
     /// Scenario, run and playhead.
@@ -160,12 +242,21 @@ impl Console {
     /// One frame: input, time, picture, and then the commands that came of it.
     pub fn ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
+        if let Some(language) = self.language {
+            language::choose(language);
+        }
         let dt_s = scaffold::frame_s(&ctx);
         let mut commands: Vec<Command> = self.files.answers().collect();
         self.files.take_dropped(&ctx);
-        let ids: Vec<&'static str> = self.panels.iter().map(|panel| panel.id()).collect();
+        let ids: Vec<&'static str> = match self.frame.hides(FramePart::Screens) {
+            true => Vec::new(),
+            false => self.panels.iter().map(|panel| panel.id()).collect(),
+        };
+        framed::lock(&ctx, self.frame.locked());
+        framed::offer(&ctx, self.session.mission().map(|lock| &lock.options));
         let timeline = self.panels[self.shown].has_timeline();
-        let reach = Reach { place: self.place, screens: &ids, timeline };
+        let operator = self.session.hand().is_on();
+        let reach = Reach { place: self.place, screens: &ids, timeline, operator };
         focus::resume(&ctx);
         self.escape(&ctx, &mut commands);
         shortcuts::read(&ctx, &reach, &mut commands);
@@ -185,9 +276,12 @@ impl Console {
         self.messages.follow(self.session.notices(), real_s);
         theme::fit(ui);
         self.draw(ui, &mut commands);
-        shortcuts::sheet(&ctx, &Reach { timeline, ..reach }, &mut self.shortcuts);
-        if let Some(link) = self.link.take() {
-            self.link = link::show(&ctx, &link, &self.repeated()).then_some(link);
+        let reach = Reach { timeline, ..reach };
+        shortcuts::sheet(&ctx, &reach, &mut self.shortcuts, &mut commands);
+        if let Some(mut link) = self.link.take() {
+            let stand = (self.addressed(), self.session.chosen().run().end().is_some());
+            let open = link.show(&ctx, stand, || self.told(), &mut commands);
+            self.link = open.then_some(link);
         }
         glossary::explain(&ctx);
         let acted = !commands.is_empty();
@@ -197,10 +291,12 @@ impl Console {
         self.follow_focus(&ctx);
         self.frames += 1;
         self.target_slider = setting::slider_rect(&ctx, "target.ra_um");
+        self.lesson_rects = panels::learn::places(&ctx);
         self.write_address(&ctx);
         let session = &self.session;
-        let plays = session.playback().playing && timeline;
-        if acted || plays || session.progress() < 1.0 || session.comparison_is_due() {
+        let plays = session.playback().playing && timeline && !session.hides_the_cut();
+        let computes = session.progress() < 1.0 || !session.twin_stand().is_settled();
+        if acted || plays || computes || session.comparison_is_due() {
             ctx.request_repaint();
         }
     }
@@ -213,7 +309,9 @@ impl Console {
             return;
         }
         let over = self.shortcuts || self.search.is_open() || self.link.is_some();
-        if over || (!self.had_focus && self.messages().next().is_some()) {
+        // A window takes the key itself: it is what people look at, and a message goes by itself.
+        let message = self.messages().next().is_some() && !window::is_shown(ctx);
+        if over || (!self.had_focus && message) {
             ctx.input_mut(|input| input.consume_key(egui::Modifiers::NONE, egui::Key::Escape));
             commands.push(Command::Shell(ShellCommand::CloseTopmost));
         }
@@ -236,10 +334,19 @@ impl Console {
 
     fn draw(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         let narrow = ui.available_width() < theme::NARROW;
-        let view = View { session: &self.session, jobs: &self.jobs, place: self.place, narrow };
+        let view = View {
+            session: &self.session,
+            jobs: &self.jobs,
+            frame: &self.frame,
+            remembered: &self.remembered,
+            place: self.place,
+            narrow,
+        };
+        let leads_on = !self.frame.hides(FramePart::Screens);
         let tabs: Vec<Tab> = self
             .panels
             .iter()
+            .filter(|_| leads_on)
             .map(|p| Tab { id: p.id(), title: p.title(), words: p.words() })
             .collect();
         let side = if view.narrow { 8 } else { 12 };
@@ -247,32 +354,72 @@ impl Console {
             Frame::new().fill(ui.visuals().panel_fill).inner_margin(Margin::symmetric(side, y))
         };
         let shown = self.panels[self.shown].id();
-        let frame = strip(ui, 6);
-        SidePanel::top("bar").frame(frame).resizable(false).show(ui, |ui| {
-            bar::show(ui, &view, &tabs, shown, commands);
-        });
-        if self.panels[self.shown].has_timeline() {
+        if !self.frame.hides(FramePart::Bar) {
+            let frame = strip(ui, 6);
+            SidePanel::top("bar").frame(frame).resizable(false).show(ui, |ui| {
+                bar::show(ui, &view, &tabs, shown, commands);
+            });
+        }
+        if let Some(lock) = self.session.mission().filter(|_| leads_on && shown != LEARN) {
+            let frame = strip(ui, 4);
+            SidePanel::top("mission").frame(frame).resizable(false).show(ui, |ui| {
+                bar::open_mission(ui, &view, lock, commands);
+            });
+        }
+        let transport = !self.frame.hides(FramePart::Transport);
+        if transport && self.panels[self.shown].has_timeline() {
             SidePanel::bottom("timeline").frame(strip(ui, 6)).resizable(false).show(ui, |ui| {
+                if self.session.hides_the_cut() {
+                    ui.disable();
+                }
                 timeline::show(ui, &view, commands);
             });
         }
         let middle = ui.available_rect_before_wrap();
+        let hides = self.session.hides_the_cut() && shown != LEARN;
         CentralPanel::no_frame().frame(strip(ui, 0).inner_margin(0)).show(ui, |ui| {
             focus::begin_screen(ui);
-            self.panels[self.shown].ui(ui, &view, commands);
+            match hides {
+                // What is asked could be read off any of them.
+                true => panels::learn::instead_of_the_cut(ui, &view),
+                false => self.panels[self.shown].ui(ui, &view, commands),
+            }
         });
         self.messages.show(ui.ctx(), middle, self.session.notices(), commands);
         self.search.ui(ui.ctx(), &view, &tabs, commands);
     }
 
-    /// Scenario and edits as the part of a link after `#`.
+    /// Flags, mission, scenario and edits as the part of a link after `#`.
     fn fragment(&self) -> String {
-        scenario_link::write(self.session.scenario(), self.session.edits())
+        let (scenario, edits) = (self.session.scenario(), self.session.edits());
+        let mission = self.session.mission();
+        let as_given =
+            mission.is_some_and(|lock| lock.scenario == *scenario && lock.given == *edits);
+        let cut = if as_given { String::new() } else { scenario_link::write(scenario, edits) };
+        let mission = mission.map_or(String::new(), |lock| lock.link.clone());
+        let parts = [self.frame.write(), mission, cut];
+        let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+        parts.join("&")
+    }
+
+    /// Counts what the address depends on.
+    fn addressed(&self) -> u64 {
+        self.session.changes() + self.session.missions()
+    }
+
+    /// Whether a link pasted into the open page is not followed, because settings are locked: then it says so, and
+    /// the address is to be written again.
+    pub fn keeps_its_address(&mut self) -> bool {
+        let keeps = self.session.has_locks();
+        if keeps {
+            self.session.notify(tr(session::NO_OTHER_SCENARIO));
+        }
+        keeps
     }
 
     /// Keeps the page's address current; a window of the desktop has none.
     fn write_address(&mut self, ctx: &egui::Context) {
-        match self.address.due(self.session.changes(), clock::now_s()) {
+        match self.address.due(self.addressed(), clock::now_s()) {
             Due::Current => {}
             // Nothing else may ask for a frame by then.
             Due::In(wait_s) => ctx.request_repaint_after_secs(wait_s as f32),
@@ -285,7 +432,9 @@ impl Console {
 
     /// What tests in a browser read: frames drawn, playhead, target and produced Ra, the screen
     /// that is shown and the list of all with their keys (alone in a page, with Ctrl in a window; null where
-    /// there is none), the last message, a link put up for copying, whether the address holds the last change, and where the slider of the target is, in points.
+    /// there is none), the last message, a link that is put up, the mission under way as links have it, the result
+    /// of the last one that was marked with the stars remembered of it, whether the address holds the last change,
+    /// and where the slider of the target and the buttons of a mission are, in points.
     #[must_use]
     pub fn state_json(&self) -> String {
         let playback = self.session.playback();
@@ -298,6 +447,7 @@ impl Console {
         let rect = self.target_slider.map_or_else(Vec::new, |rect| {
             vec![rect.left(), rect.top(), rect.right(), rect.bottom()]
         });
+        let result = self.result.as_ref().map(MissionResult::kept_as);
         serde_json::json!({
             "frames": self.frames,
             "playing": playback.playing,
@@ -306,10 +456,13 @@ impl Console {
             "ra_um": signal("ra_um").and_then(|signal| (signal.value)(self.session.row())),
             "screen": self.panels[self.shown].id(),
             "screens": screens,
-            "link": self.link,
-            "address_is_current": self.address.is_current(self.session.changes()),
+            "link": self.link.as_ref().map(LinkWindow::link),
+            "mission": self.session.mission().map(|lock| &lock.link),
+            "result": self.result,
+            "stars": result.as_ref().and_then(|id| self.remembered.stars(id)),
+            "address_is_current": self.address.is_current(self.addressed()),
             "error": self.session.notices().last().map(|notice| notice.text.as_str()),
-            "rects": { "target_ra_slider": rect },
+            "rects": { "target_ra_slider": rect, "lesson": self.lesson_rects },
         })
         .to_string()
     }

@@ -1,13 +1,15 @@
 //! The window on the desktop.
 
+use super::remembered::{Folder, Remembered};
 use super::{Console, theme};
-use crate::run::Start;
+use crate::base::language::tr;
+use crate::study::opening::Opening;
 
 /// Opens the window and stays until it is closed.
 ///
 /// # Errors
 /// There is no display, or nothing to draw with: what is missing, and how to get it.
-pub fn run(start: Start) -> Result<(), String> {
+pub fn run(opening: Opening) -> Result<(), String> {
     let viewport = egui::ViewportBuilder::default()
         .with_title("SteadyCut")
         .with_app_id("steadycut")
@@ -21,7 +23,10 @@ pub fn run(start: Start) -> Result<(), String> {
     };
     let create: eframe::AppCreator<'_> = Box::new(|cc| {
         super::scene::prepare(cc);
-        Ok(Box::new(Console::new(&cc.egui_ctx, start)))
+        let mut console = Console::opened(&cc.egui_ctx, opening);
+        console.remember(Remembered::of(Box::new(Folder::of_user())));
+        console.speak_as_asked(sys_locale::get_locales());
+        Ok(Box::new(console))
     });
     eframe::run_native("SteadyCut", options, create).map_err(|error| explain(&error))
 }
@@ -33,19 +38,21 @@ pub fn run(start: Start) -> Result<(), String> {
 )]
 fn explain(error: &eframe::Error) -> String {
     let advice = match error {
-        eframe::Error::Wgpu(_) => {
+        eframe::Error::Wgpu(_) => tr(
             "No graphics adapter could be used. A driver for Vulkan is needed; without a graphics \
-             card, Mesa's software driver does (Debian, Ubuntu: apt install mesa-vulkan-drivers)."
-        }
-        _ => {
+                card, Mesa's software driver does (Debian, Ubuntu: apt install mesa-vulkan-drivers).",
+        ),
+        _ => tr(
             "No window could be opened. A display is needed: on Linux, DISPLAY or WAYLAND_DISPLAY \
-             must be set, and X11 needs libxkbcommon-x11 (Debian, Ubuntu: apt install \
-             libxkbcommon-x11-0). Without a display, `xvfb-run steadycut` opens one that is not \
-             seen, and `steadycut run` needs none."
-        }
+                must be set, and X11 needs libxkbcommon-x11 (Debian, Ubuntu: apt install \
+                libxkbcommon-x11-0). Without a display, `xvfb-run steadycut` opens one that is not \
+                seen, and `steadycut run` needs none.",
+        ),
     };
     let text = error.to_string();
-    format!("the console cannot be shown: {}\n{advice}", without_place(&text))
+    let problem = without_place(&text);
+    let said = tr!("the console cannot be shown: {problem}", problem = problem);
+    format!("{said}\n{advice}")
 }
 
 /// The window library names the place in its own source; only what follows helps a user.

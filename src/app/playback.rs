@@ -1,5 +1,7 @@
 //! The playhead: which part of the run is revealed, and how fast it moves.
 
+use crate::base::language::{self, tr};
+
 /// How fast the playhead moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Speed {
@@ -27,8 +29,8 @@ impl Speed {
     #[must_use]
     pub fn label(self) -> String {
         match self {
-            Self::Times(factor) => format!("×{factor}"),
-            Self::Max => "as fast as possible".to_owned(),
+            Self::Times(factor) => language::decimal(format!("×{factor}")),
+            Self::Max => tr("as fast as possible").to_owned(),
         }
     }
 }

@@ -1,12 +1,18 @@
 //! The one place for colours, sizes and line styles. The palette is that of Okabe
 //! and Ito, which people with colour-blind eyes can distinguish; lines differ in style as well.
 
+mod ease;
 mod fit;
 
+use egui::style::NumberFormatter;
 use egui::{Color32, CornerRadius, Stroke, Theme};
 use egui_plot::LineStyle;
 
-pub use fit::{FINGER, WindowFit, figure, fingers, note, value};
+use super::format;
+use crate::base::language;
+
+pub use ease::{is_large, is_still, set_large, set_still};
+pub use fit::{FINGER, WindowFit, figure, fingers, large, note, value};
 
 /// Below this width of the window, in points, everything stands in one column.
 pub const NARROW: f32 = 900.0;
@@ -21,7 +27,7 @@ pub const CONTROLS_WIDTH: f32 = 276.0;
 /// Least height of a plot with its axis, points; in one column, where plots are scrolled, more.
 pub const PLOT_HEIGHT_MIN: f32 = 132.0;
 /// See [`PLOT_HEIGHT_MIN`].
-pub const PLOT_HEIGHT_SCROLLED: f32 = 176.0;
+pub const PLOT_HEIGHT_SCROLLED: f32 = 170.0;
 /// Least width of a card of the headline, points; where it is narrow, less.
 pub const CARD_WIDTH: f32 = 172.0;
 /// See [`CARD_WIDTH`].
@@ -54,6 +60,8 @@ pub struct Palette {
     pub twin: Color32,
     /// The run before the last change.
     pub ghost: Color32,
+    /// The last cut driven by hand.
+    pub hand: Color32,
     /// The playhead.
     pub playhead: Color32,
     /// As it should be.
@@ -83,11 +91,11 @@ pub struct Palette {
 }
 
 /// The part in space, light and dark alike since a lamp shines on it: bare metal; within the
-/// tolerance, up to twice as far off, farther, each also darker or lighter than the others; body and
-/// edges of the cutter, in none of their colours.
+/// tolerance, above it up to twice as far off, farther above, below it, each also darker or lighter than the
+/// others; body and edges of the cutter, in none of their colours.
 pub const METAL: Color32 = rgb(0xa8b0ba);
 /// See [`METAL`].
-pub const MACHINED: [Color32; 3] = [rgb(0x2aa584), rgb(0xe9c63a), rgb(0xcf4a1c)];
+pub const MACHINED: [Color32; 4] = [rgb(0x2aa584), rgb(0xe9c63a), rgb(0xcf4a1c), rgb(0x5b3f9e)];
 /// See [`METAL`].
 pub const CUTTER: [Color32; 2] = [rgb(0x6b7482), rgb(0x5f8fe0)];
 
@@ -104,6 +112,7 @@ const LIGHT: Palette = Palette {
     limit: rgb(0xa04a7a),
     twin: rgb(0x6b6b6b),
     ghost: rgb(0xb07a00),
+    hand: rgb(0x6a3d9a),
     playhead: rgb(0x1f2933),
     good: rgb(0x006b4f),
     bad: rgb(0xb3431a),
@@ -136,6 +145,7 @@ const DARK: Palette = Palette {
     limit: rgb(0xd98fb5),
     twin: rgb(0xa8a8a8),
     ghost: rgb(0xe6b94a),
+    hand: rgb(0xb79af0),
     playhead: rgb(0xe8edf2),
     good: rgb(0x3fd2a8),
     bad: rgb(0xff9166),
@@ -195,8 +205,14 @@ pub enum Look {
     Twin,
     /// The run before the last change.
     Ghost,
+    /// The same with dynamics.
+    GhostDynamics,
+    /// The last cut driven by hand, beside that of a controller.
+    Hand,
     /// The run after the last change, ahead of a playhead that stands.
     Future,
+    /// The same with dynamics.
+    FutureDynamics,
     /// The boundary of a constraint of the plan, by its number in the list of seven.
     Constraint(usize),
     /// The searched cutting speed where it is fixed.
@@ -218,7 +234,10 @@ impl Look {
             Self::Limit => (1.2, palette.limit, LineStyle::Dashed { length: 6.0 }),
             Self::Twin => (1.2, palette.twin, LineStyle::Dashed { length: 6.0 }),
             Self::Ghost => (1.3, palette.ghost, LineStyle::Dotted { spacing: 5.0 }),
+            Self::GhostDynamics => (0.8, palette.ghost, LineStyle::Solid),
+            Self::Hand => (1.8, palette.hand, LineStyle::Dashed { length: 10.0 }),
             Self::Future => (1.5, palette.produced, LineStyle::Dashed { length: 3.0 }),
+            Self::FutureDynamics => (1.0, palette.dynamics, LineStyle::Dashed { length: 3.0 }),
             Self::Searched => (1.2, palette.weak, LineStyle::Dashed { length: 6.0 }),
             Self::Axis(0) => (1.4, palette.command, LineStyle::Solid),
             Self::Axis(1) => (1.4, palette.limit, LineStyle::Dashed { length: 8.0 }),
@@ -246,6 +265,11 @@ pub fn install(ctx: &egui::Context) {
     for theme in [Theme::Light, Theme::Dark] {
         let palette = Palette::of(theme);
         ctx.style_mut_of(theme, |style| {
+            style.number_formatter = NumberFormatter::new(|number, decimals| {
+                format::signed(language::decimal(egui::emath::format_with_decimals_in_range(
+                    number, decimals,
+                )))
+            });
             style.spacing.item_spacing = egui::vec2(8.0, 5.0);
             style.spacing.slider_rail_height = 6.0;
             style.spacing.scroll = egui::style::ScrollStyle::thin();
@@ -263,6 +287,8 @@ pub fn install(ctx: &egui::Context) {
             let fill = if theme == Theme::Light { rgb(0xffffff) } else { rgb(0x161b21) };
             visuals.panel_fill = fill;
             visuals.window_fill = fill;
+            // Text in the shadow of a window stays legible.
+            visuals.window_shadow.color = Color32::from_black_alpha(25);
             visuals.extreme_bg_color =
                 if theme == Theme::Light { rgb(0xfcfdfe) } else { rgb(0x11161b) };
             visuals.widgets.noninteractive.bg_stroke = Stroke::new(1.0, palette.line);

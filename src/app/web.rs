@@ -6,12 +6,15 @@ use std::rc::Rc;
 use wasm_bindgen::{JsCast, JsValue};
 
 use super::Console;
-use crate::run::edits::Edits;
-use crate::run::{Start, presets, scenario_link};
+use super::mirror::{Changes, Mirror};
+use super::remembered::{PageStorage, Remembered};
+use crate::base::language::Language;
+use crate::study::opening::{Opening, page_to_share};
 
 thread_local! {
     static SHOWN: RefCell<Option<Shown>> = const { RefCell::new(None) };
     static TAB_LEAVES: Cell<bool> = const { Cell::new(false) };
+    static MIRRORED: Cell<bool> = const { Cell::new(false) };
 }
 
 /// What is on the page. The console is kept apart from eframe's runner, so that it outlives the
@@ -52,6 +55,22 @@ fn show_digits(ctx: &egui::Context) {
     }
 }
 
+/// Whether the person has asked the system for less motion.
+fn is_less_motion_wanted() -> bool {
+    let asked = web_sys::window()
+        .and_then(|window| window.match_media("(prefers-reduced-motion: reduce)").ok().flatten());
+    asked.is_some_and(|asked| asked.matches())
+}
+
+/// Tells the browser, and screen readers by it, which language the page is in now.
+pub fn speaks(language: Language) {
+    let page = web_sys::window().and_then(|window| window.document()?.document_element());
+    if let Some(page) = page {
+        // Refused nowhere; the page would only be read aloud in the language it began in.
+        let _ = page.set_attribute("lang", language.id());
+    }
+}
+
 /// Shows the console on a canvas: at first with the scenario of the page's link, after [`stop`] as it was.
 ///
 /// # Errors
@@ -73,13 +92,22 @@ pub async fn start(canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
                     super::theme::install(&ctx);
                     before.console
                 }
-                None => Rc::new(RefCell::new(Console::new(&ctx, start_of_link()))),
+                None => {
+                    let mut console = Console::opened(&ctx, Opening::of_link(&href()));
+                    console.remember(Remembered::of(Box::new(PageStorage)));
+                    console.speak_as_asked(sys_locale::get_locales());
+                    Rc::new(RefCell::new(console))
+                }
             };
+            if is_less_motion_wanted() || super::theme::is_still(&ctx) {
+                super::theme::set_still(&ctx, true);
+            }
             super::scene::prepare(cc);
             if let Some(state) = &cc.wgpu_render_state {
                 tell_of_loss(&state.device);
             }
             SHOWN.set(Some(Shown { runner, ctx, console: console.clone() }));
+            mirror(MIRRORED.get());
             Ok(Box::new(Page(console)))
         }
     });
@@ -130,7 +158,7 @@ fn tell_of_loss(device: &eframe::wgpu::Device) {
 }
 
 /// Calls a function of the page: it shows what it is told and offers a way on.
-fn tell_page(listener: &str, message: &str) {
+pub(super) fn tell_page(listener: &str, message: &str) {
     let Some(window) = web_sys::window() else { return };
     let listener = js_sys::Reflect::get(&window, &JsValue::from_str(listener));
     if let Some(listener) =
@@ -141,21 +169,26 @@ fn tell_page(listener: &str, message: &str) {
     }
 }
 
-fn start_of_link() -> Start {
-    let hash = web_sys::window().and_then(|window| window.location().hash().ok());
-    let hash = hash.unwrap_or_default();
-    let first = presets::load(presets::PRESETS[0].name).unwrap_or_default();
-    if hash.trim_start_matches('#').is_empty() {
-        return Start { scenario: first, edits: Edits::none(), notice: None };
-    }
-    match scenario_link::parse(&hash) {
-        Ok((scenario, edits)) => Start { scenario, edits, notice: None },
-        Err(error) => {
-            let name = first.info.name.clone();
-            let notice = format!("The link was not used, {name} is open instead. {error}");
-            Start { scenario: first, edits: Edits::none(), notice: Some(notice) }
+/// The page's address.
+fn href() -> String {
+    let href = web_sys::window().and_then(|window| window.location().href().ok());
+    href.unwrap_or_default()
+}
+
+/// Whether a link that was pasted into the open page is not followed: then the address is as before again. See
+/// [`Console::keeps_its_address`].
+#[must_use]
+pub fn keeps_address() -> bool {
+    SHOWN.with_borrow(|shown| {
+        let Some(shown) = shown else { return false };
+        let Ok(mut console) = shown.console.try_borrow_mut() else { return false };
+        let keeps = console.keeps_its_address();
+        if keeps {
+            write_link(&console.fragment());
+            shown.ctx.request_repaint();
         }
-    }
+        keeps
+    })
 }
 
 /// The state of the console, for tests: see [`Console::state_json`].
@@ -172,6 +205,54 @@ pub fn state_json() -> String {
 #[must_use]
 pub fn tab_leaves() -> bool {
     TAB_LEAVES.get()
+}
+
+/// Makes the elements of the page that screen readers know, or no more: the page's `steadycutMirror` is called with
+/// [`Changes`] as JSON.
+pub fn mirror(on: bool) {
+    MIRRORED.set(on);
+    SHOWN.with_borrow(|shown| {
+        let Some(Shown { ctx, .. }) = shown else { return };
+        if on {
+            if ctx.plugin_opt::<Mirror>().is_none() {
+                ctx.add_plugin(Mirror::new(tell_changes));
+            }
+            ctx.plugin::<Mirror>().lock().forget();
+            ctx.enable_accesskit();
+        } else {
+            ctx.disable_accesskit();
+        }
+        ctx.request_repaint();
+    });
+}
+
+fn tell_changes(changes: &Changes) {
+    if let Ok(text) = serde_json::to_string(changes) {
+        tell_page("steadycutMirror", &text);
+    }
+}
+
+/// Does with an element of the page what a person did: a [`Deed`](super::mirror::Deed) as JSON.
+///
+/// # Errors
+/// What is wrong with it, in words for the person.
+pub fn act(deed: &str) -> Result<(), String> {
+    let deed = serde_json::from_str(deed).map_err(|error| error.to_string())?;
+    with_mirror(|mirror| mirror.act(deed)).unwrap_or(Ok(()))
+}
+
+/// Whether an element of the page has the keyboard.
+pub fn hold(held: bool) {
+    with_mirror(|mirror| mirror.hold(held));
+}
+
+fn with_mirror<T>(what: impl FnOnce(&mut Mirror) -> T) -> Option<T> {
+    SHOWN.with_borrow(|shown| {
+        let Shown { ctx, .. } = shown.as_ref()?;
+        let done = what(&mut ctx.plugin_opt::<Mirror>()?.lock());
+        ctx.request_repaint();
+        Some(done)
+    })
 }
 
 /// Whether the page is in a tab or window that nobody sees.
@@ -202,12 +283,9 @@ pub(super) fn write_link(fragment: &str) {
     }
 }
 
-/// The page's address with another fragment.
+/// The page's address with another fragment, as it may be given to others.
 pub(super) fn address(fragment: &str) -> String {
-    let href = web_sys::window().and_then(|window| window.location().href().ok());
-    let href = href.unwrap_or_default();
-    let page = href.split('#').next().unwrap_or_default();
-    format!("{page}#{fragment}")
+    format!("{}#{fragment}", page_to_share(&href()))
 }
 
 /// Time after which every browser has read a file that was offered for download, ms.

@@ -5,16 +5,20 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, TypedValueParser, ValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use super::afc::args::AfcArgs;
 use super::experiment::args::ExperimentArgs;
 use super::files::{FormulaPath, InPath, OutFolder, OutPath, ScenarioPath};
+use super::identify_drive::IdentifyDriveArgs;
 use super::machine::args::MachineArgs;
+use super::measured::args::MeasuredArgs;
+use super::mission::args::MissionArgs;
 use crate::base::network::Activation;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::Calibration;
 use crate::models::plan::PlannedSection;
 use crate::models::tool::ShippedTool;
-use crate::run::scenario::table;
+use crate::run::scenario::{TwinKind, table};
 use crate::study::identify::gp::job::BATCHES;
 use crate::study::profilometer::ProfileLine;
 use crate::study::published::PaperId;
@@ -31,9 +35,13 @@ use crate::study::train::recipe::RecipeKind;
     after_help = "Without a command: opens the console."
 )]
 pub struct Cli {
-    /// Scenario that the console opens: a preset's name or a scenario file.
+    /// What the console opens: a preset's name, a scenario file, or a link, which may hold a mission.
     #[arg(long, value_name = "PRESET|FILE|LINK")]
     pub scenario: Option<PathBuf>,
+    /// What of the console is hidden and locked, as behind `embed=` in a link: `hide:PART` with bar, screens, files,
+    /// find, transport or settings; `lock:NAME` with a setting, a group or all; `screen:ID`; `lang:en`.
+    #[arg(long, value_name = "FLAG,...", default_value = "", hide_default_value = true)]
+    pub embed: String,
     /// What to do; without it the console opens.
     #[command(subcommand)]
     pub command: Option<CliCommand>,
@@ -68,8 +76,14 @@ pub enum CliCommand {
     Combine(CombineArgs),
     /// Cut a part several times with UNKS, its networks learning from pass to pass.
     Unks(UnksArgs),
+    /// Adaptive feed control: teach in the reference force of each cut, and the log of a run.
+    Afc(AfcArgs),
     /// The five-mass machine of 2019: modes, frequency response, stability, wear, tool life.
     Machine(MachineArgs),
+    /// Read measured data of any layout: what was guessed of it, its channels, and the same as plain CSV.
+    Measured(MeasuredArgs),
+    /// Missions: lessons that are checked; list them, begin one of your own, mark an answer.
+    Mission(MissionArgs),
     /// Judge how robust a controller is: many runs with plant and belief drawn at random.
     Robust(RobustArgs),
     /// Print what makes a shell complete this program's commands, options and files.
@@ -96,6 +110,9 @@ pub struct RunArgs {
     /// asks for no calibration.
     #[arg(long, value_name = "ROLE=FILE", value_parser = role_of)]
     pub formula: Vec<(String, InPath)>,
+    /// A controller of one's own, as a script in Rhai with a function `update(now)`; it controls the cut.
+    #[arg(long, value_name = "FILE.rhai")]
+    pub script: Option<InPath>,
     /// Write all signals as CSV, one column each with its unit in the header.
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<OutPath>,
@@ -103,9 +120,15 @@ pub struct RunArgs {
     #[arg(long)]
     pub json: bool,
     /// Tell what happens in the run, when and why, with what each step makes of it; the same cut at
-    /// constant feed is run beside it. With `--json` as `story`.
+    /// constant feed is run beside it, the one that `--twin` or the scenario's `twin.kind` says. With
+    /// `--json` as `story`.
     #[arg(long, conflicts_with_all = ["revolution", "profile"])]
     pub story: bool,
+    /// Compare with the same cut at constant feed: safe, the largest feed that is nowhere rougher than
+    /// allowed, which is found by cutting the part at many feeds; or as programmed. With `--json` as `twin`.
+    #[arg(long, value_name = "safe|programmed", value_parser = twin_kind,
+        conflicts_with_all = ["revolution", "profile"])]
+    pub twin: Option<TwinKind>,
     /// Print the forces within the last revolution before a time in s as CSV, a line for every plant
     /// step; tooth by tooth only.
     #[arg(long, value_name = "AT_S", conflicts_with_all = ["json", "out"])]
@@ -119,6 +142,11 @@ pub struct RunArgs {
     /// Which cut of the part `--profile` measures, counted from 1; without it the last one reached.
     #[arg(long, value_name = "NUMBER", requires = "profile")]
     pub cut: Option<usize>,
+}
+
+fn twin_kind(text: &str) -> Result<TwinKind, String> {
+    let ids = TwinKind::ALL.iter().map(|kind| kind.id()).collect::<Vec<_>>().join(" or ");
+    TwinKind::from_id(text).ok_or_else(|| format!("allowed is {ids}"))
 }
 
 /// What a formula of one's own may stand for: the settings that take one, without the `formula.` of the models'.
@@ -250,6 +278,8 @@ pub enum IdentifyTarget {
 pub enum IdentifyWhat {
     /// A formula of a table's columns, searched for by genetic programming (symbolic regression).
     Gp(IdentifyGpArgs),
+    /// A feed drive's dead time, order and lag from a step that was recorded: several structures compared.
+    Drive(IdentifyDriveArgs),
 }
 
 /// Whether formulas have to be right in their units.
@@ -286,7 +316,7 @@ pub struct IdentifyGpArgs {
     #[arg(long, value_enum, default_value = "free")]
     pub units: UnitsArg,
     /// Unit of a column, for example `feed=mm/min`; without it the one that its name ends with
-    /// (`feed_mm_min`).
+    /// (`feed_mm_min`). An input with a unit is as positive as its rows; one without may be negative.
     #[arg(long = "unit", value_name = "COLUMN=UNIT")]
     pub unit: Vec<String>,
     /// Seed of all draws.

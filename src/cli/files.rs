@@ -3,18 +3,19 @@
 
 mod check;
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::fmt::{Display, Formatter};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PathBufValueParser, TypedValueParser, ValueParser, ValueParserFactory};
 
-pub use check::{check, hinted};
+pub use check::{check, differ, hinted};
 
 use crate::disk::{self, OutFile, WriteError};
 use crate::run::presets::PRESETS;
 use crate::run::scenario_link;
+use crate::study::mission::shipped::MISSIONS;
 
 /// Name of standard input and output.
 const STANDARD: &str = "-";
@@ -40,6 +41,33 @@ impl InPath {
     /// It cannot be read, or is no text.
     pub fn read(&self) -> Result<String, String> {
         if self.is_stdin() { disk::read_stdin() } else { disk::read_text(&self.0) }
+    }
+
+    /// The bytes of a file of measured data.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    pub fn measured(&self) -> Result<Vec<u8>, String> {
+        let path = (!self.is_stdin()).then_some(self.0.as_path());
+        disk::read_measured(path).map_err(|error| format!("{self}: {error}"))
+    }
+
+    /// The file beside this one whose name has so much more at its end, whether it is there or not, to be read and
+    /// written; none for standard input.
+    #[must_use]
+    pub fn beside(&self, ending: &str) -> Option<(Self, OutPath)> {
+        let name = |path: &Path| {
+            let mut name = path.as_os_str().to_owned();
+            name.push(ending);
+            PathBuf::from(name)
+        };
+        (!self.is_stdin()).then(|| (Self(name(&self.0)), OutPath(name(&self.0))))
+    }
+
+    /// Whether a file is there.
+    #[must_use]
+    pub fn is_there(&self) -> bool {
+        self.is_stdin() || self.0.exists()
     }
 
     /// The text of the file.
@@ -79,19 +107,7 @@ impl ScenarioPath {
         if let Some(link) = self.link() {
             return Err(link);
         }
-        let path = Path::new(&self.0);
-        let name = self.0.to_str();
-        if let Some(name) = name.filter(|name| PRESETS.iter().any(|preset| preset.name == *name)) {
-            return Err(name);
-        }
-        let is_file = self.0.as_os_str() == STANDARD
-            || path.extension().is_some()
-            || path.components().count() > 1
-            || path.exists();
-        match name {
-            Some(name) if !is_file => Err(name),
-            Some(_) | None => Ok(InPath(path.to_owned())),
-        }
+        file_or_name(&self.0, |name| PRESETS.iter().any(|preset| preset.name == name))
     }
 
     /// The text, where a link is meant and no file has its name.
@@ -104,6 +120,24 @@ impl ScenarioPath {
     #[must_use]
     pub fn is_preset(&self, name: &str) -> bool {
         self.source().err() == Some(name)
+    }
+}
+
+/// The file that is meant, or the name of something shipped; what looks like the name of a file is one: it has an
+/// ending or a folder, or it is there.
+fn file_or_name(given: &OsStr, is_shipped: impl Fn(&str) -> bool) -> Result<InPath, &str> {
+    let path = Path::new(given);
+    let name = given.to_str();
+    if let Some(name) = name.filter(|name| is_shipped(name)) {
+        return Err(name);
+    }
+    let is_file = given == STANDARD
+        || path.extension().is_some()
+        || path.components().count() > 1
+        || path.exists();
+    match name {
+        Some(name) if !is_file => Err(name),
+        Some(_) | None => Ok(InPath(path.to_owned())),
     }
 }
 
@@ -126,6 +160,20 @@ impl FormulaPath {
             Some(text) if !is_file => Err(text.to_owned()),
             Some(_) | None => Ok(InPath(path.to_owned())),
         }
+    }
+}
+
+/// A shipped mission's id, or the file of a mission.
+#[derive(Clone, Debug)]
+pub struct MissionPath(OsString);
+
+impl MissionPath {
+    /// The file; what has an ending or a folder, or is there, is one.
+    ///
+    /// # Errors
+    /// The id of a shipped mission, or what can only be meant as one.
+    pub fn source(&self) -> Result<InPath, &str> {
+        file_or_name(&self.0, |name| MISSIONS.iter().any(|mission| mission.id == name))
     }
 }
 
@@ -160,6 +208,44 @@ impl OutPath {
 }
 
 impl Display for OutPath {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        self.0.display().fmt(f)
+    }
+}
+
+/// A folder whose files are read, with those of the folders in it.
+#[derive(Clone, Debug)]
+pub struct InFolder(PathBuf);
+
+impl InFolder {
+    /// Its files.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    fn paths(&self) -> Result<Vec<PathBuf>, String> {
+        disk::files_in(&self.0).map_err(|error| format!("{self}: {error}"))
+    }
+
+    /// Its files with their names within it, parted by `/`, in the order of these names.
+    ///
+    /// # Errors
+    /// One of them cannot be read, or has a name that is no text.
+    pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, String> {
+        let mut files = Vec::new();
+        for path in self.paths()? {
+            let within = path.strip_prefix(&self.0).unwrap_or(&path);
+            let parts: Option<Vec<&str>> = within.iter().map(OsStr::to_str).collect();
+            let file = path.display();
+            let name = parts.ok_or_else(|| format!("{file}: its name is no text"))?.join("/");
+            let bytes = disk::read(&path).map_err(|error| format!("{file}: {error}"))?;
+            files.push((name, bytes));
+        }
+        files.sort();
+        Ok(files)
+    }
+}
+
+impl Display for InFolder {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         self.0.display().fmt(f)
     }
@@ -224,4 +310,4 @@ macro_rules! paths {
         }
     )+};
 }
-paths!(InPath ScenarioPath FormulaPath OutPath OutFolder);
+paths!(InPath InFolder ScenarioPath FormulaPath MissionPath OutPath OutFolder);

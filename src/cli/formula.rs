@@ -12,7 +12,8 @@ use super::formula_told::{told, told_json};
 use crate::base::formula::{Formula, Interval, Unit};
 use crate::models::Valued;
 use crate::models::formula_model::{FormulaInput, FormulaModel, FormulaOutput};
-use crate::study::formula_table::PredictedTable;
+use crate::study::formula_table::{Beside, HalfWidth, PredictedTable};
+use crate::study::identify::gp::band::FormulaBand;
 
 /// Why a row has no value.
 const NO_VALUE: &str = "the formula has no finite value there (a division by zero, a logarithm or power of a negative \
@@ -145,10 +146,17 @@ fn on_table(args: &FormulaArgs, given: &Given, out: &mut dyn Write) -> Outcome {
     let text = data.text()?;
     let inputs = given.formula().inputs();
     let made = match given {
-        Given::Model(model) => PredictedTable::new(&text, inputs, true, |at| model.at(at)),
+        Given::Model(model) => {
+            let band = FormulaBand::of(model);
+            let half = |at: &[f64]| band.as_ref()?.half_width(at);
+            let half: HalfWidth<'_> = &half;
+            let beside = Beside { marked: true, band: band.is_some().then_some(half) };
+            PredictedTable::new(&text, inputs, beside, |at| model.at(at))
+        }
         Given::Text { formula, .. } => {
             let compiled = formula.compile();
-            PredictedTable::new(&text, inputs, false, |at| Valued::new(compiled.value(at), true))
+            let at = |at: &[f64]| Valued::new(compiled.value(at), true);
+            PredictedTable::new(&text, inputs, Beside::default(), at)
         }
     };
     let made = made.map_err(|error| format!("{data}: {error}"))?;
@@ -161,8 +169,12 @@ fn on_table(args: &FormulaArgs, given: &Given, out: &mut dyn Write) -> Outcome {
             made.values.iter().map(|value| Some(value.value).filter(|x| x.is_finite())).collect();
         let extrapolated: Vec<bool> = made.values.iter().map(|value| !value.valid).collect();
         let errors = errors.map(|e| json!({ "rows": e.rows, "rms": e.rms, "worst": e.worst }));
+        let end = |end: usize| {
+            let all = made.bands.as_ref();
+            all.map(|all| all.iter().map(|band| band.map(|band| band[end])).collect::<Vec<_>>())
+        };
         let told = json!({
-            "formula": given.formula().to_string(), "rows": values.len(), "predicted": values,
+            "low": end(0), "high": end(1), "formula": given.formula().to_string(), "rows": values.len(), "predicted": values,
             "extrapolated": extrapolated, "errors": errors, "without_value": made.without_value(),
             "without_value_because": (made.without_value() > 0).then_some(NO_VALUE),
         });

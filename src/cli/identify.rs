@@ -59,8 +59,10 @@ fn by_genetic_programming(args: &IdentifyArgs) -> Result<Made, Box<dyn std::erro
 }
 
 pub fn execute(args: &IdentifyArgs) -> Outcome {
-    if let Some(IdentifyWhat::Gp(args)) = &args.what {
-        return super::identify_gp::execute(args);
+    match &args.what {
+        Some(IdentifyWhat::Gp(args)) => return super::identify_gp::execute(args),
+        Some(IdentifyWhat::Drive(args)) => return super::identify_drive::execute(args),
+        None => {}
     }
     let mut out = report(args.json, args.out.as_ref())?;
     let Made { fits, file, shipped } = match args.target {

@@ -6,13 +6,14 @@ use std::process::ExitCode;
 use super::args::{IdentifyGpArgs, UnitsArg};
 use super::files::report as report_to;
 use super::{Outcome, progress};
-use crate::base::formula::Unit;
+use crate::base::formula::{Formula, Unit};
 use crate::run::job::Job;
+use crate::study::identify::gp::constants::fitted;
 use crate::study::identify::gp::declared::declared_report;
 use crate::study::identify::gp::job::{GpJob, GpSettings};
-use crate::study::identify::gp::model::model;
+use crate::study::identify::gp::model::fitted_model;
 use crate::study::identify::gp::problem::GpProblem;
-use crate::study::identify::gp::report::{FrontFormula, GpReport};
+use crate::study::identify::gp::report::{FrontFormula, GpReport, ReportedConstant};
 use crate::study::identify::gp::standing::{GpStage, GpStanding};
 use crate::study::published::PaperId;
 
@@ -47,6 +48,7 @@ fn asked(args: &IdentifyGpArgs) -> Result<GpProblem, Box<dyn std::error::Error>>
         UnitsArg::Strict => problem.strict(&given)?,
         UnitsArg::Free => problem,
     };
+    let problem = problem.told(&given);
     Ok(match &args.template {
         Some(text) => {
             problem.with_template(text).map_err(|problem| format!("--template: {problem}"))?
@@ -167,7 +169,15 @@ fn model_text(
         "found by `steadycut identify gp` on {} rows of {}, seed {}, {} batches; rms error {:.4e}",
         report.rows, args.data, args.seed, report.batches, wanted.error
     );
-    let model = model(problem, &wanted.formula, &units(args)?, source);
+    let mut formula =
+        Formula::parse(&wanted.formula, &problem.inputs).map_err(|error| error.to_string())?;
+    let mut constants = wanted.constants.clone();
+    if report.searched_rows < report.rows && !wanted.chosen {
+        let fit = fitted(&formula, &problem.rows)?;
+        constants = fit.constants.iter().map(ReportedConstant::from).collect();
+        formula = fit.formula;
+    }
+    let model = fitted_model(problem, &formula, &constants, &units(args)?, source);
     Ok(model.map_err(|problem| format!("not written: {problem}"))?.write())
 }
 
@@ -175,8 +185,12 @@ fn print(out: &mut impl Write, report: &GpReport) -> std::io::Result<()> {
     let GpReport { target, rows, batches, evaluations, .. } = report;
     writeln!(out, "{target} over {rows} rows: {batches} batches, {evaluations} formulas")?;
     if report.searched_rows < report.rows {
-        let searched = report.searched_rows;
-        writeln!(out, "searched on {searched} rows drawn by the seed, constants fitted to all")?;
+        let GpReport { searched_rows, seed, .. } = report;
+        writeln!(
+            out,
+            "searched and judged on {searched_rows} rows drawn with seed {seed}; the constants of the formula chosen are \
+             fitted to all"
+        )?;
     }
     writeln!(out, "\n  size       error   left out  formula")?;
     for formula in &report.front {

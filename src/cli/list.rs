@@ -81,9 +81,9 @@ pub fn execute(args: &ListArgs) -> Outcome {
         return Ok(ExitCode::SUCCESS);
     }
     for (i, group) in PresetGroup::ALL.iter().enumerate() {
-        writeln!(out, "{}presets: {}", if i == 0 { "" } else { "\n" }, group.label())?;
+        writeln!(out, "{}{}", if i == 0 { "" } else { "\n" }, group.label())?;
         for (preset, description) in described.iter().filter(|(preset, _)| preset.group == *group) {
-            writeln!(out, "  {:<21}{}\n{:23}{description}", preset.name, preset.title, "")?;
+            writeln!(out, "  {:<50}run {}\n      {description}", preset.title, preset.name)?;
         }
     }
     for (name, options) in CHOICES {

@@ -1,5 +1,6 @@
 //! The command line: the same simulation without a window.
 
+mod afc;
 pub mod args;
 mod check;
 mod combine;
@@ -11,10 +12,13 @@ mod formula;
 mod formula_told;
 mod given;
 mod identify;
+mod identify_drive;
 mod identify_gp;
 mod list;
 mod machine;
 mod manual;
+mod measured;
+mod mission;
 mod papers;
 mod papers_2005;
 mod papers_2019;
@@ -31,6 +35,7 @@ mod story;
 mod train;
 mod train_genetic;
 mod train_unks;
+mod twin;
 mod unks;
 
 use std::path::Path;
@@ -40,9 +45,7 @@ use args::{Cli, CliCommand};
 use files::ScenarioPath;
 
 use crate::disk::WriteError;
-use crate::run::Start;
-use crate::run::edits::Edits;
-use crate::run::presets::{self, PRESETS};
+use crate::study::opening::Opening;
 
 /// Runs a subcommand; prints its result, or its error in one line.
 #[must_use]
@@ -61,7 +64,10 @@ pub fn execute(command: &CliCommand) -> ExitCode {
         CliCommand::Recommend(args) => recommend::execute(args),
         CliCommand::Combine(args) => combine::execute(args),
         CliCommand::Unks(args) => unks::execute(args),
+        CliCommand::Afc(args) => afc::execute(args),
         CliCommand::Machine(args) => machine::execute(args),
+        CliCommand::Measured(args) => measured::execute(args),
+        CliCommand::Mission(args) => mission::execute(args),
         CliCommand::Robust(args) => robust::execute(args),
         CliCommand::Completions(args) => manual::completions(args),
         CliCommand::Man(args) => manual::man(args),
@@ -115,20 +121,16 @@ pub fn parse() -> Cli {
     <Cli as clap::FromArgMatches>::from_arg_matches(&matches).unwrap_or_else(|error| error.exit())
 }
 
-/// Opens the console with a preset or scenario file (the first preset without one) through the
+/// Opens the console with a preset, a scenario file or a link (the first preset without one) and flags through the
 /// front end's `open`; prints what is missing if it cannot.
 #[must_use]
 pub fn console(
     scenario: Option<&Path>,
-    open: impl FnOnce(Start) -> Result<(), String>,
+    embed: &str,
+    open: impl FnOnce(Opening) -> Result<(), String>,
 ) -> ExitCode {
-    let loaded = match scenario {
-        Some(path) => scenarios::load(&ScenarioPath::new(path)),
-        None => presets::load(PRESETS[0].name).map(|s| (s, Edits::none())).map_err(Into::into),
-    };
-    let loaded = loaded.map_err(|error| error.to_string());
-    let opened = loaded.and_then(|(scenario, edits)| open(Start { scenario, edits, notice: None }));
-    match opened {
+    let opened = scenarios::opening(scenario.map(ScenarioPath::new), embed);
+    match opened.map_err(|error| error.to_string()).and_then(open) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");

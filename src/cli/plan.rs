@@ -16,6 +16,7 @@ use crate::study::plan::constraints::{Checked, ORIGIN};
 use crate::study::plan::field::exhaustive;
 use crate::study::plan::machine::{MachineLimits, Source};
 use crate::study::plan::optimum::{Optimum, PlanVerdict};
+use crate::study::plan::over_depths::OverDepths;
 use crate::study::plan::remarks::{Remark, remarks};
 use crate::study::plan::swarm::Iteration;
 use crate::study::train::data::NOTE;
@@ -41,6 +42,8 @@ struct Report<'a> {
     grid_evaluations: u64,
     constraints_origin: &'static str,
     remarks: Vec<Remark>,
+    /// The planned feed and speed at all depths of the part, by the network and in the run.
+    over_depths: OverDepths,
 }
 
 /// Runs the command.
@@ -58,11 +61,12 @@ pub fn execute(args: &PlanArgs) -> Outcome {
     progress::work(&mut job, "plan", args.json)?;
     let optimum = job.optimum();
     let grid = exhaustive(job.problem(), GRID, GRID);
+    let over_depths = OverDepths::of(&scenario, &machine, &optimum);
     let report = Report {
         scenario: &scenario.info.name,
         machine: &machine,
         verdict: optimum.verdict(),
-        verdict_text: optimum.verdict_text(),
+        verdict_text: over_depths.verdict_text(&optimum),
         active: optimum.active().map(|one| one.constraint.id).collect(),
         optimum: &optimum,
         iterations: job.counts().iteration,
@@ -72,6 +76,7 @@ pub fn execute(args: &PlanArgs) -> Outcome {
         grid_evaluations: grid.evaluations,
         constraints_origin: ORIGIN,
         remarks: remarks(&scenario),
+        over_depths,
     };
     if args.json {
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
@@ -111,14 +116,22 @@ fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {
         ("feed per tooth", format!("{:.4} mm", o.feed_per_tooth_mm)),
         ("force", format!("{:.1} N (x {x:.1}, y {y:.1}, z {z:.1})", o.force_n)),
         ("removal rate", format!("{:.3} cm3/min", o.removal_rate_cm3_min)),
-        ("time of cut", format!("{:.2} s", o.time_s)),
+        ("time at this feed", format!("{:.2} s", o.time_s)),
         ("  with tool changes", format!("{:.2} s", o.production_time_s)),
         ("cost of cut", format!("{:.4}", o.cost)),
     ];
     for (name, value) in lines {
         writeln!(out, "  {name:<24}{value}")?;
     }
-    writeln!(out, "\nconstraints ({})", report.constraints_origin)?;
+    writeln!(out, "\n{}", report.over_depths.title())?;
+    for line in report.over_depths.lines() {
+        writeln!(out, "  {line}")?;
+    }
+    writeln!(
+        out,
+        "\nconstraints at {} mm depth ({})",
+        o.axial_depth_mm, report.constraints_origin
+    )?;
     for one in &o.constraints {
         constraint(out, one)?;
     }

@@ -39,15 +39,16 @@ pub fn execute(
 ) -> Outcome {
     let mut run = Run::new(scenario, edits);
     progress::work(&mut run, "run", json)?;
-    let mut marks = MarkedPart::new(scenario);
+    let last_s = run.recording().rows().last().map_or(0.0, |row| row.time_s);
+    let settings = edits.scenario_at(scenario, last_s)?;
+    let mut marks = MarkedPart::new(scenario).disturbed(&settings.disturbances, run.breakages());
     marks.extend(run.recording().rows());
     let number = cut.unwrap_or(marks.cut() + 1);
     let reached = marks.cut() + 1;
     let index = number.checked_sub(1).filter(|index| *index < reached);
     let index = index.ok_or_else(|| format!("--cut {number}: allowed is 1 to {reached}"))?;
-    let last_s = run.recording().rows().last().map_or(0.0, |row| row.time_s);
-    let settings = edits.scenario_at(scenario, last_s)?;
-    let path = ToolPath::new(&settings.workpiece, settings.tool.outline());
+    let path = ToolPath::new(&settings.workpiece, settings.tool.outline())
+        .disturbed(&settings.disturbances);
     let found = measure(&marks.cuts()[index].surface, path.of(index), &line, &settings.profile)
         .map_err(|error| format!("--profile: {error}"))?;
     let report = Report {

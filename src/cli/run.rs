@@ -8,17 +8,19 @@ use serde::Serialize;
 use super::args::RunArgs;
 use super::files::report;
 use super::scenarios::{apply, load, load_networks};
+use super::twin::{TwinCut, TwinTold};
 use super::{Outcome, given, profile, progress, story};
 use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
+use crate::blocks::control::script::ScriptProgram;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::models::formula_model::FormulaModel;
 use crate::models::genetic::{Calibration, FormulaSettings};
-use crate::run::constant_feed_twin::BesideRun;
 use crate::run::edits::Edits;
 use crate::run::job::Job;
 use crate::run::metrics::Metrics;
 use crate::run::one_run::{End, Run};
+use crate::run::presets;
 use crate::run::revolution::RevolutionJob;
 use crate::run::run_to::RunTo;
 use crate::run::scenario::Scenario;
@@ -26,7 +28,7 @@ use crate::run::story::{Story, StoryEvent};
 use crate::study::export::csv;
 use crate::study::uses::Reader;
 
-/// The JSON object of a run; with `--story` also its events, as `story`.
+/// The JSON object of a run; with `--story` also its events, as `story`, and with `--twin` what it is compared with.
 #[derive(Serialize)]
 struct Report<'a> {
     scenario: &'a str,
@@ -38,6 +40,8 @@ struct Report<'a> {
     digest: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     story: Option<Vec<StoryEvent>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    twin: Option<TwinTold>,
 }
 
 /// Why a run is over: `end`, an id of [`End`], `end_details` and, for people, `end_text`.
@@ -93,6 +97,20 @@ fn own_formulas(args: &RunArgs, scenario: &mut Scenario) -> Result<(), Box<dyn s
     Ok(())
 }
 
+/// Takes the script of `--script`, and lets it control.
+fn own_script(args: &RunArgs, scenario: &mut Scenario) -> Result<(), Box<dyn std::error::Error>> {
+    let Some(file) = &args.script else { return Ok(()) };
+    given::once("--script", &["controller.kind", "controller.script.code"], &args.set)?;
+    // Told with its line before it becomes a setting.
+    let text = file.text()?;
+    ScriptProgram::read(&text).map_err(|problem| format!("{file}: {problem}"))?;
+    scenario.set_all(&[
+        ("controller.kind".to_owned(), Value::Text(ControllerKind::Script.id().to_owned())),
+        ("controller.script.code".to_owned(), Value::Text(text)),
+    ])?;
+    Ok(())
+}
+
 pub fn execute(args: &RunArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
     apply(&mut scenario, &args.set)?;
@@ -109,9 +127,16 @@ pub fn execute(args: &RunArgs) -> Outcome {
         load_networks(&mut scenario, path)?;
     }
     own_formulas(args, &mut scenario)?;
+    own_script(args, &mut scenario)?;
+    if let Some(kind) = args.twin {
+        given::once("--twin", &["twin.kind"], &args.set)?;
+        scenario.set("twin.kind", Value::Text(kind.id().to_owned()))?;
+    }
+    let beside = args.story || args.twin.is_some();
     let reader = match (args.profile, args.revolution) {
         (Some(_), _) => Reader::RunProfile,
         (None, Some(_)) => Reader::RunRevolution,
+        (None, None) if beside => Reader::RunTwin,
         (None, None) => Reader::Run,
     };
     // Edits of the file must still fit the changed scenario.
@@ -130,7 +155,10 @@ pub fn execute(args: &RunArgs) -> Outcome {
     let mut run = Run::new(&scenario, &checked);
     progress::work(&mut run, "run", args.json)?;
 
-    let story = args.story.then(|| story_of(&run, args.json)).transpose()?;
+    let beside = beside.then(|| TwinCut::of(&run, args.json)).transpose()?;
+    let story =
+        beside.as_ref().filter(|_| args.story).map(|twin| Story::of(&run, Some(twin.run())));
+    let twin = beside.as_ref().filter(|_| args.twin.is_some()).map(|twin| twin.told(&run));
     let (metrics, end) = (run.metrics(), end_of(&run)?);
     if args.json {
         let report = Report {
@@ -140,10 +168,14 @@ pub fn execute(args: &RunArgs) -> Outcome {
             ticks: run.ticks(),
             digest: run.recording().digest(),
             story: story.map(|story| story.events),
+            twin,
         };
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
         print_metrics(&mut out, &scenario, &run, &metrics, end)?;
+        if let Some(twin) = &twin {
+            twin.print(&mut out)?;
+        }
         if let Some(story) = &story {
             story::print(&mut out, story)?;
         }
@@ -158,13 +190,6 @@ pub fn execute(args: &RunArgs) -> Outcome {
     }
     // A fault is a failure of the run, not of the program: its own exit code.
     Ok(if end.failed() { ExitCode::from(1) } else { ExitCode::SUCCESS })
-}
-
-/// The story of a run, with that of the same cut at constant feed beside it.
-fn story_of(run: &Run, quiet: bool) -> Result<Story, Box<dyn std::error::Error>> {
-    let mut beside = BesideRun::new(run);
-    progress::work(&mut beside, "constant feed", quiet)?;
-    Ok(Story::of(run, Some(beside.twin())))
 }
 
 /// The forces within the last revolution before `at_s`, as CSV.
@@ -210,7 +235,9 @@ fn print_metrics(
 ) -> std::io::Result<()> {
     writeln!(out, "{} ({})", scenario.info.name, scenario.controller.kind.label())?;
     if !scenario.info.description.is_empty() {
-        writeln!(out, "{}", scenario.info.description)?;
+        // What was set otherwise may be other than its text says.
+        let shipped = if presets::is_changed(scenario) { "as shipped: " } else { "" };
+        writeln!(out, "{shipped}{}", scenario.info.description)?;
     }
     let target = scenario.target.ra_um;
     let dead_ticks = scenario.ticks(scenario.cnc.dead_time_s);
@@ -233,7 +260,10 @@ fn print_metrics(
         (
             "  in tolerance",
             shown(m.in_tolerance_percent, &|x| {
-                format!("{x:.1} % of length (+-{tolerance} %){not_judged}")
+                let shaken = m.in_tolerance_dyn_percent.map_or(String::new(), |shaken| {
+                    format!(" without dynamics, {shaken:.1} % with")
+                });
+                format!("{x:.1} % of length{shaken} (+-{tolerance} %){not_judged}")
             }),
         ),
         ("force", shown(m.force_final_n, &|x| format!("{x:.2} N"))),
@@ -249,6 +279,10 @@ fn print_metrics(
         ("time of cut", format!("{:.3} s", m.time_of_cut_s)),
         ("path", format!("{:.2} of {} mm", m.path_mm, ToolPath::length_of(&scenario.workpiece))),
         ("metal removed", format!("{:.3} cm3", m.metal_removed_cm3)),
+        (
+            "scrap",
+            format!("{:.2} mm, at {:.2}; the cut at {:.2}", m.scrap_mm, m.scrap_cost, m.cut_cost),
+        ),
         ("at a limit", format!("{:.1} % of time", m.saturated_percent)),
         ("models outside range", format!("{:.1} % of time", m.outside_percent)),
         ("dead time", format!("{} s ({dead_ticks} ticks)", dead_ticks as f64 * scenario.dt_s())),

@@ -30,9 +30,12 @@ fn figures(of: &StepResponse) -> String {
     let settling = match of.settling_time_s {
         Some(_) if of.is_without_transient() => format!("no transient beyond {band:.2} %"),
         Some(time_s) => format!("settled within {band:.2} % after {time_s:.3} s"),
+        None if of.swings_on() => format!("swings by more than {band:.2} %, never settled"),
         None => "never settled".to_owned(),
     };
     let overshoot = of.overshoot_percent.filter(|_| !of.is_without_transient());
     let overshoot = overshoot.map_or(String::new(), |most| format!(", overshoot {most:.2} %"));
-    format!("{ends}; {settling}{overshoot}, remaining error {error}{swing}")
+    let jump = of.jump_percent.filter(|_| !of.is_without_transient());
+    let jump = jump.map_or(String::new(), |most| format!(", jump {most:+.2} %"));
+    format!("{ends}; {settling}{jump}{overshoot}, remaining error {error}{swing}")
 }

@@ -1,16 +1,19 @@
 //! The layer rule: base <- models <- blocks <- run <- study <- { cli | app }. A layer names only layers
 //! to its left; cli and app never see each other; only app names the GUI. Both front ends share `disk`, which
-//! names nothing but base.
+//! names nothing but base; so does `measured`, which study and both front ends may name.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 const LAYERS: [&str; 5] = ["base", "models", "blocks", "run", "study"];
+/// What stands beside them, and the front ends.
+const BESIDE: [&str; 4] = ["measured", "disk", "cli", "app"];
 
 /// Where the sources of a layer stand.
 fn folder(layer: &str) -> PathBuf {
     match layer {
         "study" => PathBuf::from("crates/study/src"),
+        "measured" => PathBuf::from("crates/measured/src"),
         "cli" | "app" | "disk" => Path::new("src").join(layer),
         _ => Path::new("crates/core/src").join(layer),
     }
@@ -36,22 +39,23 @@ fn code(path: &Path) -> String {
 
 fn allowed(layer: &str) -> Vec<&str> {
     match LAYERS.iter().position(|name| *name == layer) {
+        Some(_) if layer == "study" => LAYERS.into_iter().chain(["measured"]).collect(),
         Some(index) => LAYERS[..=index].to_vec(),
-        None if layer == "disk" => vec!["base", layer],
-        None => LAYERS.into_iter().chain([layer, "disk"]).collect(),
+        None if ["disk", "measured"].contains(&layer) => vec!["base", layer],
+        None => LAYERS.into_iter().chain([layer, "disk", "measured"]).collect(),
     }
 }
 
 #[test]
 fn layers_name_only_layers_to_their_left() {
     let mut faults = Vec::new();
-    for layer in LAYERS.into_iter().chain(["cli", "app", "disk"]) {
+    for layer in LAYERS.into_iter().chain(BESIDE) {
         let mut files = Vec::new();
         sources(&folder(layer), &mut files);
         assert!(!files.is_empty(), "{layer} has no sources");
         for file in files {
             let code = code(&file);
-            for other in LAYERS.into_iter().chain(["cli", "app", "disk"]) {
+            for other in LAYERS.into_iter().chain(BESIDE) {
                 assert!(!code.contains("crate::{"), "{}: one path per use", file.display());
                 let names = code.contains(&format!("crate::{other}"));
                 if names && !allowed(layer).contains(&other) {
@@ -92,7 +96,7 @@ fn blocks_do_not_name_other_blocks() {
 #[test]
 fn pure_layers_have_no_clock_thread_file_or_environment() {
     let mut files = Vec::new();
-    for layer in LAYERS {
+    for layer in LAYERS.into_iter().chain(["measured"]) {
         sources(&folder(layer), &mut files);
     }
     for file in files {
@@ -126,7 +130,7 @@ fn nothing_but_the_disk_opens_a_file() {
 #[test]
 fn public_types_have_names_of_their_own() {
     let mut all = Vec::new();
-    for root in ["crates/core/src", "crates/study/src", "src"] {
+    for root in ["crates/core/src", "crates/measured/src", "crates/study/src", "src"] {
         sources(Path::new(root), &mut all);
     }
     let mut names = Vec::new();

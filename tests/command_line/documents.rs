@@ -12,7 +12,11 @@ use std::thread::sleep;
 use std::time::Duration;
 
 use steadycut::run::edits::Edits;
+use steadycut::run::job::Job;
 use steadycut::run::{presets, scenario_file};
+use steadycut::study::mission::{Marking, MissionAnswer, MissionResult, shipped};
+
+use crate::packing;
 
 /// Start of a command, and an option that is given this value in place of the one it has.
 const SHORTER: [(&str, &str, &str); 6] = [
@@ -39,7 +43,7 @@ fn document(name: &str) -> String {
 }
 
 fn both() -> String {
-    document("README.md") + "\n" + &document("CONTRIBUTING.md")
+    document("README.md") + "\n" + document("CONTRIBUTING.md").as_str()
 }
 
 /// The lines of the fenced blocks marked `sh`, comments left out.
@@ -93,6 +97,16 @@ fn succeeds(command: &str, child: Child) {
     assert!(output.status.success(), "`steadycut {command}`: {error}");
 }
 
+/// What the console saves of this answer to the mission `quiet-speed`.
+fn saved_result(answer: &str) -> String {
+    let mission = shipped::load("quiet-speed").unwrap();
+    let answer = MissionAnswer::read(answer, &mission).unwrap();
+    let mut marking = Marking::new(&mission, answer.clone()).unwrap();
+    marking.to_end();
+    let verdict = marking.partial().unwrap();
+    MissionResult::new(&mission, &answer, verdict, 0, "2026-01-02T03:04:05Z".to_owned()).write()
+}
+
 /// A folder with the files that the documents take as given.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
@@ -102,6 +116,12 @@ fn folder(name: &str) -> PathBuf {
     fs::write(folder.join("my-scenario.toml"), text).unwrap();
     let table = include_str!("../../assets/data/table3_2007.csv");
     fs::write(folder.join("my-table.csv"), table).unwrap();
+    let cut = include_str!("../../crates/measured/tests/data/excel.csv");
+    fs::write(folder.join("my-cut.csv"), cut).unwrap();
+    let answer = include_str!("../../crates/study/tests/data/missions/quiet-speed.right.toml");
+    fs::write(folder.join("my-answer.toml"), answer).unwrap();
+    fs::write(folder.join("quiet-speed-result.json"), saved_result(answer)).unwrap();
+    packing::page(&folder.join("web").join("dist"));
     folder
 }
 

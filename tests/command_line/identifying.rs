@@ -65,6 +65,31 @@ fn any_formula_of_the_front_becomes_a_model_file() {
     assert!(error.contains("--size 1000") && error.contains(&size), "{error}");
 }
 
+/// The file carries how sure its constants are; another file without that has no band.
+#[test]
+fn a_model_file_gives_its_band_on_a_table() {
+    let (file, table) = (temporary("banded.toml"), temporary("banded.csv"));
+    let path = file.to_str().unwrap();
+    json(&gp(K4, &["--batches", "2", "--out", path, "--json"]));
+    std::fs::write(&table, "feed_mm_min,speed_rpm\n300,1500\n5000,1500\n").unwrap();
+    let data = ["--data", table.to_str().unwrap()];
+    let told = json(&[&["formula", path], &data[..], &["--json"]].concat());
+    let number = |name: &str| told[name][0].as_f64().unwrap();
+    assert!(number("low") < number("predicted") && number("predicted") < number("high"), "{told}");
+    assert!(told["low"][1].is_null(), "no band beyond the ranges: {told}");
+    let output = steadycut(&[&["formula", path], &data[..]].concat());
+    let text = String::from_utf8(output.stdout).unwrap();
+    let header = "feed_mm_min,speed_rpm,predicted,low,high,extrapolated";
+    assert_eq!(text.lines().next(), Some(header));
+    assert!(text.lines().nth(2).unwrap().ends_with(",,,yes"), "{text}");
+    let model = std::fs::read_to_string(&file).unwrap();
+    let (old, _) = model.split_once("[fit]").unwrap();
+    std::fs::write(&file, old).unwrap();
+    let output = steadycut(&[&["formula", path], &data[..]].concat());
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(text.lines().next(), Some("feed_mm_min,speed_rpm,predicted,extrapolated"));
+}
+
 #[test]
 fn a_declared_structure_takes_the_place_of_a_search() {
     let table = "assets/data/table3_2007.csv";

@@ -20,7 +20,7 @@ pub fn refused(args: &[&str]) -> String {
     let output = steadycut(args);
     assert!(!output.status.success(), "{args:?} must fail");
     assert!(output.stdout.is_empty() || args[0] == "check", "{args:?}");
-    String::from_utf8(output.stderr).unwrap() + &String::from_utf8(output.stdout).unwrap()
+    String::from_utf8(output.stderr).unwrap() + String::from_utf8(output.stdout).unwrap().as_str()
 }
 
 /// A file in the tests' own folder.

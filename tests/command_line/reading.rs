@@ -128,7 +128,7 @@ fn every_file_is_read_from_any_name_encoding_and_standard_input() {
             fs::write(folder.join(name), bytes).unwrap();
             let output = fed(&folder, &arguments(&command, OsStr::new(name)), b"");
             assert!(!output.status.success(), "{command:?} {name}");
-            let said = said(&output) + &String::from_utf8_lossy(&output.stdout);
+            let said = said(&output) + String::from_utf8_lossy(&output.stdout).as_ref();
             for part in parts.iter().chain(&[name, "save it"]).take(3) {
                 assert!(said.contains(part), "{command:?} {part}: {said}");
             }

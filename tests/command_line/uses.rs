@@ -105,6 +105,11 @@ const TRIED: &[Tried] = &[
         words: &["run"],
         bases: &[("table3-5-noise", &["run.duration_s=3"])],
     },
+    Tried {
+        reader: Reader::RunTwin,
+        words: &["run", "--story"],
+        bases: &[("table3-5-noise", &["run.duration_s=3", "workpiece.length_mm=20"])],
+    },
     Tried { reader: Reader::MachineModes, words: &["machine", "modes"], bases: &[("", &[])] },
     Tried { reader: Reader::MachineFrf, words: &["machine", "frf"], bases: &[("", &[])] },
     Tried {
@@ -161,9 +166,10 @@ const TRIED: &[Tried] = &[
 
 /// Of these a run's own test says which settings it uses: here it counts that nothing is refused by
 /// mistake, and that what is refused says why.
-const AS_RUN: [Reader; 7] = [
+const AS_RUN: [Reader; 8] = [
     Reader::ExperimentRun,
     Reader::Run,
+    Reader::RunTwin,
     Reader::RunProfile,
     Reader::RunRevolution,
     Reader::Robust,

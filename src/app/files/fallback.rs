@@ -4,6 +4,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use crate::base::language::text;
 use crate::disk;
 
 /// Nobody cancels a dialog faster.
@@ -12,8 +13,9 @@ const FASTEST_HAND: Duration = Duration::from_millis(300);
 const MOST_COPIES: usize = 1000;
 
 /// What is said where no dialog could be opened to choose a file.
-pub const NO_DIALOG_TO_OPEN: &str = "No file dialog is available: drag a scenario file onto the \
-                                     window, or start with `steadycut --scenario FILE`.";
+pub const NO_DIALOG_TO_OPEN: &str = text!(
+    "No file dialog is available: drag a scenario file onto the window, or start with `steadycut --scenario FILE`."
+);
 
 /// The time at which a dialog was asked for.
 pub struct Opened(Instant);

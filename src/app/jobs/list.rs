@@ -6,19 +6,33 @@ use egui::{ProgressBar, RichText, Role, Ui, WidgetInfo};
 use super::{Jobs, Listed};
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
+use crate::base::language::{fixed, tr};
 
 /// Width of the list, points: it fits a phone.
 const WIDTH: f32 = 300.0;
 
 /// What the button says: how many are worked at, and how many are stopped; shorter, and for screen readers.
 fn counted(running: usize, halted: usize) -> [String; 2] {
-    let jobs = if running.max(halted) == 1 { "job" } else { "jobs" };
     match (running, halted) {
-        (_, 0) => [format!("{running} at work"), format!("{running} {jobs} at work")],
-        (0, _) => [format!("{halted} stopped"), format!("{halted} {jobs} stopped")],
-        (_, _) => {
-            let both = format!("{running} at work, {halted} stopped");
-            [both.clone(), format!("jobs: {both}")]
+        (n, 0) => {
+            let name = match n {
+                1 => tr("1 job at work").to_owned(),
+                n => tr!("{n} jobs at work", n = n),
+            };
+            [tr!("{n} at work", n = n), name]
+        }
+        (0, n) => {
+            let name = match n {
+                1 => tr("1 job stopped").to_owned(),
+                n => tr!("{n} jobs stopped", n = n),
+            };
+            [tr!("{n} stopped", n = n), name]
+        }
+        (running, halted) => {
+            let both =
+                tr!("{running} at work, {halted} stopped", running = running, halted = halted);
+            let name = tr!("jobs: {both}", both = both);
+            [both, name]
         }
     }
 }
@@ -38,7 +52,7 @@ pub fn show(ui: &mut Ui, jobs: &Jobs) {
     let [text, name] = counted(count - halted, halted);
     let text = RichText::new(text).color(palette.accent);
     let response =
-        ui.button(text).on_hover_text("What is being worked out; also beside other screens");
+        ui.button(text).on_hover_text(tr("What is being worked out; also beside other screens"));
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.clone()));
     egui::Popup::menu(&response)
         .id(id)
@@ -55,18 +69,18 @@ fn line(ui: &mut Ui, job: &dyn Listed, palette: &Palette) {
     let (progress, left_s) = job.progress();
     let halted = job.is_halted();
     ui.horizontal(|ui| {
-        ui.strong(job.name());
+        ui.strong(tr(job.name()));
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             if halted {
-                let name = format!("Go on with {}", job.name());
-                if icon::button(ui, Icon::Play, &name, "Goes on where it was stopped", true)
+                let name = tr!("Go on with {job}", job = tr(job.name()));
+                if icon::button(ui, Icon::Play, &name, tr("Goes on where it was stopped"), true)
                     .clicked()
                 {
                     job.go_on();
                 }
             } else {
-                let name = format!("Stop {}", job.name());
-                let help = "Stands still; what is found stays, and it can go on from here";
+                let name = tr!("Stop {job}", job = tr(job.name()));
+                let help = tr("Stands still; what is found stays, and it can go on from here");
                 if icon::button(ui, Icon::Pause, &name, help, true).clicked() {
                     job.halt();
                 }
@@ -75,8 +89,12 @@ fn line(ui: &mut Ui, job: &dyn Listed, palette: &Palette) {
     });
     ui.add(ProgressBar::new(progress.share() as f32).desired_width(WIDTH).desired_height(8.0));
     let state = match left_s {
-        _ if halted => format!("stopped at {progress}: what is found stays"),
-        Some(left_s) => format!("{progress}, {} left", time(left_s)),
+        _ if halted => {
+            tr!("stopped at {progress}: what is found stays", progress = progress.to_string())
+        }
+        Some(left_s) => {
+            tr!("{progress}, {time} left", progress = progress.to_string(), time = time(left_s))
+        }
         None => progress.to_string(),
     };
     ui.label(RichText::new(state).color(palette.weak));
@@ -90,7 +108,7 @@ pub fn time(s: f64) -> String {
     match s {
         _ if s < 60.0 => format!("{s:.0} s"),
         _ if s < 3600.0 => format!("{:.0} min", (s / 60.0).ceil()),
-        _ => format!("{:.1} h", s / 3600.0),
+        _ => format!("{} h", fixed(s / 3600.0, 1)),
     }
 }
 

@@ -14,28 +14,28 @@ use super::equation_cards::Block;
 use super::learning::LearningView;
 use super::{Panel, View};
 use crate::app::command::Command;
+use crate::app::widgets::scaffold;
+use crate::base::language::{text, tr};
 use crate::run::diagram::Wire;
 use crate::run::diagram::wires::RA;
 use moment::Now;
 
-/// Fraction of the height that plot and card take.
+/// Fraction of the height that plot and card take, and where they stand below each other.
 const DETAILS_FRACTION: f32 = 0.33;
+/// See [`DETAILS_FRACTION`].
+const DETAILS_NARROW: f32 = 0.55;
+/// Height of the plot over the card, points, and the least height of both at which it stays in sight.
+const PLOT_OVER_CARD: f32 = 132.0;
+/// See [`PLOT_OVER_CARD`].
+const LEAST_WITH_PLOT: f32 = 260.0;
 /// Least and largest height of plot and card, points.
 const DETAILS_HEIGHT: (f32, f32) = (180.0, 460.0);
 const GAP: f32 = 8.0;
-
-/// What was clicked last, so that it is seen first where there is little room.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Last {
-    Wire,
-    Block,
-}
 
 /// The screen.
 pub struct BlockDiagramPanel {
     wire: Wire,
     block: Block,
-    last: Last,
     /// Whether the card also explains itself in words.
     explain: bool,
     learning: LearningView,
@@ -48,7 +48,6 @@ impl Default for BlockDiagramPanel {
         Self {
             wire: RA,
             block: Block::Cutting,
-            last: Last::Block,
             explain: false,
             learning: LearningView::default(),
             watching: false,
@@ -62,7 +61,7 @@ impl Panel for BlockDiagramPanel {
     }
 
     fn title(&self) -> &'static str {
-        "Block diagram"
+        text!("Block diagram")
     }
 
     fn words(&self) -> &'static str {
@@ -89,16 +88,18 @@ impl BlockDiagramPanel {
     /// Diagram or networks, where there are networks that learn.
     fn choose(&mut self, ui: &mut egui::Ui) {
         ui.horizontal(|ui| {
-            ui.selectable_value(&mut self.watching, false, "Closed loop");
-            ui.selectable_value(&mut self.watching, true, "Networks that learn")
-                .on_hover_text("NM-1 and NM-2 at the playhead, learning curves, several passes");
+            ui.selectable_value(&mut self.watching, false, tr("Closed loop"));
+            let help = tr("NM-1 and NM-2 at the playhead, learning curves, several passes");
+            ui.selectable_value(&mut self.watching, true, tr("Networks that learn"))
+                .on_hover_text(help);
         });
     }
 
     fn screen(&mut self, ui: &mut egui::Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let now = Now::of(view.session);
         let area = ui.available_rect_before_wrap();
-        let details = (area.height() * DETAILS_FRACTION).clamp(DETAILS_HEIGHT.0, DETAILS_HEIGHT.1);
+        let fraction = if view.narrow { DETAILS_NARROW } else { DETAILS_FRACTION };
+        let details = (area.height() * fraction).clamp(DETAILS_HEIGHT.0, DETAILS_HEIGHT.1);
         let split = (area.bottom() - details).max(area.top() + 0.3 * area.height());
         let above = Rect::from_min_max(area.min, pos2(area.right(), split - GAP));
         let below = Rect::from_min_max(pos2(area.left(), split), area.max);
@@ -112,17 +113,11 @@ impl BlockDiagramPanel {
         ScrollArea::both().id_salt("diagram").auto_shrink(false).show(ui, |ui| {
             let layout = layout::arrange(ui.available_size(), view.narrow);
             match draw::diagram(ui, &layout, now, self.wire, self.block) {
-                Some(draw::Clicked::Wire(wire)) => self.show_wire(wire),
-                Some(draw::Clicked::Block(block)) => {
-                    (self.block, self.last) = (block, Last::Block);
-                }
+                Some(draw::Clicked::Wire(wire)) => self.wire = wire,
+                Some(draw::Clicked::Block(block)) => self.block = block,
                 None => {}
             }
         });
-    }
-
-    fn show_wire(&mut self, wire: Wire) {
-        (self.wire, self.last) = (wire, Last::Wire);
     }
 
     fn details(
@@ -133,19 +128,15 @@ impl BlockDiagramPanel {
         commands: &mut Vec<Command>,
     ) {
         if view.narrow {
+            let in_sight = ui.available_height() >= LEAST_WITH_PLOT;
+            if in_sight {
+                self.plot(ui, view, now);
+            }
             // Each has a place of its own: what is asked for is seen from its head.
-            let shown = match self.last {
-                Last::Wire => ("wire", self.wire.signal),
-                Last::Block => ("block", self.block.info().id),
-            };
-            let area = ScrollArea::vertical().id_salt(("details", shown)).auto_shrink(false);
-            area.show(ui, |ui| match self.last {
-                Last::Wire => {
-                    self.plot(ui, view, now);
-                    self.card(ui, now, commands);
-                }
-                Last::Block => {
-                    self.card(ui, now, commands);
+            let area = scaffold::column(ui, ("card", self.block.info().id));
+            area.show(ui, |ui| {
+                self.card(ui, now, commands);
+                if !in_sight {
                     self.plot(ui, view, now);
                 }
             });
@@ -162,13 +153,13 @@ impl BlockDiagramPanel {
     }
 
     fn plot(&self, ui: &mut egui::Ui, view: &View<'_>, now: &Now<'_>) {
-        let height = if view.narrow { DETAILS_HEIGHT.0 } else { ui.available_height() };
+        let height = if view.narrow { PLOT_OVER_CARD } else { ui.available_height() };
         signal_plot::show(ui, view.session, now, self.wire, height);
     }
 
     fn card(&mut self, ui: &mut egui::Ui, now: &Now<'_>, commands: &mut Vec<Command>) {
         if let Some(wire) = card_view::show(ui, self.block, now, &mut self.explain, commands) {
-            self.show_wire(wire);
+            self.wire = wire;
         }
     }
 }

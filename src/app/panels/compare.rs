@@ -15,21 +15,28 @@ use egui::{Frame, Margin, RichText, Ui};
 use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
-use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::save_table::{SavedTable, TableOf, save_table};
 use crate::app::widgets::scaffold;
+use crate::base::language::{text, tr};
 use crate::study::compare::outcome::Measure;
-use contest::Contests;
+use contest::{ContestPart, Contests};
+
+/// Name of the part of Table 1 of 2005, to show it; people do not read it.
+pub const PART_OF_2005: &str = "experiment 2";
 
 /// The screen.
 pub struct ComparePanel {
     contests: Contests,
     /// What the box plots show.
     measure: Measure,
+    /// What a card is about where it is narrow.
+    cards: table::Cards,
 }
 
 impl Default for ComparePanel {
     fn default() -> Self {
-        Self { contests: Contests::default(), measure: Measure::Nsn }
+        let cards = table::Cards::default();
+        Self { contests: Contests::default(), measure: Measure::Nsn, cards }
     }
 }
 
@@ -39,11 +46,17 @@ impl Panel for ComparePanel {
     }
 
     fn title(&self) -> &'static str {
-        "Compare"
+        text!("Compare")
     }
 
     fn words(&self) -> &'static str {
-        "controllers ranking best seeds statistics tournament"
+        text!("controllers ranking best seeds statistics tournament")
+    }
+
+    fn show_part(&mut self, part: &str) {
+        if part == PART_OF_2005 {
+            self.contests.setup.part = ContestPart::Experiment2;
+        }
     }
 
     fn has_timeline(&self) -> bool {
@@ -51,7 +64,7 @@ impl Panel for ComparePanel {
     }
 
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        self.contests.follow(view.session.scenario(), view.jobs);
+        self.contests.follow(view.session.current(), view.jobs);
         let margin =
             Frame::new().inner_margin(Margin::symmetric(if view.narrow { 8 } else { 12 }, 6));
         scaffold::column(ui, "compare").show(ui, |ui| {
@@ -63,28 +76,40 @@ impl Panel for ComparePanel {
 impl ComparePanel {
     fn page(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let palette = Palette::at(ui);
-        controls::show(ui, &mut self.contests, view.session.edits().list().len());
+        controls::show(ui, &mut self.contests, view.session, view.narrow);
         let printed = self.contests.is_table_1();
         let Some(contest) = self.contests.shown() else {
             // A set-up that is refused says why above.
             if self.contests.refused.is_none() {
                 theme::card(palette).show(ui, |ui| {
                     ui.set_width(ui.available_width());
-                    ui.label(RichText::new("Nobody takes part").strong());
-                    ui.label("Choose at least one way of control above.");
+                    ui.label(RichText::new(tr("Nobody takes part")).strong());
+                    ui.label(tr("Choose at least one way of control above."));
                 });
             }
             return;
         };
         let compared = contest.table();
         ui.add_space(4.0);
+        let sheet = || sheets::compared(contest.entrants(), compared, contest.reference(), printed);
+        let done = || contest.not_whole().unwrap_or_default();
+        let saved = SavedTable {
+            what: "comparison",
+            of: TableOf::Cut(contest.scenario()),
+            partial: contest.not_whole().is_some().then_some(&done),
+        };
+        ui.horizontal_wrapped(|ui| {
+            if view.narrow {
+                table::choose(ui, &mut self.cards);
+            }
+            save_table(ui, &saved, sheet, commands);
+        });
+        table::summary(ui, contest);
         if view.narrow {
-            table::cards(ui, contest, printed, commands);
+            table::cards(ui, contest, printed, self.cards, commands);
         } else {
             table::table(ui, contest, printed, commands);
         }
-        let sheet = || sheets::compared(contest.entrants(), compared, contest.reference(), printed);
-        save_table(ui, "comparison", sheet, commands);
         ui.add_space(8.0);
         boxes::show(ui, contest, &mut self.measure, printed);
         step::show(ui, contest, printed, commands);

@@ -6,8 +6,10 @@ pub mod learning;
 
 use super::command::Command;
 use super::jobs::Jobs;
+use super::remembered::Remembered;
 use super::session::Session;
 use super::shortcuts::Host;
+use crate::study::opening::{Frame, LinkedMission};
 
 /// What a panel sees of the console; it changes nothing but by commands.
 pub struct View<'a> {
@@ -15,6 +17,10 @@ pub struct View<'a> {
     pub session: &'a Session,
     /// Long work, which goes on when a screen is left.
     pub jobs: &'a Jobs,
+    /// What is hidden.
+    pub frame: &'a Frame,
+    /// What is kept from one start to the next.
+    pub remembered: &'a Remembered,
     /// Where the console runs, for the names of keys.
     pub place: Host,
     /// Whether the window is as narrow as a phone's.
@@ -31,6 +37,15 @@ pub enum BroughtFile {
         /// Its text.
         text: String,
     },
+    /// A mission.
+    Mission {
+        /// Where it came from, for messages.
+        name: String,
+        /// Its text.
+        text: String,
+    },
+    /// A mission of a link.
+    Linked(Box<LinkedMission>),
     /// A saved search for a formula.
     Search {
         /// Where it came from, for messages.
@@ -45,6 +60,7 @@ impl BroughtFile {
     #[must_use]
     pub fn screen(&self) -> &'static str {
         match self {
+            Self::Mission { .. } | Self::Linked(_) => "learn",
             Self::Table { .. } | Self::Search { .. } => "identify",
         }
     }
@@ -94,4 +110,5 @@ screens! {
     compare::ComparePanel,
     papers::PapersPanel,
     identify::IdentifyPanel,
+    learn::LearnPanel,
 }

@@ -14,13 +14,14 @@ use std::collections::BTreeMap;
 
 use egui::{Frame, Margin, RichText, ScrollArea, Ui};
 
-use super::{Panel, View};
+use super::{Panel, View, compare};
 use crate::app::command::{Command, SessionCommand, ShellCommand};
 use crate::app::format;
 use crate::app::jobs::Work;
 use crate::app::theme::{self, Palette};
-use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::save_table::{SavedTable, TableOf, save_table_of};
 use crate::app::widgets::standing::Standing;
+use crate::base::language::{self, Language, text, tr};
 use crate::base::settings::Choice;
 use crate::blocks::cutting::process::ForceModel;
 use crate::models::genetic::Calibration;
@@ -54,8 +55,8 @@ struct Shown {
 pub struct PapersPanel {
     paper: Paper,
     shown: Shown,
-    /// What the 2019 paper's equations give: computed once.
-    measured: Option<Vec<String>>,
+    /// What the 2019 paper's equations give: computed once in each language.
+    measured: Option<(Language, Vec<String>)>,
     /// The tables so far: each is run once, and goes on when another one, or another screen, is shown.
     tables: BTreeMap<Shown, Work<TableJob>>,
     /// A table in all calibrations, begun when its first one is over.
@@ -83,11 +84,11 @@ impl Panel for PapersPanel {
     }
 
     fn title(&self) -> &'static str {
-        "Papers"
+        text!("Papers")
     }
 
     fn words(&self) -> &'static str {
-        "tables errata reproduction published calibrations"
+        text!("tables errata reproduction published calibrations")
     }
 
     fn has_timeline(&self) -> bool {
@@ -110,36 +111,41 @@ impl PapersPanel {
             Paper::Simulated(paper) => self.shown.paper = paper,
             Paper::Combined2005 => return combined(ui, commands),
             Paper::Machine2019 => {
-                let measured = self.measured.get_or_insert_with(papers_2019::measured);
-                machine::show(ui, measured, commands);
+                let now = language::chosen();
+                let kept = self.measured.take().filter(|(language, _)| *language == now);
+                let kept = kept.unwrap_or_else(|| (now, papers_2019::measured()));
+                machine::show(ui, &self.measured.insert(kept).1, commands);
                 return show_errata(ui, MACHINE_2019);
             }
         }
         let Shown { calibration, force_model, .. } = &mut self.shown;
-        let whose = "Calibration of plant and controller:";
+        let whose = tr("Calibration of plant and controller:");
         choose(ui, whose, &Calibration::PUBLISHED, Calibration::OPTIONS, calibration);
-        choose(ui, "Plant's force from:", ForceModel::maps(), ForceModel::OPTIONS, force_model);
+        let from = tr("Plant's force from:");
+        choose(ui, from, ForceModel::maps(), ForceModel::OPTIONS, force_model);
         let shown = self.shown;
         let work = self.tables.entry(shown).or_insert_with(|| {
             let job = TableJob::new(shown.paper, shown.calibration, shown.force_model);
-            let name = format!("Papers: {}", shown.paper.label());
+            let name = tr!("Papers: {paper}", paper = tr(shown.paper.label()));
             view.jobs.begin(name, job, FIRST)
         });
         // In this order: what is over has all its rows.
         let over = work.is_over();
         let table = &*work.partial();
         ui.add_space(4.0);
-        summary(ui, shown.calibration, table, over);
-        if !over {
-            on_the_way(ui, work);
-        }
+        let what = format!("table-{}", shown.paper.id());
+        let sheet = || sheets::simulated(shown.paper, table);
+        let done = || work.progress().to_string();
+        let partial = (!over).then_some(&done as &dyn Fn() -> String);
+        let saved = SavedTable { what: &what, of: TableOf::Nothing, partial };
+        save_table_of(ui, &saved, !table.rows.is_empty(), sheet, commands);
+        summary(ui, shown, table, over);
+        on_the_way(ui, work, over);
         if view.narrow {
             table::cards(ui, shown, table, commands);
         } else {
             table::table(ui, shown, table, commands);
         }
-        let what = format!("table-{}", shown.paper.id());
-        save_table(ui, &what, || sheets::simulated(shown.paper, table), commands);
         if over {
             deviations::show(ui, shown.paper, table, commands);
             self.beside(ui, view, commands);
@@ -151,13 +157,13 @@ impl PapersPanel {
     fn beside(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let paper = self.shown.paper;
         let all = self.calibrations.entry(paper).or_insert_with(|| {
-            let name = format!("Calibrations: {}", paper.label());
+            let name = tr!("Calibrations: {paper}", paper = tr(paper.label()));
             view.jobs.begin(name, CalibrationsJob::new(paper), FIRST)
         });
         calibrations::show(ui, paper, all, commands);
         if paper == PaperId::Strategy2013 {
             let claim = self.claim.get_or_insert_with(|| {
-                view.jobs.begin("Claim about forces", ForceClaimJob::default(), 1)
+                view.jobs.begin(text!("Claim about forces"), ForceClaimJob::default(), 1)
             });
             claim::show(ui, claim, commands);
         }
@@ -166,13 +172,13 @@ impl PapersPanel {
     fn choose_paper(&mut self, ui: &mut Ui) {
         let simulated = PaperId::ALL.iter().map(|id| (Paper::Simulated(*id), id.label()));
         let others = [
-            (Paper::Combined2005, "Combined system 2005, Table 1"),
-            (Paper::Machine2019, "Dynamic model 2019, Table 1"),
+            (Paper::Combined2005, text!("Combined system 2005, Table 1")),
+            (Paper::Machine2019, text!("Dynamic model 2019, Table 1")),
         ];
         ui.horizontal_wrapped(|ui| {
-            ui.label("Paper:");
+            ui.label(tr("Paper:"));
             for (paper, label) in simulated.chain(others) {
-                ui.selectable_value(&mut self.paper, paper, label);
+                ui.selectable_value(&mut self.paper, paper, tr(label));
             }
         });
     }
@@ -182,28 +188,29 @@ impl PapersPanel {
 fn combined(ui: &mut Ui, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
     ui.add_space(4.0);
-    ui.label(
+    ui.label(tr(
         "Table 1 compares six ways of control on Experiment 2. Its figures stand beside runs over \
          many seeds, with what was chosen in view of them, on the screen Compare.",
-    );
+    ));
     ui.horizontal_wrapped(|ui| {
-        if ui.button("Open Compare").clicked() {
-            commands.push(Command::Shell(ShellCommand::ShowScreen("compare")));
+        if ui.button(tr("Open Compare")).clicked() {
+            let part = ShellCommand::ShowPart("compare", compare::PART_OF_2005);
+            commands.push(Command::Shell(part));
         }
         for (label, preset) in [
-            ("Load Experiment 1", "experiment-1"),
-            ("Load Experiment 2", "experiment-2"),
-            ("Load the five steps", "combined-2005"),
+            (text!("Load Experiment 1"), "experiment-1"),
+            (text!("Load Experiment 2"), "experiment-2"),
+            (text!("Load the five steps"), "combined-2005"),
         ] {
-            let hint = format!("Opens the scenario {preset} in the console");
-            if ui.button(label).on_hover_text(hint).clicked() {
+            let hint = tr!("Opens the scenario {name} in the console", name = preset);
+            if ui.button(tr(label)).on_hover_text(hint).clicked() {
                 commands.push(Command::Session(SessionCommand::LoadPreset(preset.to_owned())));
                 commands.push(Command::Shell(ShellCommand::ShowScreen("console")));
             }
         }
     });
     let text =
-        "On the command line: steadycut papers --paper 2005, with --robustness and --beyond.";
+        tr("On the command line: steadycut papers --paper 2005, with --robustness and --beyond.");
     ui.label(RichText::new(text).color(palette.weak));
     show_errata(ui, COMBINED_2005);
 }
@@ -219,25 +226,33 @@ fn choose<T: Copy + PartialEq>(
     ui.horizontal_wrapped(|ui| {
         ui.label(title);
         for (value, option) in all.iter().zip(options) {
-            ui.selectable_value(chosen, *value, option.label)
-                .on_hover_text(option.doc.replace('\n', " "));
+            ui.selectable_value(chosen, *value, tr(option.label))
+                .on_hover_text(tr(option.doc).replace('\n', " "));
         }
     });
 }
 
-/// How far the simulations are, and what goes on with them where they were stopped.
-fn on_the_way(ui: &mut Ui, work: &Work<TableJob>) {
+/// How far the simulations are, and what goes on with them where they were stopped. The line stays when they are over:
+/// nothing below it moves.
+fn on_the_way(ui: &mut Ui, work: &Work<TableJob>, over: bool) {
     ui.horizontal_wrapped(|ui| {
-        let progress = work.progress();
-        ui.label(RichText::new(format!("{progress} done.")).color(Palette::at(ui).accent));
-        if !work.is_running() && ui.button("Go on with the table").clicked() {
+        let palette = Palette::at(ui);
+        let color = if over { palette.weak } else { palette.accent };
+        let text = tr!("{progress} done.", progress = work.progress().to_string());
+        ui.label(RichText::new(text).color(color));
+        if !over && !work.is_running() && ui.button(tr("Go on with the table")).clicked() {
             work.go_on();
         }
     });
 }
 
+/// What is said where nothing is judged.
+const AS_THEY_ARE: &str = text!(
+    "Final values as they are: the table's forces come from the formula, another force model of the plant gives others by nature"
+);
+
 /// How many cells are met, and what that means.
-fn summary(ui: &mut Ui, calibration: Calibration, table: &PaperTable, over: bool) {
+fn summary(ui: &mut Ui, shown: Shown, table: &PaperTable, over: bool) {
     let palette = Palette::at(ui);
     let judged = || {
         let cells = table.rows.iter().flat_map(|row| row.compared());
@@ -246,52 +261,84 @@ fn summary(ui: &mut Ui, calibration: Calibration, table: &PaperTable, over: bool
     let (met, all) =
         (judged().filter(|cell| cell.verdict == CellVerdict::Met).count(), judged().count());
     let (text, standing) = if table.rows.is_empty() {
-        ("No simulation is done yet".to_owned(), Standing::Plain)
+        (tr("No simulation is done yet").to_owned(), Standing::Plain)
     } else if all == 0 {
-        let text = "Final values as they are: the table's forces come from the formula, another \
-                    force model of the plant gives others by nature";
-        (text.to_owned(), Standing::Plain)
+        (tr(AS_THEY_ARE).to_owned(), Standing::Plain)
     } else {
-        let so_far = if over { "" } else { " so far" };
-        // A tick beside a fit is no proof of what was fitted.
-        let fitted = match calibration {
-            Calibration::Printed | Calibration::Restored => "",
-            Calibration::Identified | Calibration::Genetic => {
-                ", by models fitted to these very rows"
-            }
-            Calibration::Formula => ", by formulas of one's own",
-        };
-        let text = format!("{met} of {all} final values met{so_far}{fitted}");
-        (text, Standing::either(met == all))
+        (met_of(met, all, shown.calibration, over), Standing::either(met == all))
     };
-    standing.label(ui, &text, RichText::strong);
-    let run = "Each row is run in time from its printed start values, noise off, SDNRP; the final \
-               values are means over the last of 15 s.";
+    // Room for the longest words from the beginning: the table below does not move as rows come in.
+    let is_judged = if table.rows.is_empty() { shown.force_model.is_formula() } else { all > 0 };
+    let longest = match is_judged {
+        true => format!("\u{a0}\u{a0}{}", met_of(88, 88, shown.calibration, false)),
+        false => tr(AS_THEY_ARE).to_owned(),
+    };
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let longest = ui.painter().layout(longest, font, palette.text, ui.available_width());
+    ui.scope(|ui| {
+        ui.set_min_height(longest.size().y);
+        standing.label(ui, &text, RichText::strong);
+    });
+    let run =
+        tr("Each row is run in time from its printed start values, noise off, SDNRP; the final \
+                  values are means over the last of 15 s.");
     let bands = &table.bands;
-    let bands = format!(
-        "Met: force within {} %, feed {} %, speed {} %, Ra {}.",
-        bands.force_percent,
-        bands.feed_percent,
-        bands.speed_percent,
-        format::quantity(bands.ra_um, "um"),
+    let bands = tr!(
+        "Met: force within {force} %, feed {feed} %, speed {speed} %, Ra {ra}.",
+        force = bands.force_percent,
+        feed = bands.feed_percent,
+        speed = bands.speed_percent,
+        ra = format::quantity(bands.ra_um, "um"),
     );
-    let text = if all == 0 { run.to_owned() } else { format!("{run} {bands}") };
-    ui.label(RichText::new(text).color(palette.weak));
+    let text = if is_judged { format!("{run} {bands}") } else { run.to_owned() };
+    ui.label(RichText::new(format::typeset(&text)).color(palette.weak));
     ui.add_space(4.0);
 }
 
 fn show_errata(ui: &mut Ui, errata: &[Erratum]) {
     let palette = Palette::at(ui);
     ui.add_space(10.0);
-    ui.heading("Errata");
+    ui.heading(tr("Errata"));
     for erratum in errata {
         theme::card(palette).show(ui, |ui| {
             ui.set_width(ui.available_width());
-            let title = format!("{}. {}", erratum.number, erratum.printed);
-            ui.label(RichText::new(title).strong());
-            ui.label(erratum.problem);
-            ui.label(RichText::new(format!("Here: {}", erratum.resolution)).color(palette.weak));
+            let title = format!("{}. {}", erratum.number, tr(erratum.printed));
+            ui.label(RichText::new(format::typeset(&title)).strong());
+            ui.label(format::typeset(tr(erratum.problem)));
+            let here = tr!("Here: {resolution}", resolution = tr(erratum.resolution));
+            ui.label(RichText::new(format::typeset(&here)).color(palette.weak));
         });
     }
     ui.add_space(8.0);
+}
+
+/// How many final values are met, and by what.
+fn met_of(met: usize, all: usize, calibration: Calibration, over: bool) -> String {
+    // A tick beside a fit is no proof of what was fitted.
+    match (calibration, over) {
+        (Calibration::Printed | Calibration::Restored, true) => {
+            tr!("{met} of {n} final values met", met = met, n = all)
+        }
+        (Calibration::Printed | Calibration::Restored, false) => {
+            tr!("{met} of {n} final values met so far", met = met, n = all)
+        }
+        (Calibration::Identified | Calibration::Genetic, true) => tr!(
+            "{met} of {n} final values met, by models fitted to these very rows",
+            met = met,
+            n = all,
+        ),
+        (Calibration::Identified | Calibration::Genetic, false) => tr!(
+            "{met} of {n} final values met so far, by models fitted to these very rows",
+            met = met,
+            n = all,
+        ),
+        (Calibration::Formula, true) => {
+            tr!("{met} of {n} final values met, by formulas of one's own", met = met, n = all)
+        }
+        (Calibration::Formula, false) => tr!(
+            "{met} of {n} final values met so far, by formulas of one's own",
+            met = met,
+            n = all,
+        ),
+    }
 }

@@ -25,10 +25,11 @@ use egui::{CollapsingHeader, Panel as SidePanel, RichText, ScrollArea, Ui};
 use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
-use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::save_table::{SavedTable, TableOf, save_table};
 use crate::app::widgets::scaffold;
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
+use crate::base::language::{text, tr};
 use map::Map;
 use marks::Moving;
 use recommended::RecommendedCard;
@@ -70,11 +71,11 @@ impl Panel for PlanPanel {
     }
 
     fn title(&self) -> &'static str {
-        "Plan"
+        text!("Plan")
     }
 
     fn words(&self) -> &'static str {
-        "optimise optimum cutting conditions swarm constraints feed speed particle"
+        text!("optimise optimum cutting conditions swarm constraints feed speed particle")
     }
 
     fn has_timeline(&self) -> bool {
@@ -112,7 +113,7 @@ impl PlanPanel {
             .frame(scaffold::wide())
             .show(ui, |ui| {
                 ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-                    self.pinned(ui);
+                    self.pinned(ui, view);
                     self.answer(ui, view, commands);
                     ui.add_space(4.0);
                     self.steps(ui, view);
@@ -136,11 +137,13 @@ impl PlanPanel {
                 let most = room.clamp(MAP_HEIGHT_MIN, MAP_HEIGHT_SCROLLED);
                 let height = height.clamp(MAP_HEIGHT_MIN, most);
                 self.map(ui, view, height + LEGEND_HEIGHT);
-                self.pinned(ui);
-                CollapsingHeader::new("Settings of the plan").show_unindented(ui, |ui| {
-                    controls::show(ui, view.session, commands);
-                    self.recommended.show(ui, view.session.scenario(), commands);
-                });
+                self.pinned(ui, view);
+                CollapsingHeader::new(tr("Settings of the plan"))
+                    .id_salt("Settings of the plan")
+                    .show_unindented(ui, |ui| {
+                        controls::show(ui, view.session, commands);
+                        self.recommended.show(ui, view.session.scenario(), commands);
+                    });
                 self.answer(ui, view, commands);
                 self.convergence(ui);
                 self.steps(ui, view);
@@ -163,13 +166,13 @@ impl PlanPanel {
         let top = ui.cursor().top();
         let programmed = map::programmed(&found.problem, view.session.scenario());
         let name = match map::on_the_map(programmed) {
-            true => "programmed now",
-            false => "programmed now: outside the map",
+            true => tr("programmed now"),
+            false => tr("programmed now: outside the map"),
         };
         legend::show(ui, &mut self.map.layers, found, name);
         ui.horizontal_wrapped(|ui| {
             readout::scale(ui, &found.picture);
-            let help = "The force as a surface in space, cut by the plane of its limit";
+            let help = tr("The force as a surface in space, cut by the plane of its limit");
             let button = touch::small(ui, egui::Button::selectable(self.in_space, "3-D"));
             if ui.add(button).on_hover_text(help).clicked() {
                 self.in_space = !self.in_space;
@@ -184,23 +187,27 @@ impl PlanPanel {
         let moving = Moving { positions: &positions, programmed, pinned: self.map.pinned };
         match self.in_space {
             true => self.relief.show(ui, found, &self.map.layers, &moving, left),
-            false => self.map.show(ui, found, &moving, left),
+            false => self.map.show(ui, found, view.session.scenario(), &moving, left),
         }
     }
 
     /// The values at the place that was clicked.
-    fn pinned(&mut self, ui: &mut Ui) {
+    fn pinned(&mut self, ui: &mut Ui, view: &View<'_>) {
         if let Some(Ok(found)) = self.search.found() {
-            readout::pinned(ui, &mut self.map.pinned, &found.problem);
+            readout::pinned(ui, &mut self.map.pinned, found, view.session.scenario());
         }
     }
 
     fn answer(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let Some(Ok(found)) = self.search.found() else { return };
-        answer::show(ui, found, view.session.scenario(), commands);
+        answer::show(ui, found, view.session, commands);
         ui.add_space(4.0);
-        table::show(ui, &found.optimum().constraints, &mut self.open);
-        save_table(ui, "plan", || table::sheet(found.optimum()), commands);
+        table::show(ui, found.optimum(), &mut self.open);
+        let searching = || tr!("{n} iterations of the swarm", n = found.stage().counts.iteration);
+        let done = found.stage().counts.done;
+        let partial = (!done).then_some(&searching as &dyn Fn() -> String);
+        let table = SavedTable { what: "plan", of: TableOf::Open, partial };
+        save_table(ui, &table, || table::sheet(found.optimum()), commands);
     }
 
     fn convergence(&mut self, ui: &mut Ui) {
@@ -224,8 +231,9 @@ fn no_plan(ui: &mut Ui, error: &str, height: f32) {
     theme::card(palette).show(ui, |ui| {
         ui.set_width(ui.available_width());
         ui.set_min_height(0.3 * height);
-        Standing::Bad.label(ui, "No plan can be made", RichText::strong);
+        Standing::Bad.label(ui, tr("No plan can be made"), RichText::strong);
         ui.label(error);
-        ui.label(RichText::new("The settings are beside or below.").color(palette.weak));
+        let text = tr("The settings are beside or below.");
+        ui.label(RichText::new(text).color(palette.weak));
     });
 }

@@ -6,6 +6,7 @@ mod cutter;
 mod judged;
 mod part;
 mod picture;
+mod placed;
 mod profile_chart;
 mod profilometer;
 mod view;
@@ -13,15 +14,19 @@ mod view;
 use egui::{CentralPanel, Color32, Frame, Margin, Panel as SidePanel, Rect};
 use egui::{RichText, ScrollArea, Stroke, Ui, Vec2};
 
+use super::console::workpiece::{EDIT_HELP, WorkpieceWindow};
 use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::format;
 use crate::app::session::Session;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::legend;
+use crate::app::widgets::scaffold;
 use crate::app::widgets::standing::Standing;
+use crate::base::language::{text, tr};
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::reference::Reference;
+use crate::models::disturbances::Disturbance;
 use crate::run::tooth_marks::MarkedPart;
 use judged::Lengths;
 use picture::{Kept, SLOWER};
@@ -32,8 +37,8 @@ use view::Looking;
 const BESIDE_WIDTH: f32 = 360.0;
 /// Height of the picture where everything stands in one column, as a fraction of the width.
 const NARROW_FRACTION: f32 = 0.85;
-/// How a place within the tolerance, up to twice as far off, and farther, stands.
-const SIGNS: [Standing; 3] = [Standing::Good, Standing::Watch, Standing::Bad];
+/// How a place within the tolerance, above it up to twice as far off, farther above, and below it, stands.
+const SIGNS: [Standing; 4] = [Standing::Good, Standing::Watch, Standing::Bad, Standing::Plain];
 
 /// The screen.
 #[derive(Default)]
@@ -42,6 +47,9 @@ pub struct WorkpiecePanel {
     profilometer: Profilometer,
     marks: Option<Marked>,
     kept: Kept,
+    depths: WorkpieceWindow,
+    /// The disturbance that a press on the part places.
+    placing: Option<Disturbance>,
 }
 
 /// Tooth marks of the run as far as it is revealed, and how good the surface is.
@@ -61,7 +69,9 @@ impl Marked {
 
 /// The way of the tool, as it stands at the playhead.
 fn under_tool(session: &Session) -> ToolPath {
-    let mut path = ToolPath::new(&session.current().workpiece, session.current().tool.outline());
+    let current = session.current();
+    let mut path =
+        ToolPath::new(&current.workpiece, current.tool.outline()).disturbed(&current.disturbances);
     let position_mm = session.row().position_mm;
     while path.next_cut(position_mm).is_some() {}
     path
@@ -73,21 +83,33 @@ impl Panel for WorkpiecePanel {
     }
 
     fn title(&self) -> &'static str {
-        "Workpiece"
+        text!("Workpiece")
     }
 
     fn words(&self) -> &'static str {
-        "part surface 3d profile roughness profilometer picture"
+        text!("part surface 3d profile roughness profilometer picture")
     }
 
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         self.follow(view.session);
+        placed::escape(ui, &mut self.placing);
+        self.screen(ui, view, commands);
+        self.depths.show(ui, view, commands);
+    }
+
+    fn left(&mut self) {
+        self.placing = None;
+    }
+}
+
+impl WorkpiecePanel {
+    fn screen(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         if view.narrow {
             let margin = Frame::new().inner_margin(Margin::symmetric(8, 4));
-            ScrollArea::vertical().id_salt("workpiece").auto_shrink(false).show(ui, |ui| {
+            scaffold::column(ui, "workpiece").show(ui, |ui| {
                 margin.show(ui, |ui| {
                     let height = NARROW_FRACTION * ui.available_width();
-                    self.picture(ui, view.session, height, true);
+                    self.picture(ui, view.session, (height, true), commands);
                     self.beside(ui, view, commands);
                 });
             });
@@ -105,18 +127,17 @@ impl Panel for WorkpiecePanel {
             });
         CentralPanel::no_frame().show(ui, |ui| {
             let height = ui.available_height();
-            self.picture(ui, view.session, height, false);
+            self.picture(ui, view.session, (height, false), commands);
         });
     }
-}
 
-impl WorkpiecePanel {
     /// Brings the marks up to the playhead.
     fn follow(&mut self, session: &Session) {
         let rows = session.revealed();
         let current = self.marks.as_ref();
         if current.is_none_or(|m| m.changes != session.changes() || m.marks.rows() > rows.len()) {
-            let marks = MarkedPart::new(session.scenario());
+            let marks = MarkedPart::new(session.scenario())
+                .disturbed(&session.current().disturbances, session.chosen().run().breakages());
             let lengths = Lengths::default();
             self.marks = Some(Marked { changes: session.changes(), marks, lengths });
         }
@@ -132,12 +153,18 @@ impl WorkpiecePanel {
     }
 
     fn beside(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        if ui.button(tr("Edit depths\u{2026}")).on_hover_text(tr(EDIT_HELP)).clicked() {
+            self.depths.toggle(view);
+        }
         self.looking.controls(ui, view.narrow);
+        ui.add_space(4.0);
+        placed::choose(ui, &mut self.placing);
         ui.add_space(4.0);
         self.legend(ui, view.session);
         ui.separator();
-        let help = "A stylus drawn along a line over the machined surface: its profile, Ra, Rq, Rz";
-        let text = RichText::new("Profilometer").strong();
+        let help =
+            tr("A stylus drawn along a line over the machined surface: its profile, Ra, Rq, Rz");
+        let text = RichText::new(tr("Profilometer")).strong();
         let switch = ui.checkbox(&mut self.profilometer.open, text).on_hover_text(help);
         if switch.changed() {
             // The cutter would hide what is right behind it.
@@ -153,39 +180,72 @@ impl WorkpiecePanel {
     fn legend(&self, ui: &mut Ui, session: &Session) {
         let palette = Palette::at(ui);
         let scenario = session.current();
-        let judged_by = match scenario.target.reference {
-            Reference::Ra => "Ra against its tolerance",
-            Reference::Force => "force against its tolerance",
+        let held = scenario.target.reference;
+        let judged_by = match (held, scenario.machine.coupled) {
+            (Reference::Ra, false) => tr("Colour: Ra against its tolerance"),
+            (Reference::Ra, true) => tr("Colour: Ra with dynamics against its tolerance"),
+            (Reference::Force, false) => tr("Colour: force against its tolerance"),
+            (Reference::Force, true) => tr("Colour: force without dynamics against its tolerance"),
         };
-        ui.label(RichText::new(format!("Colour: {judged_by}")).strong());
-        let lengths = self.marks.as_ref().map_or([0.0; 3], |marked| marked.lengths.mm);
+        ui.label(RichText::new(judged_by).strong());
+        let lengths = self.marks.as_ref().map_or(Lengths::default(), |marked| marked.lengths);
+        let told = |name: &str, mm: f64| format!("{name}, {} mm", format::number(mm, "N"));
         let spacing = ui.spacing().clone();
         ui.spacing_mut().interact_size.y = 18.0;
         ui.horizontal_wrapped(|ui| {
-            for (i, name) in ["within", "up to twice as far", "farther: scrap"].iter().enumerate() {
-                let text = format!("{name}, {} mm", format::number(lengths[i], "N"));
+            for (i, name) in judged::names(held).iter().enumerate() {
+                let text = told(tr(name), lengths.mm[i]);
                 legend::sample_of(ui, &text, theme::MACHINED[i], |painter, rect, color| {
                     painter.rect_filled(rect.shrink(1.0), 3.0, color);
                     let square = Rect::from_center_size(rect.center(), Vec2::splat(8.0));
                     SIGNS[i].paint(painter, square, Color32::BLACK, color);
                 });
             }
+            if lengths.unknown_mm > 0.0 {
+                let text = told(tr("outside the model: not judged"), lengths.unknown_mm);
+                legend::sample_of(ui, &text, theme::METAL, |painter, rect, color| {
+                    painter.rect_filled(rect.shrink(1.0), 3.0, color);
+                });
+            }
+            if !scenario.disturbances.is_empty() {
+                let text = tr("disturbances, along the edges of the part");
+                legend::sample_of(ui, text, palette.warn, |painter, rect, color| {
+                    painter.rect_filled(rect.shrink(1.0), 3.0, color);
+                });
+            }
             let [body, edges] = theme::CUTTER;
-            legend::sample_of(ui, "cutting edges", edges, |painter, rect, color| {
+            legend::sample_of(ui, tr("cutting edges"), edges, |painter, rect, color| {
                 painter.rect_filled(rect.shrink(1.0), 3.0, body);
                 painter.hline(rect.shrink(1.0).x_range(), rect.center().y, Stroke::new(4.0, color));
             });
         });
         *ui.spacing_mut() = spacing;
-        let mut text = format!(
-            "The cutter is drawn turning {SLOWER} times slower. What stands in front of the wall \
-             was taken by an earlier cut."
-        );
+        // Too rough, or too large a force: what a price per millimetre counts.
+        let scrap_mm = lengths.mm[1] + lengths.mm[2];
+        let cost = scenario.economics.scrap_cost_per_mm * scrap_mm;
+        let length = format::number(scrap_mm, "N");
+        let scrap = tr!("Scrap: {length} mm, at a cost of {cost:.2}", length = length, cost = cost);
+        ui.label(RichText::new(scrap).strong()).on_hover_text(tr(
+            "Length of the way beyond the tolerance on the bad side, by `economics.scrap_cost_per_mm`",
+        ));
+        let mut text = match held {
+            Reference::Ra => {
+                let neither = tr("Too rough is rework or scrap; smoother than asked is neither.");
+                format!("{neither} ")
+            }
+            Reference::Force => String::new(),
+        };
+        text.push_str(&tr!(
+            "The cutter is drawn turning {times} times slower. What stands in front of the wall \
+             was taken by an earlier cut.",
+            times = SLOWER,
+        ));
         if scenario.plant.force_model.tooth_by_tooth() {
-            text.push_str(
-                " Simulated tooth by tooth, K5's Ra does not hold: the surface shows feed marks \
+            text.push(' ');
+            text.push_str(tr(
+                "Simulated tooth by tooth, K5's Ra does not hold: the surface shows feed marks \
                  and run-out alone.",
-            );
+            ));
         }
         ui.label(RichText::new(text).small().color(palette.weak));
     }

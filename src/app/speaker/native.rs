@@ -4,6 +4,7 @@ use cpal::traits::{DeviceTrait, HostTrait, StreamTrait};
 use cpal::{FromSample, I24, SampleFormat, SizedSample, StreamConfig, U24};
 
 use super::looped::Shared;
+use crate::base::language::tr;
 
 /// The default output of the system, playing until it is dropped.
 pub struct Speaker {
@@ -20,8 +21,10 @@ impl Speaker {
     /// There is none, or it takes no samples: in words for people.
     pub fn open() -> Result<Self, String> {
         let device = cpal::default_host().default_output_device();
-        let device = device.ok_or("this computer has no sound output")?;
-        let problem = |error: cpal::Error| format!("the sound output cannot be used: {error}");
+        let device = device.ok_or_else(|| tr("this computer has no sound output"))?;
+        let problem = |error: cpal::Error| {
+            tr!("the sound output cannot be used: {error}", error = error.to_string())
+        };
         let offered = device.default_output_config().map_err(problem)?;
         let config: StreamConfig = offered.into();
         let rate_hz = config.sample_rate;
@@ -38,7 +41,12 @@ impl Speaker {
             SampleFormat::U32 => stream::<u32>(&device, config, ends),
             SampleFormat::F32 => stream::<f32>(&device, config, ends),
             SampleFormat::F64 => stream::<f64>(&device, config, ends),
-            other => return Err(format!("the sound output takes only {other} samples")),
+            other => {
+                return Err(tr!(
+                    "the sound output takes only {kind} samples",
+                    kind = other.to_string()
+                ));
+            }
         };
         let stream = stream.map_err(problem)?;
         stream.play().map_err(problem)?;
@@ -90,7 +98,7 @@ fn stream<T: SizedSample + FromSample<f32>>(
                 | cpal::ErrorKind::RealtimeDenied
         );
         if !mended {
-            failing.fail(format!("the sound output has failed: {error}"));
+            failing.fail(tr!("the sound output has failed: {error}", error = error.to_string()));
         }
     };
     device.build_output_stream(config, fill, complain, None)

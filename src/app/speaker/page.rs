@@ -5,6 +5,7 @@ use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{AudioBufferSourceNode, AudioContext, AudioScheduledSourceNode, Document, GainNode};
 
 use super::FADE_S;
+use crate::base::language::tr;
 
 /// The page's sound output, until it is dropped.
 pub struct Speaker {
@@ -52,7 +53,7 @@ impl Drop for Hidden {
 fn problem(error: &JsValue) -> String {
     let said = js_sys::Reflect::get(error, &JsValue::from_str("message"));
     let said = said.ok().and_then(|said| said.as_string()).unwrap_or_default();
-    format!("the browser gives no sound output {said}").trim_end().to_owned()
+    tr!("the browser gives no sound output {said}", said = said).trim_end().to_owned()
 }
 
 impl Speaker {

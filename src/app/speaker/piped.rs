@@ -7,6 +7,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::looped::Shared;
+use crate::base::language::{self, tr};
 
 /// Samples per second, one channel, floats of 32 bits.
 const RATE_HZ: u32 = 44_100;
@@ -36,12 +37,15 @@ impl Speaker {
     )]
     pub fn open() -> Result<Self, String> {
         let mut players = PLAYERS.iter();
-        let first = players.find_map(started).ok_or(
-            "no player was found: pacat (PulseAudio), pw-cat (PipeWire) or aplay (ALSA; Debian: \
-             apt install alsa-utils)",
-        )?;
+        let first = players.find_map(started).ok_or_else(|| {
+            tr(
+                "no player was found: pacat (PulseAudio), pw-cat (PipeWire) or aplay (ALSA; Debian: apt install \
+                 alsa-utils)",
+            )
+        })?;
         let speaker = Self { shared: Shared::new(RATE_HZ), over: Arc::new(AtomicBool::new(false)) };
         let (shared, over) = (speaker.shared.clone(), Arc::clone(&speaker.over));
+        let spoken = language::catalogue();
         std::thread::spawn(move || {
             // One that ends at once may lack its sound server: the next may have one.
             for player in std::iter::once(first).chain(players.filter_map(started)) {
@@ -49,7 +53,8 @@ impl Speaker {
                     return;
                 }
             }
-            let problem = "the sound system's player has ended: is there a sound output?";
+            language::use_catalogue(spoken);
+            let problem = tr("the sound system's player has ended: is there a sound output?");
             shared.fail(problem.to_owned());
         });
         Ok(speaker)

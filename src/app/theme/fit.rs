@@ -55,10 +55,14 @@ struct Sizes {
     /// Numbers of the headline.
     figure: f32,
     heading: f32,
+    /// Figures of an operator's panel, to be read from afar.
+    large: f32,
 }
 
-const DESKTOP: Sizes = Sizes { note: 12.0, plain: 13.0, value: 15.0, figure: 20.0, heading: 18.0 };
-const PHONE: Sizes = Sizes { note: 13.0, plain: 14.0, value: 16.0, figure: 16.0, heading: 18.0 };
+const DESKTOP: Sizes =
+    Sizes { note: 12.0, plain: 13.0, value: 15.0, figure: 20.0, heading: 18.0, large: 34.0 };
+const PHONE: Sizes =
+    Sizes { note: 13.0, plain: 14.0, value: 16.0, figure: 16.0, heading: 18.0, large: 24.0 };
 
 /// The style of readings beside the plots.
 #[must_use]
@@ -70,6 +74,12 @@ pub fn value() -> TextStyle {
 #[must_use]
 pub fn figure() -> TextStyle {
     TextStyle::Name("figure".into())
+}
+
+/// The style of the figures of an operator's panel.
+#[must_use]
+pub fn large() -> TextStyle {
+    TextStyle::Name("large".into())
 }
 
 /// The font of the smallest text, for what is painted without a style.
@@ -94,10 +104,13 @@ pub(super) fn sizes(ctx: &Context, fit: WindowFit) {
         (TextStyle::Heading, font(sizes.heading)),
         (value(), font(sizes.value)),
         (figure(), font(sizes.figure)),
+        (large(), font(sizes.large)),
     ];
     for theme in [Theme::Light, Theme::Dark] {
         ctx.style_mut_of(theme, |style| {
             style.text_styles.extend(styles.clone());
+            // A finger that begins on a sentence scrolls: it would mark the words.
+            style.interaction.selectable_labels = !fit.fingers;
             let spacing = &mut style.spacing;
             if fit.fingers {
                 spacing.interact_size = Vec2::splat(FINGER);

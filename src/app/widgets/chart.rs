@@ -17,9 +17,11 @@ use super::focus::pointer_only;
 use super::legend;
 use super::plot::{self, near, still, tick};
 use super::zoom::{by_touch, zoom};
+use crate::base::language::tr;
 use crate::run::signals::SIGNALS;
 pub use content::{Axes, Chart, ChartCurve};
-use content::{FUTURE, FUTURE_HELP, GHOST, GHOST_HELP, TWIN, TWIN_HELP, index};
+use content::{BY_HAND, BY_HAND_HELP, FUTURE, FUTURE_HELP, GHOST, TWIN};
+use content::{ghost_help, index, twin_help};
 use curves::{band, fit_values, future_is_shown, lines};
 use reading::reading;
 
@@ -33,7 +35,7 @@ pub fn show(
     height: f32,
 ) -> egui::Rangef {
     let top = ui.cursor().top();
-    let values = fit_values(chart, session, axes.zoomed);
+    let values = fit_values(chart, session, axes);
     legend_row(ui, chart, session, axes, values);
     let height = (height - (ui.cursor().top() - top)).max(60.0);
     let width = ui.available_width();
@@ -68,7 +70,7 @@ pub fn show(
         }
         for (name, level) in &chart.levels {
             let (stroke, style) = Look::Limit.line(palette);
-            plot.hline(HLine::new(*name, *level).stroke(stroke).style(style));
+            plot.hline(HLine::new(tr(name), *level).stroke(stroke).style(style));
         }
         for line in lines {
             plot.add(line);
@@ -78,7 +80,8 @@ pub fn show(
     });
     response.response.widget_info(|| {
         let [from_s, to_s] = range.map(format::time);
-        let label = format!("{} from {from_s} to {to_s}", chart.title);
+        let label =
+            tr!("{chart} from {from} to {to}", chart = tr(chart.title), from = from_s, to = to_s);
         egui::WidgetInfo::labeled(egui::Role::Figure, true, label)
     });
     if let Some(range) = zoom(ui, &response, range, &mut axes.drag) {
@@ -95,30 +98,57 @@ pub fn legend_of_all(ui: &mut Ui, session: &Session, axes: &mut Axes) {
     let spacing = ui.spacing().clone();
     ui.spacing_mut().item_spacing = egui::vec2(14.0, 1.0);
     ui.spacing_mut().interact_size.y = 14.0;
-    legend::row(ui, "all plots", |ui| {
+    legend::row(ui, tr("all plots"), |ui| {
+        // Nothing keeps its place: it comes between two cuts.
+        if session.hand_trace().is_some() {
+            let key = (content::ALL, BY_HAND);
+            switch(ui, axes, key, BY_HAND, Look::Hand).on_hover_text(tr(BY_HAND_HELP));
+        }
         let changed = session.ghost().is_some();
-        for (name, look, help, shown) in [
-            (TWIN, Look::Twin, TWIN_HELP, true),
-            (GHOST, Look::Ghost, GHOST_HELP, changed),
-            (FUTURE, Look::Future, FUTURE_HELP, future_is_shown(session)),
+        let title = session.twin_title();
+        let short = !legend::has_room(ui, &title);
+        let title = if short { session.twin_short() } else { title };
+        let widest = Session::twin_widest(short);
+        for (name, said, look, help, shown) in [
+            (TWIN, title.as_str(), Look::Twin, twin_help(session).as_str(), true),
+            (GHOST, GHOST, Look::Ghost, ghost_help(session).as_str(), changed),
+            (FUTURE, FUTURE, Look::Future, tr(FUTURE_HELP), future_is_shown(session)),
         ] {
             // Its place is kept free: a change, in the middle of a drag mostly, moves no plot.
-            let entry = |ui: &mut Ui| switch(ui, axes, (content::ALL, name), look);
+            let entry = |ui: &mut Ui| switch(ui, axes, (content::ALL, name), said, look);
             ui.add_visible(shown, entry).on_hover_text(help);
+            if name == TWIN {
+                keep_room(ui, said, &widest);
+            }
         }
     });
     *ui.spacing_mut() = spacing;
 }
 
-/// An entry of a legend that shows or hides its line.
+/// Keeps the room of the widest name that an entry has: its words change while the twin's feed is being found, and move
+/// no other one.
+fn keep_room(ui: &mut Ui, said: &str, widest: &str) {
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let width = |text: &str| {
+        let color = egui::Color32::PLACEHOLDER;
+        ui.painter().layout_no_wrap(text.to_owned(), font.clone(), color).size().x
+    };
+    let missing = width(widest) - width(said);
+    if missing > 0.0 {
+        ui.add_space(missing);
+    }
+}
+
+/// An entry of a legend, `said` in it (in English), that shows or hides its line.
 fn switch(
     ui: &mut Ui,
     axes: &mut Axes,
     key: (&'static str, &'static str),
+    said: &str,
     look: Look,
 ) -> egui::Response {
     let hidden = axes.hidden.contains(&key);
-    let legend::LegendEntry { response, pressed } = legend::entry(ui, key.1, look, hidden);
+    let legend::LegendEntry { response, pressed } = legend::entry(ui, tr(said), look, hidden);
     if pressed && !axes.hidden.remove(&key) {
         axes.hidden.insert(key);
     }
@@ -136,14 +166,15 @@ fn legend_row(
     let spacing = ui.spacing().clone();
     ui.spacing_mut().item_spacing = egui::vec2(10.0, 1.0);
     ui.spacing_mut().interact_size.y = 14.0;
-    legend::row(ui, chart.title, |ui| {
+    legend::row(ui, tr(chart.title), |ui| {
         let unit = format::unit(SIGNALS[index(chart.curves[0].signal)].unit);
-        ui.add(egui::Label::new(egui::RichText::new(format!("{} [{unit}]", chart.title)).strong()));
+        let title = format!("{} [{unit}]", tr(chart.title));
+        ui.add(egui::Label::new(egui::RichText::new(title).strong()));
         for curve in chart.foremost() {
             reading(ui, curve, session.row(), chart.write);
         }
         let mut entry = |ui: &mut Ui, name: &'static str, look: Look| {
-            switch(ui, axes, (chart.id, name), look);
+            switch(ui, axes, (chart.id, name), name, look);
         };
         for curve in chart.curves {
             entry(ui, SIGNALS[index(curve.signal)].label, curve.look);

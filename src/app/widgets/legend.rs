@@ -8,6 +8,7 @@ use egui::{
 use egui_plot::{LineStyle, MarkerShape};
 
 use super::super::theme::{self, Look, Palette};
+use crate::base::language::tr;
 
 const SAMPLE: f32 = 18.0;
 
@@ -58,7 +59,7 @@ pub fn row(ui: &mut Ui, title: &str, add: impl FnOnce(&mut Ui)) {
     }
     let target = rect.with_max_y(rect.bottom().max(rect.top() + theme::FINGER));
     let response = ui.interact(target, id, Sense::click());
-    let name = format!("Lines of {title}");
+    let name = tr!("Lines of {title}", title = title);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.clone()));
     let list = Popup::menu(&response).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     list.show(|ui| {
@@ -77,7 +78,7 @@ pub fn entry(ui: &mut Ui, name: &str, look: Look, hidden: bool) -> LegendEntry {
     let entry = entry_of(ui, name, hidden, stroke.color, |painter, rect, color| {
         line(painter, rect, Stroke { color, ..stroke }, style);
     });
-    let help = if hidden { "Show this line" } else { "Hide this line" };
+    let help = if hidden { tr("Show this line") } else { tr("Hide this line") };
     LegendEntry { response: entry.response.on_hover_text(help), ..entry }
 }
 
@@ -181,10 +182,24 @@ fn point(at: Pos2, shape: MarkerShape, color: Color32) -> Vec<Shape> {
     }
 }
 
+/// Whether an entry with this name stands in one line of the row.
+#[must_use]
+pub fn has_room(ui: &Ui, name: &str) -> bool {
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let text = ui.painter().layout_no_wrap(name.to_owned(), font, Color32::PLACEHOLDER);
+    text.size().x <= widest(ui)
+}
+
+/// Most that a name is wide in a line, points.
+fn widest(ui: &Ui) -> f32 {
+    (ui.max_rect().width() - SAMPLE - 4.0).max(SAMPLE)
+}
+
 /// Writes a name with room for a sample at its left.
 fn named(ui: &mut Ui, name: &str, ink: Color32, sense: Sense) -> (Rect, Response) {
     let font = egui::TextStyle::Small.resolve(ui.style());
-    let text = ui.painter().layout_no_wrap(name.to_owned(), font, ink);
+    // A name that is longer than the row goes on in the next line: nothing makes the screen wider than it is.
+    let text = ui.painter().layout(name.to_owned(), font, ink, widest(ui));
     let size = vec2(SAMPLE + 4.0 + text.size().x, text.size().y.max(14.0));
     let (rect, response) = ui.allocate_exact_size(size, sense);
     let at = rect.right_center() - vec2(text.size().x, 0.5 * text.size().y);

@@ -1,12 +1,13 @@
 //! A field for a number: it is dragged, or typed with a decimal point or comma, with or without
 //! its unit. A text that is no number, or one beyond the range, is answered in words.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use egui::{Context, DragValue, Id, Response, Ui};
 
 use super::super::format;
 use super::{focus, touch};
+use crate::base::language::{decimal, tr};
 
 /// What a field holds.
 #[derive(Clone, Copy, Debug)]
@@ -21,9 +22,14 @@ pub struct NumberField<'a> {
     pub speed: f64,
     /// Most digits behind the point.
     pub decimals: usize,
+    /// Digits behind the point that are always written, so that those of a column are as many.
+    pub least: usize,
     /// Text behind the number.
     pub suffix: &'a str,
 }
+
+/// What stands in a field without a number.
+const BLANK: &str = "\u{2013}";
 
 fn typed() -> Id {
     Id::unique("number being typed")
@@ -39,24 +45,47 @@ pub fn is_typed(ctx: &Context) -> bool {
 impl NumberField<'_> {
     /// The field; what there is to say about a text that was typed goes to `said`.
     pub fn show(&self, ui: &mut Ui, value: &mut f64, said: &mut Option<String>) -> Response {
+        let (mut some, before) = (Some(*value), *value);
+        let response = self.show_or_blank(ui, &mut some, said);
+        *value = some.unwrap_or(before);
+        response
+    }
+
+    /// The same for a number that may be none yet: that is no zero, and looks like none.
+    pub fn show_or_blank(
+        &self,
+        ui: &mut Ui,
+        number: &mut Option<f64>,
+        said: &mut Option<String>,
+    ) -> Response {
         let [min, max] = self.range;
-        let (problem, before) = (RefCell::new(None), *value);
-        let drag = DragValue::new(value)
+        let is_blank = number.is_none();
+        let before = number.unwrap_or(0.0);
+        let (problem, typed_number) = (RefCell::new(None), Cell::new(None));
+        let mut dragged = before;
+        let value = &mut dragged;
+        let mut drag = DragValue::new(value)
             .range(min..=max)
             .speed(self.speed)
+            .min_decimals(self.least)
             .max_decimals(self.decimals)
             .suffix(self.suffix.to_owned())
             .update_while_editing(false)
             .custom_parser(|text| match self.read(text) {
                 Ok((number, note)) => {
                     *problem.borrow_mut() = note;
+                    typed_number.set(Some(number));
                     Some(number)
                 }
+                Err(_) if is_blank && text.trim() == BLANK => None,
                 Err(note) => {
                     *problem.borrow_mut() = Some(note);
                     None
                 }
             });
+        if is_blank {
+            drag = drag.custom_formatter(|_, _| BLANK.to_owned());
+        }
         let response = ui.add(drag);
         touch::only_across(ui, &response, value, before);
         if response.lost_focus() {
@@ -69,6 +98,11 @@ impl NumberField<'_> {
         if let Some(note) = problem.into_inner() {
             *said = Some(note);
         }
+        // A zero that was typed is one.
+        let given = !is_blank || dragged != before || typed_number.get().is_some();
+        if given {
+            *number = Some(dragged);
+        }
         response
     }
 
@@ -79,19 +113,35 @@ impl NumberField<'_> {
         let text: String = text.trim().chars().take(MOST_CHARS).collect();
         let name = self.name;
         let [min, max] = self.range.map(readable);
-        let with_unit = |text: String| format!("{text} {}", format::unit(self.unit));
-        let allowed = with_unit(format!("allowed is a number from {min} to {max}"));
+        let unit = format::unit(self.unit);
+        let allowed = tr!(
+            "allowed is a number from {min} to {max} {unit}",
+            min = min,
+            max = max,
+            unit = unit
+        );
         let allowed = allowed.trim_end();
         let Some(number) = parse(&text, self.unit) else {
-            return Err(format!("{name}: `{text}` is not a number: {allowed}"));
+            return Err(tr!(
+                "{name}: “{text}” is not a number: {allowed}",
+                name = name,
+                text = text,
+                allowed = allowed
+            ));
         };
         let limited = number.clamp(self.range[0], self.range[1]);
         if limited == number {
             return Ok((number, None));
         }
-        let taken = with_unit(readable(limited).to_string());
-        let taken = taken.trim_end();
-        Ok((limited, Some(format!("{name}: `{text}` was limited to {taken}: {allowed}"))))
+        let taken = format!("{} {unit}", decimal(readable(limited).to_string()));
+        let said = tr!(
+            "{name}: “{text}” was limited to {taken}: {allowed}",
+            name = name,
+            text = text,
+            taken = taken.trim_end(),
+            allowed = allowed
+        );
+        Ok((limited, Some(said)))
     }
 }
 
@@ -159,13 +209,14 @@ mod tests {
             range: [0.05, 4.0],
             speed: 0.01,
             decimals: 3,
+            least: 0,
             suffix: "",
         };
         let said = field.read("abc").unwrap_err();
-        assert_eq!(said, "Target Ra: `abc` is not a number: allowed is a number from 0.05 to 4 µm");
+        assert_eq!(said, "Target Ra: “abc” is not a number: allowed is a number from 0.05 to 4 µm");
         let (number, said) = field.read("9,5").unwrap();
         assert_eq!(number, 4.0);
         let said = said.unwrap();
-        assert!(said.starts_with("Target Ra: `9,5` was limited to 4 µm: allowed"), "{said}");
+        assert!(said.starts_with("Target Ra: “9,5” was limited to 4 µm: allowed"), "{said}");
     }
 }

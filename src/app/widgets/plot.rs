@@ -8,6 +8,7 @@ use egui_plot::{
 
 use super::super::format::{log10, round_step};
 use super::super::theme::Palette;
+use crate::base::language::fixed;
 use crate::base::math::{extent, pow};
 
 /// A plot as all of them look, which by itself is only looked at: nothing in it is dragged, scrolled or
@@ -77,7 +78,7 @@ pub fn grid(input: GridInput, count: f32) -> Vec<GridMark> {
 #[must_use]
 pub fn tick(mark: GridMark) -> String {
     let decimals = (-(log10(mark.step_size) + 1e-9).floor()).clamp(0.0, 6.0) as usize;
-    format!("{:.decimals$}", mark.value + 0.0)
+    fixed(mark.value + 0.0, decimals)
 }
 
 /// Grid lines of a logarithmic axis: powers of ten, and twice and five times them where there is
@@ -102,7 +103,7 @@ pub fn decades(input: GridInput, height: f32) -> Vec<GridMark> {
 pub fn decade(mark: GridMark) -> String {
     let value = pow(10.0, mark.value);
     let decimals = (-(mark.value + 1e-9).floor()).clamp(0.0, 9.0) as usize;
-    format!("{value:.decimals$}")
+    fixed(value, decimals)
 }
 
 /// A logarithmic range that holds all positive `values`, at most `decades` long.

@@ -2,18 +2,25 @@
 //! switch, text, or what a structured setting asks for. Right-click (or a long press) offers the default.
 
 mod formula;
+mod reason;
+mod script;
 mod structured;
 
-use egui::{ComboBox, Response, Slider, Ui};
+use egui::{ComboBox, Response, RichText, Slider, Ui};
 
 use super::super::command::Command;
 use super::super::format;
+use super::super::framed;
+use super::super::session::LOCKED;
+use super::super::theme::Palette;
 use super::number::NumberField;
 use super::{focus, touch};
+use crate::base::language::{decimal, tr};
 use crate::base::settings::{Kind, Value};
 use crate::models::genetic::FormulaSettings;
 use crate::run::scenario::{Param, Scenario, param};
 use crate::study::uses::Screen;
+pub use reason::Reason;
 
 /// The size of an editor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +35,7 @@ pub enum Size {
 const LOGARITHMIC_FROM: f64 = 50.0;
 
 /// The editor of the setting at `path` on a screen, showing its value in `scenario`. Where nothing on
-/// that screen uses the setting as the others stand, it is greyed and says why.
+/// that screen uses the setting as the others stand, or where it is locked, it is greyed and says why.
 pub fn setting(
     ui: &mut Ui,
     screen: Screen,
@@ -44,8 +51,9 @@ pub fn setting(
     let spec = &param.spec;
     // A model's formula is not used before its calibration is chosen, which using it does.
     let greyed = screen.greyed(scenario, path).filter(|_| !FormulaSettings::is_model(path));
+    let locked = framed::is_locked(ui.ctx(), path);
     ui.push_id(path, |ui| {
-        if greyed.is_some() {
+        if locked || greyed.is_some() {
             ui.disable();
         }
         let mut slider = None;
@@ -63,7 +71,7 @@ pub fn setting(
             }
             (Kind::Bool, Value::Bool(now)) => {
                 let mut on = *now;
-                let response = ui.checkbox(&mut on, spec.label);
+                let response = ui.checkbox(&mut on, tr(spec.label));
                 if response.changed() {
                     change(Value::Bool(on));
                 }
@@ -78,23 +86,34 @@ pub fn setting(
             _ => unreachable!("the table pairs kinds with values"),
         };
         let response = match &greyed {
+            _ if locked => response.on_disabled_hover_ui(|ui| {
+                describe(ui, param);
+                ui.label(tr!("Cannot be changed: it is {locked}.", locked = tr(LOCKED)));
+            }),
             Some(because) => response.on_disabled_hover_ui(|ui| {
                 describe(ui, param);
-                ui.label(format!("Not used now: {because}."));
+                ui.label(not_used(&Reason::of(because)));
             }),
             None => response.on_hover_ui(|ui| describe(ui, param)),
         };
         for part in [Some(response), slider].into_iter().flatten() {
             part.context_menu(|ui| {
-                let default = spec.default.to_string();
+                let default = match &spec.default {
+                    number @ (Value::Float(_) | Value::Int(_)) => decimal(number.to_string()),
+                    other @ (Value::Bool(_) | Value::Text(_) | Value::List(_)) => other.to_string(),
+                };
                 let unit = format::unit(spec.unit);
-                if ui.button(format!("Reset to {default} {unit}").trim_end()).clicked() {
+                let reset = tr!("Reset to {default} {unit}", default = default, unit = unit);
+                if ui.button(reset.trim_end()).clicked() {
                     change(spec.default.clone());
                     ui.close();
                 }
             });
         }
     });
+    if locked {
+        ui.label(RichText::new(tr("Locked")).small().color(Palette::at(ui).weak));
+    }
     commands.extend(said.map(Command::notify));
     commands.extend(changed.map(|value| {
         if spec.allowed.takes_formula() {
@@ -105,21 +124,34 @@ pub fn setting(
     }));
 }
 
+/// What is said of a setting that has no part now.
+#[must_use]
+pub fn not_used(reason: &Reason) -> String {
+    tr!("Not used now: {because}.", because = reason.text)
+}
+
 /// The tooltip: what it is, what is allowed, its name in files.
 fn describe(ui: &mut Ui, param: &Param) {
     let spec = &param.spec;
     ui.set_max_width(320.0);
-    ui.strong(spec.label);
-    ui.label(spec.doc.replace('\n', " "));
+    ui.strong(tr(spec.label));
+    ui.label(tr(spec.doc).replace('\n', " "));
     if let Kind::Choice { options } = &spec.allowed {
-        for option in *options {
-            ui.label(format!("{}: {}", option.label, option.doc.replace('\n', " ")));
+        let offered = options.iter();
+        let offered: Vec<_> =
+            offered.filter(|option| framed::is_offered(ui.ctx(), &param.path, option.id)).collect();
+        for option in offered {
+            ui.label(format!("{}: {}", tr(option.label), tr(option.doc).replace('\n', " ")));
         }
     } else {
-        ui.label(format!("Allowed: {}.", spec.allowed.allowed(&format::unit(spec.unit))));
+        let allowed = spec.allowed.allowed(&format::unit(spec.unit));
+        ui.label(tr!("Allowed: {allowed}.", allowed = allowed));
     }
-    let acts =
-        if spec.live { "acts at once, also during the cut" } else { "belongs to the set-up" };
+    let acts = if spec.live {
+        tr("acts at once, also during the cut")
+    } else {
+        tr("belongs to the set-up")
+    };
     ui.weak(format!("{} ({acts})", param.path));
 }
 
@@ -142,11 +174,12 @@ fn number(
     let decimals = if whole { 0 } else { decimals(min, max) };
     let (label, response) = labelled(ui, param, |ui| {
         let field = NumberField {
-            name: spec.label,
+            name: tr(spec.label),
             unit: spec.unit,
             range: [min, max],
             speed: (now.abs() * 0.004).max((max - min) * 2e-4),
             decimals,
+            least: 0,
             suffix: &suffix,
         };
         field.show(ui, &mut value, said)
@@ -182,7 +215,7 @@ fn labelled(
     edit: impl FnOnce(&mut Ui) -> Response,
 ) -> (Response, Response) {
     ui.horizontal(|ui| {
-        let label = touch::name(ui, param.spec.label);
+        let label = touch::name(ui, tr(param.spec.label));
         let right = egui::Layout::right_to_left(egui::Align::Center);
         let response = ui.with_layout(right, edit).inner.labelled_by(label.id);
         (label, response)
@@ -208,16 +241,19 @@ fn choice(
     change: &mut dyn FnMut(Value),
 ) -> Response {
     let Kind::Choice { options } = &param.spec.allowed else { unreachable!("kind of a choice") };
-    let chosen = options.iter().find(|option| option.id == now).map_or(now, |option| option.label);
+    let chosen =
+        options.iter().find(|option| option.id == now).map_or(now, |option| tr(option.label));
     let mut combo = |ui: &mut Ui, width: f32| {
         ComboBox::from_id_salt("choice")
             .width(width)
             .truncate()
             .selected_text(chosen)
             .show_ui(ui, |ui| {
-                for option in *options {
-                    let response = ui.selectable_label(option.id == now, option.label);
-                    let response = response.on_hover_text(option.doc.replace('\n', " "));
+                let offered = |id: &str| id == now || framed::is_offered(ui.ctx(), &param.path, id);
+                let options: Vec<_> = options.iter().filter(|option| offered(option.id)).collect();
+                for option in options {
+                    let response = ui.selectable_label(option.id == now, tr(option.label));
+                    let response = response.on_hover_text(tr(option.doc).replace('\n', " "));
                     if response.clicked() && option.id != now {
                         change(Value::Text(option.id.to_owned()));
                     }
@@ -234,10 +270,10 @@ fn choice(
     let gap = ui.spacing().item_spacing.x;
     // The arrow and the frame of the list take their room as well.
     let around = ui.spacing().icon_width + 3.0 * gap;
-    let (name, needed) = (wide(ui, param.spec.label), wide(ui, chosen) + around);
+    let (name, needed) = (wide(ui, tr(param.spec.label)), wide(ui, chosen) + around);
     if name + gap + needed > room {
         // Below each other, rather than both cut off.
-        let label = touch::name(ui, param.spec.label);
+        let label = touch::name(ui, tr(param.spec.label));
         let response = combo(ui, room).labelled_by(label.id);
         return label.union(response);
     }
@@ -249,7 +285,7 @@ fn choice(
 
 fn text(ui: &mut Ui, param: &Param, now: &str, change: &mut dyn FnMut(Value)) -> Response {
     let Kind::Text { max_chars } = param.spec.allowed else { unreachable!("kind of a text") };
-    let label = ui.label(param.spec.label);
+    let label = ui.label(tr(param.spec.label));
     // The text being written is kept until the field is left: one step of undo.
     let id = ui.scope_id().with("draft");
     let mut draft = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| now.to_owned());

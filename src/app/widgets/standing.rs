@@ -8,7 +8,9 @@ use egui::{
     TextStyle, TextWrapMode, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
+use super::super::format;
 use super::super::theme::Palette;
+use crate::base::language::tr;
 
 /// Side of a sign, as a fraction of the size of its text.
 const SIDE: f32 = 0.72;
@@ -49,10 +51,10 @@ impl Standing {
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {
-            Self::Good => "as it should be",
-            Self::Best => "the best",
-            Self::Watch => "to be looked at",
-            Self::Bad => "not as it should be",
+            Self::Good => tr("as it should be"),
+            Self::Best => tr("the best"),
+            Self::Watch => tr("to be looked at"),
+            Self::Bad => tr("not as it should be"),
             Self::Plain => "",
         }
     }
@@ -68,10 +70,10 @@ impl Standing {
         }
     }
 
-    /// A text behind its sign, in the style given to it.
+    /// A text behind its sign, typeset and in the style given to it.
     pub fn label(self, ui: &mut Ui, text: &str, style: impl Fn(RichText) -> RichText) -> Response {
         let mode = ui.wrap_mode();
-        self.line(ui, style(RichText::new(text)), mode)
+        self.line(ui, style(RichText::new(format::typeset(text))), mode)
     }
 
     /// A text behind its sign, wrapped or cut as `mode` says.
@@ -84,6 +86,13 @@ impl Standing {
         let response = self.lead(ui, job, mode);
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, said.clone()));
         response
+    }
+
+    /// What the sign takes at the head of a text of a size, points; nothing where there is none.
+    #[must_use]
+    pub fn room(self, size: f32) -> f32 {
+        // The sign and the space before it.
+        if self == Self::Plain { 0.0 } else { 1.1 * size }
     }
 
     /// A text that is set already, behind the sign.
@@ -113,7 +122,12 @@ impl Standing {
             self.paint(ui.painter(), square, color, ui.visuals().panel_fill);
         }
         let cut = galley.elided.then(|| job.text.clone());
-        LabelSelectionState::label_text_selection(ui, &response, at, galley, color, Stroke::NONE);
+        if ui.style().interaction.selectable_labels {
+            let stroke = Stroke::NONE;
+            LabelSelectionState::label_text_selection(ui, &response, at, galley, color, stroke);
+        } else {
+            ui.painter().galley(at, galley, color);
+        }
         cut.map_or(response.clone(), |text| response.on_hover_text(text))
     }
 

@@ -4,9 +4,11 @@
 use egui::Ui;
 
 use super::super::command::Command;
+use super::super::framed;
 use super::super::theme::{self, Palette};
 use super::focus::pointer_only;
 use super::setting::{Size, setting, slider_rect};
+use crate::base::language::{decimal, tr};
 use crate::base::math::ln;
 use crate::base::settings::{Kind, Value};
 use crate::blocks::reference::Reference;
@@ -24,6 +26,9 @@ pub fn target(ui: &mut Ui, screen: Screen, scenario: &Scenario, commands: &mut V
         return setting(ui, screen, "target.force_n", scenario, Size::Large, commands);
     }
     setting(ui, screen, PATH, scenario, Size::Large, commands);
+    if framed::is_locked(ui.ctx(), PATH) {
+        return;
+    }
     let (Ok(param), Some(rail)) = (param(PATH), slider_rect(ui.ctx(), PATH)) else { return };
     let Kind::Float { min, max } = param.spec.allowed else { return };
     let palette = Palette::at(ui);
@@ -40,7 +45,7 @@ pub fn target(ui: &mut Ui, screen: Screen, scenario: &Scenario, commands: &mut V
         let response = ui.interact(place, id, pointer_only(false));
         let chosen = (scenario.target.ra_um - ra_um).abs() < 1e-9;
         response.widget_info(|| {
-            let label = format!("{name}: Ra {ra_um} µm");
+            let label = format!("{name}: Ra {}\u{a0}µm", decimal(ra_um.to_string()));
             egui::WidgetInfo::selected(egui::Role::RadioButton, true, chosen, label)
         });
         let color = if chosen || response.hovered() { palette.accent } else { palette.weak };
@@ -49,7 +54,8 @@ pub fn target(ui: &mut Ui, screen: Screen, scenario: &Scenario, commands: &mut V
         let font = egui::TextStyle::Small.resolve(ui.style());
         let at = egui::pos2(x, row.top() + 4.0);
         ui.painter().text(at, egui::Align2::CENTER_TOP, name, font, color);
-        if response.on_hover_text(format!("ISO 1302 grade {name}: Ra {ra_um} µm")).clicked() {
+        let help = tr!("ISO 1302 grade {grade}: Ra {ra_um} µm", grade = name, ra_um = ra_um);
+        if response.on_hover_text(help).clicked() {
             commands.push(Command::set(PATH, Value::Float(ra_um)));
         }
     }

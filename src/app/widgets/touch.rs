@@ -131,6 +131,18 @@ pub fn only_across<T>(ui: &Ui, response: &Response, value: &mut T, before: T) {
     }
 }
 
+/// Hands the swipe of a finger that goes along, over an area that is only scrolled across, on to what it stands in;
+/// `area` is the id of the area.
+pub fn hand_on(ui: &Ui, area: Id) {
+    if !by_touch(ui) || ui.ctx().dragged_id() != Some(area.with("area")) {
+        return;
+    }
+    if swipe(ui).across == Some(false) {
+        let delta = vec2(0.0, ui.input(|input| input.pointer.delta().y));
+        ui.scroll_with_delta_animation(delta, ScrollAnimation::none());
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,10 +1,11 @@
 //! A window over a screen: it can be moved on the desktop and takes the screen of a phone; Escape
 //! closes it.
 
-use egui::{Align, Context, Key, Layout, Modifiers, Rect, ScrollArea, Ui, Vec2, vec2};
+use egui::{Align, Context, Id, Key, Layout, Modifiers, Rect, ScrollArea, Ui, Vec2, vec2};
 
 use super::super::theme;
 use super::icon::{self, Icon};
+use crate::base::language::tr;
 
 /// Where a window may stand.
 #[derive(Clone, Copy, Debug)]
@@ -15,9 +16,22 @@ pub struct WindowPlace {
     pub narrow: bool,
     /// Height of its content at first, points.
     pub height: f32,
+    /// Share of a phone's screen that it takes, from below: what it acts on stays in sight above.
+    pub share: f32,
 }
 
-/// Shows the window `title` while it is `open`.
+fn shown_id() -> Id {
+    Id::unique("a window is shown")
+}
+
+/// Whether a window was shown in this frame or the last: Escape is for it, before what lies around it.
+#[must_use]
+pub fn is_shown(ctx: &Context) -> bool {
+    let last = ctx.data(|data| data.get_temp::<u64>(shown_id()));
+    last.is_some_and(|last| last + 1 >= ctx.cumulative_frame_nr())
+}
+
+/// Shows the window `title`, in English, while it is `open`.
 pub fn show(
     ctx: &Context,
     title: &str,
@@ -34,17 +48,22 @@ pub fn show(
     if !*open {
         return;
     }
+    let frame = ctx.cumulative_frame_nr();
+    ctx.data_mut(|data| data.insert_temp(shown_id(), frame));
     if !ctx.egui_wants_keyboard_input()
         && ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape))
     {
         *open = false;
     }
     let fingers = theme::fingers(ctx);
-    let window = egui::Window::new(title).collapsible(false).vscroll(!fingers);
+    // The same window in every language.
+    let window = egui::Window::new(tr(title)).id(Id::unique(title));
+    let window = window.collapsible(false).vscroll(!fingers);
     let screen = place.screen;
     let window = if place.narrow {
-        let size = (screen.size() - vec2(14.0, TITLE + 4.0)).max(LEAST);
-        window.resizable(false).fixed_pos(screen.min).fixed_size(size)
+        let taken = screen.with_min_y(screen.bottom() - place.share * screen.height());
+        let size = (taken.size() - vec2(14.0, TITLE + 4.0)).max(LEAST);
+        window.resizable(false).fixed_pos(taken.min).fixed_size(size)
     } else {
         let width = theme::OVERLAY_WIDTH.min(screen.width() - 16.0);
         let height = place.height.min(screen.height() - TITLE - 8.0).max(LEAST.y);
@@ -87,9 +106,9 @@ pub fn closable(
     window.title_bar(false).show(ctx, |ui| {
         sized(ui);
         ui.horizontal(|ui| {
-            ui.heading(title);
+            ui.heading(tr(title));
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let name = "Close window";
+                let name = tr("Close window");
                 *open &= !icon::button(ui, Icon::Close, name, name, true).clicked();
             });
         });

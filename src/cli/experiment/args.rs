@@ -150,6 +150,12 @@ pub struct WayArgs {
     /// Most batches of each search; it ends earlier where nothing is gained any more.
     #[arg(long, default_value_t = BATCHES, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub batches: u64,
+    /// Go on with a way that `--state` saved: the same settings, batches excepted.
+    #[arg(long, value_name = "FILE.json")]
+    pub resume: Option<InPath>,
+    /// Where to save the searches when it is over or interrupted, to go on with later.
+    #[arg(long, value_name = "FILE.json")]
+    pub state: Option<OutPath>,
     /// Folder for the cuts as a table, the models as files, and the scenario with the models.
     #[arg(long, value_name = "FOLDER")]
     pub out: Option<OutFolder>,

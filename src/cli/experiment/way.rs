@@ -28,7 +28,19 @@ pub fn execute(args: &WayArgs) -> Outcome {
         batches: args.batches,
     };
     let mut job = WayJob::new(&settings).map_err(|problem| format!("--{problem}"))?;
-    progress::work(&mut job, "way", args.json)?;
+    if let Some(path) = &args.resume {
+        job.resume(&path.text()?).map_err(|problem| format!("{path}: {problem}"))?;
+    }
+    let worked = progress::work(&mut job, "way", args.json);
+    if let Some(path) = &args.state {
+        path.write(&job.state_text())?;
+    }
+    match (worked, &args.state) {
+        (Err(error), Some(path)) => {
+            return Err(error.kept(format!("go on with --resume {path}")).into());
+        }
+        (worked, _) => worked?,
+    }
     let report = job.partial();
     let mut out = std::io::stdout().lock();
     if args.json {
@@ -155,6 +167,6 @@ fn summary(out: &mut impl Write, one: &EntrantSummary) -> std::io::Result<()> {
         count => format!("; {count} rows {what}"),
     };
     let outside = rows(one.swinging, "in which the loop swings")
-        + &rows(one.outside, "outside the ranges of the models");
+        + rows(one.outside, "outside the ranges of the models").as_str();
     writeln!(out, "{:<9}{:<19} {held}{outside}", one.controller, one.models.label())
 }

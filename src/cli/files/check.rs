@@ -8,7 +8,9 @@ use std::path::Path;
 use clap::{Arg, ArgMatches, Command, ValueHint};
 use same_file::Handle;
 
-use super::{FormulaPath, InPath, OutFolder, OutPath, STANDARD, ScenarioPath};
+use super::{
+    FormulaPath, InFolder, InPath, MissionPath, OutFolder, OutPath, STANDARD, ScenarioPath,
+};
 use crate::disk::{self, OutFile};
 
 /// The files of a command, each with the argument that names it.
@@ -48,6 +50,15 @@ impl Files {
             if let Ok(Some(paths)) = matches.try_get_many::<FormulaPath>(id) {
                 let files = paths.filter_map(|path| path.source().ok());
                 self.read.extend(files.map(|path| (name(), path)));
+            }
+            if let Ok(Some(paths)) = matches.try_get_many::<MissionPath>(id) {
+                let files = paths.filter_map(|path| path.source().ok());
+                self.read.extend(files.map(|path| (name(), path)));
+            }
+            if let Ok(Some(folders)) = matches.try_get_many::<InFolder>(id) {
+                // One that cannot be read is told by the command.
+                let files = folders.filter_map(|folder| folder.paths().ok()).flatten();
+                self.read.extend(files.map(|path| (name(), InPath(path))));
             }
             if let Ok(Some(paths)) = matches.try_get_many::<OutPath>(id) {
                 self.written.extend(paths.map(|path| (name(), path.clone())));
@@ -159,12 +170,13 @@ fn distinct(written: &[There]) -> Result<(), String> {
 pub fn hinted(command: Command) -> Command {
     let hint = |arg: Arg| {
         let is = |hinted: TypeId| arg.get_value_parser().type_id() == hinted;
-        if is(TypeId::of::<OutFolder>()) {
+        if is(TypeId::of::<OutFolder>()) || is(TypeId::of::<InFolder>()) {
             arg.value_hint(ValueHint::DirPath)
         } else if [
             TypeId::of::<InPath>(),
             TypeId::of::<ScenarioPath>(),
             TypeId::of::<FormulaPath>(),
+            TypeId::of::<MissionPath>(),
             TypeId::of::<OutPath>(),
         ]
         .into_iter()

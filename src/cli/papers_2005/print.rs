@@ -98,7 +98,8 @@ fn steps(out: &mut impl Write, report: &Report, printed: &[Table1Printed]) -> Re
         "", "periods", "overshoot %", "offset %", "update ns"
     )?;
     for (i, Step { transient, update_ns }) in report.steps.iter().enumerate() {
-        let periods = transient.periods.map_or("never".to_owned(), |n| n.to_string());
+        let periods =
+            transient.periods.map_or(transient.without_periods().to_owned(), |n| n.to_string());
         let row = printed.get(i);
         let periods = row
             .map_or(periods.clone(), |row| format!("{periods} ({})", row.optimization_iterations));
@@ -132,6 +133,7 @@ mod tests {
         let transient = |name: &str| Transient {
             name: name.to_owned(),
             periods: None,
+            unstable: false,
             overshoot_percent: 1.0,
             offset_percent: 2.0,
         };
@@ -163,7 +165,7 @@ mod tests {
             }
             let step = text.lines().rfind(|line| line.starts_with(method.name)).unwrap();
             assert!(
-                step.contains(&format!("never ({})", printed.optimization_iterations)),
+                step.contains(&format!("never back ({})", printed.optimization_iterations)),
                 "{step}"
             );
         }

@@ -8,9 +8,11 @@ use egui::{
 
 use super::layout::{Course, Style};
 use super::moment::Now;
+use crate::app::format;
 use crate::app::panels::equation_cards::Block;
 use crate::app::panels::equation_cards::formula::{number, typeset};
 use crate::app::theme::{self, Palette};
+use crate::base::language::{decimal, tr};
 use crate::run::diagram::Lamp;
 use crate::run::explanation::explain_controller;
 
@@ -23,6 +25,11 @@ const PADDING: f32 = 6.0;
 const LAMP_RADIUS: f32 = 4.0;
 const ARROW: f32 = 7.0;
 
+/// A number in words about settings.
+fn told(x: f64) -> String {
+    format::signed(decimal(number(x)))
+}
+
 /// A line or two about a block's settings.
 fn detail(block: Block, now: &Now<'_>) -> String {
     let scenario = now.moment.scenario;
@@ -34,38 +41,42 @@ fn detail(block: Block, now: &Now<'_>) -> String {
         Block::Controller => {
             let beside = explain_controller(scenario, now.moment.row).beside_name;
             let comma = if beside.is_empty() { "" } else { ", " };
-            format!("{}{comma}{beside}", scenario.controller.kind.label())
+            format!("{}{comma}{beside}", tr(scenario.controller.kind.label()))
         }
         Block::Override => {
             let cnc = &scenario.cnc;
-            let [low, high] = [cnc.override_min_percent, cnc.override_max_percent].map(number);
-            let whole = if cnc.override_quantised { ", whole" } else { "" };
-            let rate = if cnc.override_rate_limited {
-                format!("\nat most {} %/s", number(cnc.override_rate_percent_s))
+            let [low, high] = [cnc.override_min_percent, cnc.override_max_percent].map(told);
+            let range = if cnc.override_quantised {
+                tr!("{low} to {high} %, whole", low = low, high = high)
             } else {
-                String::new()
+                tr!("{low} to {high} %", low = low, high = high)
             };
-            format!("{low} to {high} %{whole}{rate}")
+            if !cnc.override_rate_limited {
+                return range;
+            }
+            let rate = tr!("at most {rate} %/s", rate = told(cnc.override_rate_percent_s));
+            format!("{range}\n{rate}")
         }
-        Block::DeadTime => format!("{} s", number(scenario.cnc.dead_time_s)),
-        Block::FeedDrive => scenario.feed_drive.kind.label().to_owned(),
+        Block::DeadTime => format!("{} s", told(scenario.cnc.dead_time_s)),
+        Block::FeedDrive => tr(scenario.feed_drive.kind.label()).to_owned(),
         Block::SpindleDrive => {
             let drive = &scenario.spindle_drive;
-            format!("{} s, {} 1/min/s", number(drive.time_constant_s), number(drive.rate_rpm_s))
+            format!("{} s, {} 1/min/s", told(drive.time_constant_s), told(drive.rate_rpm_s))
         }
         Block::Cutting => {
             let plant = &scenario.plant;
-            let material = plant.material.label();
-            format!(
-                "{material}\n{} HB, wear {}",
-                number(plant.hardness_hb),
-                number(plant.wear_factor)
-            )
+            let state = tr!(
+                "{hardness} HB, wear {wear}",
+                hardness = told(plant.hardness_hb),
+                wear = told(plant.wear_factor)
+            );
+            format!("{}\n{state}", tr(plant.material.label()))
         }
-        Block::Dynamic if scenario.noise.level == 0.0 => "off".to_owned(),
-        Block::Dynamic => format!("noise × {}", number(scenario.noise.level)),
+        Block::Dynamic if scenario.noise.level == 0.0 => tr("off").to_owned(),
+        Block::Dynamic => tr!("noise × {level}", level = told(scenario.noise.level)),
         Block::Dynamometer => {
-            format!("noise {} N", number(scenario.noise.level * scenario.noise.sensor_n))
+            let noise = scenario.noise.level * scenario.noise.sensor_n;
+            tr!("noise {force} N", force = told(noise))
         }
     }
 }
@@ -143,7 +154,7 @@ impl Brush {
 
     /// The name and value on a wire.
     pub fn label(&self, rect: Rect, course: &Course, value: &str) {
-        let name = course.wire.info().label;
+        let name = tr(course.wire.info().label);
         let name = || self.plain(name, NAME, self.palette.weak);
         let shown = || self.plain(value, VALUE, self.palette.text);
         let width = rect.width();
@@ -153,7 +164,7 @@ impl Brush {
             Style::Across => {
                 // A name that does not fit gives way to the symbol.
                 let name = if self.painter.layout_job(name()).size().x > width {
-                    typeset(course.wire.symbol, self.size(NAME), self.least, self.palette.weak)
+                    typeset(tr(course.wire.symbol), self.size(NAME), self.least, self.palette.weak)
                 } else {
                     name()
                 };
@@ -169,8 +180,12 @@ impl Brush {
                 self.text(rect.right_center(), Align2::RIGHT_TOP, shown(), width, 1);
             }
             Style::Short => {
-                let symbol =
-                    typeset(course.wire.symbol, self.size(VALUE), self.least, self.palette.weak);
+                let symbol = typeset(
+                    tr(course.wire.symbol),
+                    self.size(VALUE),
+                    self.least,
+                    self.palette.weak,
+                );
                 let used = self.text(rect.left_center(), Align2::LEFT_CENTER, symbol, width, 1);
                 let from = pos2(used.right() + self.s(5.0), middle.y);
                 self.text(from, Align2::LEFT_CENTER, shown(), rect.right() - from.x, 1);
@@ -295,8 +310,9 @@ impl Brush {
 
     /// A word of help.
     pub fn hint(&self, rect: Rect) {
-        let text = "Click a wire to plot it, a block for its equations. A full lamp: a limit acts, \
-                    or a model is used outside its range.";
+        let text =
+            tr("Click a wire to plot it, a block for its equations. A full lamp: a limit acts, \
+                       or a model is used outside its range.");
         let job = self.plain(text, NAME, self.palette.weak);
         self.text(rect.left_top(), Align2::LEFT_TOP, job, rect.width(), 7);
     }

@@ -10,6 +10,7 @@ use crate::app::theme::{self, Palette};
 use crate::app::widgets::setting::{Size, setting};
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
+use crate::base::language::tr;
 use crate::run::diagram::{WIRES, Wire};
 use crate::run::signals::signal;
 use crate::study::uses::Screen;
@@ -32,26 +33,27 @@ pub fn show(
             ui.set_width(ui.available_width());
             ui.horizontal(|ui| {
                 ui.heading(info.title(now.moment.scenario));
-                let help = touch::choice(ui, *explain, "?").on_hover_text("What is this?");
-                help.widget_info(|| {
-                    WidgetInfo::selected(Role::Button, true, *explain, "What is this?")
-                });
+                let what = tr("What is this?");
+                let help = touch::choice(ui, *explain, "?").on_hover_text(what);
+                help.widget_info(|| WidgetInfo::selected(Role::Button, true, *explain, what));
                 if help.clicked() {
                     *explain = !*explain;
                 }
             });
             if *explain {
-                ui.label(info.meaning);
+                ui.label(tr(info.meaning));
             }
-            let asked = signals(ui, &block.signals(now.moment.scenario));
-            section(ui, "Set here");
+            // What is looked for mostly: in sight from the card's head.
+            section(ui, tr("Set here"));
             for path in block.settings(now.moment.scenario) {
                 setting(ui, Screen::Console, path, now.moment.scenario, Size::Small, commands);
             }
-            section(ui, "As printed");
+            ui.add_space(4.0);
+            let asked = signals(ui, &block.signals(now.moment.scenario));
+            section(ui, tr("As printed"));
             for printed in block.printed(now.moment.scenario) {
                 formula(ui, printed.formula, palette.text);
-                ui.label(RichText::new(printed.source).small().color(palette.weak));
+                ui.label(RichText::new(tr(printed.source)).small().color(palette.weak));
             }
             section(ui, &block.now(now.moment.scenario));
             for line in live(block, &now.moment) {
@@ -80,8 +82,11 @@ fn live_line(ui: &mut Ui, line: &Live, palette: &Palette) {
     formula(ui, &line.values, palette.text);
     if !line.range.is_empty() {
         let standing = Standing::either(line.valid);
-        let word = if line.valid { "holds:" } else { "OUTSIDE:" };
-        let text = format!("{word} {}", line.range);
+        let text = if line.valid {
+            tr!("holds: {range}", range = line.range)
+        } else {
+            tr!("OUTSIDE: {range}", range = line.range)
+        };
         let job = typeset(&text, FORMULA, theme::note(ui.ctx()).size, standing.color(palette));
         let response = standing.lead(ui, job, TextWrapMode::Wrap);
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
@@ -93,11 +98,11 @@ fn live_line(ui: &mut Ui, line: &Live, palette: &Palette) {
 fn signals(ui: &mut Ui, ids: &[&'static str]) -> Option<Wire> {
     let mut asked = None;
     ui.horizontal_wrapped(|ui| {
-        ui.label("Plot:");
+        ui.label(tr("Plot:"));
         for id in ids {
             let Some(info) = signal(id) else { continue };
-            let button = ui.add(touch::small(ui, Button::new(info.label)));
-            if button.on_hover_text(info.doc.trim()).clicked() {
+            let button = ui.add(touch::small(ui, Button::new(tr(info.label))));
+            if button.on_hover_text(tr(info.doc).trim()).clicked() {
                 let known = WIRES.iter().find(|wire| wire.signal == *id && !wire.delayed);
                 let bare =
                     Wire { signal: info.id, symbol: "", delayed: false, from: None, to: &[] };

@@ -6,6 +6,7 @@ use super::brush::Brush;
 use super::layout::DiagramLayout;
 use super::moment::Now;
 use crate::app::panels::equation_cards::{Block, Moment};
+use crate::base::language::tr;
 use crate::run::diagram::{Lamp, Names, Wire};
 use crate::run::signals::FLAGS;
 
@@ -74,12 +75,13 @@ pub fn diagram(
 
 fn wire_label(ui: &Ui, id: Id, rect: Rect, wire: Wire, now: &Now<'_>) -> Response {
     let response = ui.interact(rect, id, Sense::click());
-    response
-        .widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Plot {}", wire.name())));
+    response.widget_info(|| {
+        WidgetInfo::labeled(Role::Button, true, tr!("Plot {signal}", signal = wire.name()))
+    });
     let value = now.text(wire);
     ui.ctx().accesskit_node_builder(id, |node| node.set_value(value));
     reveal(&response);
-    response.on_hover_text(format!("{}\n{}", wire.name(), wire.info().doc.trim()))
+    response.on_hover_text(format!("{}\n{}", wire.name(), tr(wire.info().doc).trim()))
 }
 
 fn block_button(ui: &Ui, block: Block, rect: Rect, now: &Now<'_>) -> Response {
@@ -106,5 +108,5 @@ fn state_in_words(lamps: &[Lamp], now: &Now<'_>) -> String {
     let lit = |bit: u32| lamps.iter().any(|lamp| lamp.bits & bit != 0) && row.has(bit);
     let lit = FLAGS.iter().filter(|flag| lit(flag.bit));
     let words: Vec<String> = lit.map(|flag| Names::of(scenario).flag(flag)).collect();
-    if words.is_empty() { "as it should be".to_owned() } else { words.join(", ") }
+    if words.is_empty() { tr("as it should be").to_owned() } else { words.join(", ") }
 }

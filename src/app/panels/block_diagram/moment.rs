@@ -73,7 +73,7 @@ impl<'a> Now<'a> {
             let quantised = self.moment.scenario.cnc.override_quantised;
             return format::override_percent(self.value(wire), quantised);
         }
-        format::quantity(self.value(wire), unit)
+        format::continued(format::quantity(self.value(wire), unit), row, wire.signal)
     }
 }
 

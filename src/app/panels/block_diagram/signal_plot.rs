@@ -8,6 +8,7 @@ use crate::app::format;
 use crate::app::session::Session;
 use crate::app::theme::{Look, Palette};
 use crate::app::widgets::plot::{pieces, still, tick};
+use crate::base::language::tr;
 use crate::run::diagram::Wire;
 use crate::run::signals::{SIGNALS, SignalInfo, signal};
 
@@ -67,11 +68,11 @@ fn traces(session: &Session, wire: Wire, span_s: [f64; 2], dead_s: f64) -> Vec<T
     let mut traces = Vec::new();
     if let Some((other, look)) = companion(wire.signal) {
         let points = points(session, other, span_s, 0.0);
-        traces.push(Trace { name: other.label.to_owned(), points, look });
+        traces.push(Trace { name: tr(other.label).to_owned(), points, look });
     }
     if wire.delayed {
         let points = points(session, info, span_s, 0.0);
-        traces.push(Trace { name: info.label.to_owned(), points, look: Look::Setpoint });
+        traces.push(Trace { name: tr(info.label).to_owned(), points, look: Look::Setpoint });
     }
     let delay_s = if wire.delayed { dead_s } else { 0.0 };
     let points = points(session, info, span_s, delay_s);

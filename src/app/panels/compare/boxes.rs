@@ -5,11 +5,12 @@ use egui::{Role, Stroke, Ui, WidgetInfo};
 use egui_plot::{BoxElem, BoxPlot, BoxSpread, MarkerShape, Points};
 
 use super::contest::Contest;
-use super::table::{printed_of, title, value};
+use super::table::{no_spread, printed_of, title, value};
 use crate::app::theme::Palette;
 use crate::app::widgets::legend;
 use crate::app::widgets::plot::{grid, still};
 use crate::app::widgets::touch;
+use crate::base::language::tr;
 use crate::run::job::Progress;
 use crate::study::compare::outcome::Measure;
 
@@ -24,10 +25,11 @@ pub fn show(ui: &mut Ui, contest: &Contest, measure: &mut Measure, belongs: bool
     let palette = Palette::at(ui);
     let (compared, reference) = (contest.table(), contest.reference());
     ui.horizontal_wrapped(|ui| {
-        ui.strong("Spread over the seeds:");
+        ui.strong(tr("Spread over the seeds:"));
         for one in Measure::ALL {
-            let response = touch::choice(ui, *measure == *one, one.name(reference));
-            let (is, name) = (*measure == *one, format!("Spread of {}", one.name(reference)));
+            let name = tr(one.name(reference));
+            let response = touch::choice(ui, *measure == *one, name);
+            let (is, name) = (*measure == *one, tr!("Spread of {measure}", measure = name));
             response.widget_info(|| WidgetInfo::selected(Role::Button, true, is, name.clone()));
             if response.clicked() {
                 *measure = *one;
@@ -51,7 +53,7 @@ pub fn show(ui: &mut Ui, contest: &Contest, measure: &mut Measure, belongs: bool
             );
             let color = palette.produced;
             let element = BoxElem::new(row(index), quartiles)
-                .name(&one.name)
+                .name(tr(&one.name))
                 .box_width(WIDTH)
                 .whisker_width(0.6 * WIDTH)
                 .fill(color.gamma_multiply(0.3))
@@ -68,17 +70,22 @@ pub fn show(ui: &mut Ui, contest: &Contest, measure: &mut Measure, belongs: bool
         }
     }
     if extent[0] > extent[1] {
-        ui.weak("No values yet: run the comparison.");
+        ui.weak(tr("No values yet: run the comparison."));
+        // The room of the plot: what stands below does not move when it comes.
+        ui.allocate_space(egui::vec2(0.0, ROW * compared.len() as f32 + AXIS));
         return;
     }
+    if no_spread(compared) {
+        ui.weak(tr("Every seed gave the same run: a box is a line."));
+    }
     ui.horizontal_wrapped(|ui| {
-        legend::points(ui, "mean", palette.command, MarkerShape::Circle);
+        legend::points(ui, tr("mean"), palette.command, MarkerShape::Circle);
         if !printed.is_empty() {
-            legend::points(ui, "printed in Table 1", palette.reference, MarkerShape::Diamond);
+            legend::points(ui, tr("printed in Table 1"), palette.reference, MarkerShape::Diamond);
         }
     });
     let margin = 0.06 * (extent[1] - extent[0]).max(1e-3);
-    let names: Vec<String> = compared.iter().rev().map(|one| one.name.clone()).collect();
+    let names: Vec<String> = compared.iter().rev().map(|one| tr(&one.name).to_owned()).collect();
     let rows = compared.len();
     let width = ui.available_width();
     let response = still("boxes", palette, [width, ROW * rows as f32 + AXIS])
@@ -98,14 +105,15 @@ pub fn show(ui: &mut Ui, contest: &Contest, measure: &mut Measure, belongs: bool
             plot.set_plot_bounds_y(-0.6..=rows as f64 - 0.4);
             let format = move |element: &BoxElem, _: &BoxPlot| {
                 let spread = &element.spread;
-                format!(
-                    "{}\nmost {}\nupper quartile {}\nmedian {}\nlower quartile {}\nleast {}",
-                    element.name,
-                    value(measure, spread.upper_whisker),
-                    value(measure, spread.quartile3),
-                    value(measure, spread.median),
-                    value(measure, spread.quartile1),
-                    value(measure, spread.lower_whisker),
+                tr!(
+                    "{name}\nmost {most}\nupper quartile {upper}\nmedian {median}\nlower quartile {lower}\n\
+                     least {least}",
+                    name = element.name,
+                    most = value(measure, spread.upper_whisker),
+                    upper = value(measure, spread.quartile3),
+                    median = value(measure, spread.median),
+                    lower = value(measure, spread.quartile1),
+                    least = value(measure, spread.lower_whisker),
                 )
             };
             plot.box_plot(
@@ -114,14 +122,19 @@ pub fn show(ui: &mut Ui, contest: &Contest, measure: &mut Measure, belongs: bool
             let dots = |name: &str, points, color, shape| {
                 Points::new(name.to_owned(), points).color(color).shape(shape).radius(4.5)
             };
-            plot.points(dots("mean", means, palette.command, MarkerShape::Circle));
-            plot.points(dots("printed", printed, palette.reference, MarkerShape::Diamond));
+            plot.points(dots(tr("mean"), means, palette.command, MarkerShape::Circle));
+            plot.points(dots(tr("printed"), printed, palette.reference, MarkerShape::Diamond));
         })
         .response;
     let Progress { done, total: all, .. } = contest.runs();
     response.widget_info(|| {
         let title = title(measure, reference);
-        let label = format!("Box plots of {title}, {:.0} of {all} runs", done.floor());
+        let label = tr!(
+            "Box plots of {title}, {done} of {n} runs",
+            title = title,
+            done = done.floor() as u64,
+            n = all as u64,
+        );
         WidgetInfo::labeled(Role::Figure, true, label)
     });
 }

@@ -4,13 +4,14 @@
 use std::sync::Arc;
 
 use crate::app::jobs::{Jobs, Work};
+use crate::base::language::{text, tr};
 use crate::base::settings::{SettingError, Value};
 use crate::blocks::cutting::material::Material;
 use crate::blocks::reference::Reference;
 use crate::run::job::Progress;
 use crate::run::scenario::Scenario;
 use crate::study::compare::contest::{ContestJob, ContestSoFar};
-use crate::study::compare::entrants::{BEYOND, Entrant, Method, ROUGHNESS, TABLE_1};
+use crate::study::compare::entrants::{Entrant, Method, ROUGHNESS, SHOP, methods};
 use crate::study::compare::entrants::{experiment_2, experiment_2_per_cut, on, set_dead_time};
 use crate::study::compare::load_step::{self, Transient};
 use crate::study::compare::robustness::{self, RobustnessRow};
@@ -26,13 +27,13 @@ const FIRST: u64 = 20_000;
 steadycut_core::choice! {
     /// The part that is milled.
     pub enum ContestPart {
+        /// The cut that is open in the console, from its start, with the settings that the console shows now.
+        Open = "open", "The console's cut";
         /// Experiment 2 of 2005, five straight cuts, one programmed feed: that of Table 1.
         Experiment2 = "experiment_2", "Experiment 2";
         /// The same with a programmed feed for every cut, as the plan finds them for the lightest
         /// sections: beyond the paper.
         PerCut = "per_cut", "Experiment 2, feeds per cut";
-        /// The scenario that is open in the console, at its start.
-        Open = "open", "Open scenario";
     }
 }
 
@@ -71,26 +72,47 @@ pub struct ContestSetup {
     pub dead_time: ContestDeadTime,
     /// The material.
     pub stock: Stock,
-    /// Who takes part, in the order of [`methods`].
-    pub chosen: Vec<bool>,
-}
-
-/// Everybody who can take part.
-pub fn methods() -> impl Iterator<Item = &'static Method> {
-    TABLE_1.iter().chain(BEYOND).chain(ROUGHNESS)
+    /// Who takes part in the parts of 2005 and in the console's cut, in the order of [`methods`].
+    takes_part: [Vec<bool>; 2],
 }
 
 impl Default for ContestSetup {
     fn default() -> Self {
-        let (part, dead_time, stock) =
-            (ContestPart::Experiment2, ContestDeadTime::AsIs, Stock::AsIs);
-        // Those of Ra have no place in the part of 2005 until they are asked for.
-        let chosen = methods().map(|method| ROUGHNESS.iter().all(|other| other.id != method.id));
-        Self { part, dead_time, stock, chosen: chosen.collect() }
+        let (part, dead_time, stock) = (ContestPart::Open, ContestDeadTime::AsIs, Stock::AsIs);
+        // Those of Ra, and what has yet to be taught in, have no place in the part of 2005 until they are
+        // asked for.
+        let of_2005 = methods().map(|method| !of_roughness(method) && !of_shop(method)).collect();
+        Self { part, dead_time, stock, takes_part: [of_2005, methods().map(|_| true).collect()] }
     }
 }
 
+/// Whether a way of control sets feed and speed by what Ra wants.
+fn of_roughness(method: &Method) -> bool {
+    ROUGHNESS.iter().any(|other| other.id == method.id)
+}
+
+/// Whether it is what the control of a machine tool offers.
+fn of_shop(method: &Method) -> bool {
+    SHOP.iter().any(|other| other.id == method.id)
+}
+
 impl ContestSetup {
+    /// Who takes part, in the order of [`methods`].
+    pub fn chosen(&self) -> &[bool] {
+        &self.takes_part[usize::from(self.part == ContestPart::Open)]
+    }
+
+    /// See [`Self::chosen`].
+    pub fn chosen_mut(&mut self) -> &mut [bool] {
+        &mut self.takes_part[usize::from(self.part == ContestPart::Open)]
+    }
+
+    /// Whether ways of control by Ra are left out of a part of 2005.
+    pub fn leaves_roughness_out(&self) -> bool {
+        let left_out = |(method, chosen): (&Method, &bool)| of_roughness(method) && !chosen;
+        self.part != ContestPart::Open && methods().zip(self.chosen()).any(left_out)
+    }
+
     /// The part's scenario as it is milled.
     fn base(&self, open: &Scenario) -> Result<Scenario, SettingError> {
         let mut base = match self.part {
@@ -171,6 +193,25 @@ impl Contest {
         self.load_step_n
     }
 
+    /// Whether AFC takes part without a reference force: it then cuts as conventional milling does.
+    pub fn teaches_in(&self) -> bool {
+        let untaught = self.base.controller.afc.references_n.is_empty();
+        untaught && methods().zip(&self.chosen).any(|(method, chosen)| of_shop(method) && *chosen)
+    }
+
+    /// The scenario that is compared.
+    pub fn scenario(&self) -> &Scenario {
+        &self.base
+    }
+
+    /// How many of its runs are done, where there are more to do.
+    pub fn not_whole(&self) -> Option<String> {
+        let runs = self.runs();
+        let done = runs.done.floor();
+        (done < runs.total)
+            .then(|| tr!("{done} of {n} runs done", done = done as u64, n = runs.total as u64))
+    }
+
     /// Control period of everybody, ms.
     pub fn control_period_ms(&self) -> f64 {
         self.base.run.control_period_ms
@@ -221,7 +262,8 @@ impl Robust {
     /// Begins it, or goes on.
     pub fn go_on(&mut self, jobs: &Jobs) {
         let new = || Tournament::new(robustness::entrants(), ROBUST_SEEDS);
-        let work = self.work.get_or_insert_with(|| jobs.take("Compare: conditions", new(), FIRST));
+        let work =
+            self.work.get_or_insert_with(|| jobs.take(text!("Compare: conditions"), new(), FIRST));
         work.go_on();
     }
 
@@ -295,7 +337,7 @@ impl Contests {
     fn show(&mut self, open: &Scenario, jobs: &Jobs) {
         self.refused = None;
         self.shown = None;
-        if !self.setup.chosen.contains(&true) {
+        if !self.setup.chosen().contains(&true) {
             return;
         }
         let base = match self.setup.base(open) {
@@ -305,18 +347,22 @@ impl Contests {
                 return;
             }
         };
-        let same = |one: &Contest| one.chosen == self.setup.chosen && one.base == base;
+        let same = |one: &Contest| one.chosen == self.setup.chosen() && one.base == base;
         let found = self.kept.iter().position(same).unwrap_or_else(|| {
             if self.kept.len() >= KEPT {
                 self.kept.remove(0);
             }
-            let chosen = methods().zip(&self.setup.chosen).filter(|(_, chosen)| **chosen);
+            let chosen = methods().zip(self.setup.chosen()).filter(|(_, chosen)| **chosen);
             let chosen: Vec<Method> = chosen.map(|(method, _)| *method).collect();
             let entrants = on(&base, &chosen);
-            let name = format!("Compare: {}", self.setup.part.label());
+            let of = match self.setup.part {
+                ContestPart::Open => base.info.name.as_str(),
+                part @ (ContestPart::Experiment2 | ContestPart::PerCut) => tr(part.label()),
+            };
+            let name = tr!("Compare: {what}", what = of);
             let job = ContestJob::new(entrants.clone(), self.seeds);
             let work = jobs.take(name, job, FIRST);
-            let (chosen, latest) = (self.setup.chosen.clone(), work.partial());
+            let (chosen, latest) = (self.setup.chosen().to_vec(), work.partial());
             let load_step_n = load_step::forces_n(&base);
             let seeds = self.seeds;
             self.kept.push(Contest { base, load_step_n, chosen, entrants, seeds, work, latest });

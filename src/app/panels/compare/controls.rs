@@ -1,42 +1,47 @@
 //! What is compared and how long: part, dead time, material, who takes part, seeds, run and pause.
 
-use egui::{Label, ProgressBar, RichText, Role, Ui, WidgetInfo};
+use egui::{CollapsingHeader, Label, ProgressBar, RichText, Role, Ui, WidgetInfo};
 
-use super::contest::{ContestDeadTime, ContestPart, Contests, Stock, methods};
+use super::contest::{ContestDeadTime, ContestPart, ContestSetup, Contests, Stock};
+use crate::app::format;
 use crate::app::jobs::time_left;
+use crate::app::session::Session;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::number::NumberField;
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
+use crate::base::language::tr;
 use crate::base::settings::Choice;
+use crate::blocks::control::ControllerKind;
 use crate::run::job::Progress;
+use crate::run::presets;
+use crate::run::scenario::{Scenario, param};
+use crate::study::compare::entrants::{Method, methods};
 
 /// Least and most seeds.
 const SEEDS: [u32; 2] = [1, 500];
 
-/// The rows of choices above the table; the open scenario has so many changes in its running cut.
-pub fn show(ui: &mut Ui, contests: &mut Contests, edits: usize) {
+/// The rows of choices above the table.
+pub fn show(ui: &mut Ui, contests: &mut Contests, session: &Session, narrow: bool) {
     let palette = Palette::at(ui);
     let setup = &mut contests.setup;
-    choose(ui, "Part", ContestPart::ALL, ContestPart::OPTIONS, ContestPart::label, &mut setup.part);
     choose(
         ui,
-        "Dead time",
-        ContestDeadTime::ALL,
-        ContestDeadTime::OPTIONS,
-        ContestDeadTime::label,
-        &mut setup.dead_time,
+        tr("Part"),
+        ContestPart::ALL,
+        ContestPart::OPTIONS,
+        ContestPart::label,
+        &mut setup.part,
     );
-    choose(ui, "Material", Stock::ALL, Stock::OPTIONS, Stock::label, &mut setup.stock);
-    ui.horizontal_wrapped(|ui| {
-        ui.label("Who takes part:");
-        for (method, chosen) in methods().zip(&mut setup.chosen) {
-            if touch::choice(ui, *chosen, method.name).clicked() {
-                *chosen = !*chosen;
-            }
-        }
-    });
+    if narrow {
+        // The table is in sight at once.
+        let head = CollapsingHeader::new(tr("Settings of the comparison"));
+        head.id_salt("settings of the comparison").show_unindented(ui, |ui| more(ui, setup));
+    } else {
+        more(ui, setup);
+    }
+    let mut said = String::new();
     ui.horizontal_wrapped(|ui| {
         let over = contests.shown().is_some_and(|contest| {
             let runs = contest.runs();
@@ -45,27 +50,28 @@ pub fn show(ui: &mut Ui, contests: &mut Contests, edits: usize) {
         let running = contests.shown().is_some_and(|contest| contest.work.is_running());
         let possible = contests.shown().is_some() && !over;
         if running {
-            let help = "Stands still; what is done stays";
-            if icon::button(ui, Icon::Pause, "Pause the comparison", help, true).clicked() {
+            let help = tr("Stands still; what is done stays");
+            if icon::button(ui, Icon::Pause, tr("Pause the comparison"), help, true).clicked() {
                 contests.shown().iter().for_each(|contest| contest.work.stop());
             }
         } else {
-            let help = "Runs everybody on every seed; it goes on while other screens are shown";
-            if icon::button(ui, Icon::Play, "Run the comparison", help, possible).clicked() {
+            let help = tr("Runs everybody on every seed; it goes on while other screens are shown");
+            if icon::button(ui, Icon::Play, tr("Run the comparison"), help, possible).clicked() {
                 contests.shown().iter().for_each(|contest| contest.work.go_on());
             }
         }
-        let name = ui.label("Seeds").id;
+        let name = ui.label(tr("Seeds")).id;
         let field = NumberField {
-            name: "Seeds",
+            name: tr("Seeds"),
             unit: "",
             range: SEEDS.map(f64::from),
             speed: 0.2,
             decimals: 0,
-            suffix: "",
+            least: 0, suffix: "",
         };
         let mut seeds = f64::from(contests.seeds);
-        let help = "Every seed is another material and other sensor noise, the same for everybody";
+        let help =
+            tr("Every seed is another material and other sensor noise, the same for everybody; without noise all seeds give the same run");
         field.show(ui, &mut seeds, &mut contests.said).labelled_by(name).on_hover_text(help);
         contests.seeds = seeds.round() as u32;
         if let Some(contest) = contests.shown() {
@@ -74,34 +80,124 @@ pub fn show(ui: &mut Ui, contests: &mut Contests, edits: usize) {
             ui.add(
                 ProgressBar::new(progress.share() as f32).desired_width(120.0).desired_height(10.0),
             );
-            let left = contest
-                .work
-                .left_s()
-                .map_or(String::new(), |left_s| format!(", {} left", time_left(left_s)));
             // The same counts as in the list of what goes on.
+            let (done, all) = (done.floor() as u64, all as u64);
             let state = match (over, running) {
-                (true, _) => "done".to_owned(),
-                (false, true) => match contest.load_steps() {
-                    Some([steps, of]) => format!("load step {steps} of {of}, then {all} runs"),
-                    None => format!("{progress}{left}"),
+                (true, _) => tr("done").to_owned(),
+                (false, true) => match (contest.load_steps(), contest.work.left_s()) {
+                    (Some([step, of]), _) => tr!(
+                        "load step {step} of {of}, then {n} runs",
+                        step = step,
+                        of = of,
+                        n = all,
+                    ),
+                    (None, Some(left_s)) => tr!(
+                        "{progress}, {time} left",
+                        progress = progress.to_string(),
+                        time = time_left(left_s),
+                    ),
+                    (None, None) => progress.to_string(),
                 },
-                (false, false) => format!("{:.0} of {all} runs done", done.floor()),
+                (false, false) => tr!("{done} of {n} runs done", done = done, n = all),
             };
-            ui.add(Label::new(RichText::new(state).color(palette.weak)).extend());
+            said = state;
         }
     });
-    if edits > 0 && contests.setup.part == ContestPart::Open {
-        let what = if edits == 1 { "change" } else { "changes" };
-        let text = format!(
-            "The scenario is compared as it starts: {edits} {what} in its running cut left out, since \
-             every way of control would have others."
+    // On a line of its own, which is there from the start: as it gets longer nothing moves.
+    if contests.shown().is_some() {
+        ui.add(Label::new(RichText::new(said).color(palette.weak)).truncate());
+    }
+    if contests.setup.part == ContestPart::Open {
+        what_is_compared(ui, session);
+    } else if contests.setup.leaves_roughness_out() {
+        let text = tr(
+            "SDNRP and Tracking set feed and speed by what Ra wants; this part of 2005 has a force to \
+                       hold, and its Table 1 does not know them. Off until they are chosen.",
         );
-        Standing::Watch.label(ui, &text, |text| text);
+        ui.label(RichText::new(text).small().color(palette.weak));
     }
     for problem in contests.said.iter().chain(&contests.refused) {
         Standing::Bad.label(ui, problem, |text| text);
     }
 }
+
+/// Dead time, material, and who takes part.
+fn more(ui: &mut Ui, setup: &mut ContestSetup) {
+    choose(
+        ui,
+        tr("Dead time"),
+        ContestDeadTime::ALL,
+        ContestDeadTime::OPTIONS,
+        ContestDeadTime::label,
+        &mut setup.dead_time,
+    );
+    choose(ui, tr("Material"), Stock::ALL, Stock::OPTIONS, Stock::label, &mut setup.stock);
+    ui.horizontal_wrapped(|ui| {
+        ui.label(tr("Who takes part:"));
+        for (method, chosen) in methods().zip(setup.chosen_mut()) {
+            let choice = touch::choice(ui, *chosen, tr(method.name)).on_hover_text(about(method));
+            if choice.clicked() {
+                *chosen = !*chosen;
+            }
+        }
+    });
+}
+
+/// What a way of control is.
+pub fn about(method: &Method) -> String {
+    let kind = method.on(&Scenario::default()).scenario.controller.kind;
+    let option = ControllerKind::OPTIONS.iter().find(|option| option.id == kind.id());
+    option.map_or(String::new(), |option| format!("{}: {}", option.label, option.doc))
+}
+
+/// Which cut is compared, and with which settings.
+fn what_is_compared(ui: &mut Ui, session: &Session) {
+    let weak = Palette::at(ui).weak;
+    let name = &session.scenario().info.name;
+    let title = presets::title(name).map_or(name.as_str(), tr);
+    let edited = !session.edits().list().is_empty();
+    let text = match edited || presets::is_changed(session.scenario()) {
+        true => tr!(
+            "Compared is “{title}, changed” ({name}), from its start, with the settings that the console shows now.",
+            title = title,
+            name = name,
+        ),
+        false => tr!(
+            "Compared is “{title}” ({name}), from its start, with the settings that the console shows now.",
+            title = title,
+            name = name,
+        ),
+    };
+    ui.label(RichText::new(text).small().color(weak));
+    let changed = not_repeated(session);
+    if !changed.is_empty() {
+        let text = tr!(
+            "Not repeated at their times: {changes}. What the console shows at {time} holds from the start, for \
+             everybody.",
+            changes = changed.join(", "),
+            time = format::time(session.playback().playhead_s),
+        );
+        Standing::Watch.label(ui, &text, |text| text);
+    }
+}
+
+/// The settings that were changed in the running cut, each once, with the time of its last change.
+fn not_repeated(session: &Session) -> Vec<String> {
+    let mut last: Vec<(&str, f64)> = Vec::new();
+    for edit in session.edits().list() {
+        last.retain(|(path, _)| *path != edit.path);
+        last.push((&edit.path, edit.at_s));
+    }
+    let more = last.len().saturating_sub(MOST_NAMED);
+    let named = last.iter().take(MOST_NAMED).map(|(path, at_s)| {
+        let name = param(path).map_or(*path, |param| tr(param.spec.label));
+        tr!("{name} (last at {time})", name = name, time = format::time(*at_s))
+    });
+    named.chain((more > 0).then(|| tr!("{n} more", n = more))).collect()
+}
+
+/// Changes that are named; the others are counted.
+const MOST_NAMED: usize = 4;
 
 /// A row of choices, one of them taken.
 fn choose<T: Copy + PartialEq>(
@@ -115,11 +211,11 @@ fn choose<T: Copy + PartialEq>(
     ui.horizontal_wrapped(|ui| {
         ui.label(format!("{title}:"));
         for (value, option) in all.iter().zip(options) {
-            let response = ui.selectable_label(*chosen == *value, label(*value));
-            let name = format!("{title}: {}", label(*value));
+            let response = ui.selectable_label(*chosen == *value, tr(label(*value)));
+            let name = format!("{title}: {}", tr(label(*value)));
             let is = *chosen == *value;
             response.widget_info(|| WidgetInfo::selected(Role::Button, true, is, name.clone()));
-            if response.on_hover_text(option.doc.replace('\n', " ")).clicked() {
+            if response.on_hover_text(tr(option.doc).replace('\n', " ")).clicked() {
                 *chosen = *value;
             }
         }

@@ -1,7 +1,7 @@
 //! Experiment 2 under other dead times and in another steel, nothing retuned, beside the figures of
 //! an independent prototype.
 
-use egui::{ProgressBar, RichText, ScrollArea, TextWrapMode, Ui};
+use egui::{ProgressBar, RichText, TextWrapMode, Ui};
 
 use super::contest::Robust;
 use super::sheets;
@@ -10,10 +10,11 @@ use crate::app::command::Command;
 use crate::app::jobs::Jobs;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
-use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::save_table::{SavedTable, TableOf, save_table_of};
+use crate::app::widgets::scaffold;
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
-use crate::run::job::Progress;
+use crate::base::language::tr;
 use crate::study::compare::outcome::Measure;
 use crate::study::compare::robustness::{CONDITIONS, RobustnessRow, material_claim, methods};
 use crate::study::verdict::Verdict;
@@ -26,40 +27,49 @@ const MEASURES: [Measure; 3] = [Measure::Nsn, Measure::Time, Measure::Force];
 pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
     ui.add_space(8.0);
-    ui.heading("Without retuning anything");
-    let text = "Experiment 2 at other dead times, which the controllers know, and in another steel, \
-                which they do not. Below each figure that of an independent prototype of the same \
-                equations, where it has one: it is no figure of the paper.";
+    ui.heading(tr("Without retuning anything"));
+    let text = tr(
+        "Experiment 2 at other dead times, which the controllers know, and in another steel, \
+                   which they do not. Below each figure that of an independent prototype of the same \
+                   equations, where it has one: it is no figure of the paper.",
+    );
     ui.label(RichText::new(text).color(palette.weak));
     let progress = robust.progress();
-    let Progress { done, total: all, .. } = progress;
+    let (done, all) = (progress.done.floor() as u64, progress.total as u64);
     ui.horizontal_wrapped(|ui| {
         let over = done >= all;
         if robust.is_running() {
-            let help = "Stands still; what is done stays";
-            if icon::button(ui, Icon::Pause, "Pause the conditions", help, true).clicked() {
+            let help = tr("Stands still; what is done stays");
+            if icon::button(ui, Icon::Pause, tr("Pause the conditions"), help, true).clicked() {
                 robust.stop();
             }
         } else {
-            let help = "Runs everybody under every condition";
-            if icon::button(ui, Icon::Play, "Run the conditions", help, !over).clicked() {
+            let help = tr("Runs everybody under every condition");
+            if icon::button(ui, Icon::Play, tr("Run the conditions"), help, !over).clicked() {
                 robust.go_on(jobs);
             }
         }
         ui.add(ProgressBar::new(progress.share() as f32).desired_width(120.0).desired_height(10.0));
-        ui.label(RichText::new(format!("{:.0} of {all} runs", done.floor())).color(palette.weak));
+        let text = tr!("{done} of {n} runs", done = done, n = all);
+        ui.label(RichText::new(text).color(palette.weak));
     });
     let rows = robust.rows();
+    let sheet = || sheets::robustness(rows);
+    let so_many = || tr!("{done} of {n} runs done", done = done, n = all);
+    let partial = (done < all).then_some(&so_many as &dyn Fn() -> String);
+    let saved =
+        SavedTable { what: "changed-conditions", of: TableOf::Named("experiment-2"), partial };
+    save_table_of(ui, &saved, !rows.is_empty(), sheet, commands);
     if rows.is_empty() {
         return;
     }
     let each = methods().count();
-    ScrollArea::horizontal().id_salt("robustness").show(ui, |ui| {
+    scaffold::across(ui, "robustness", |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
         touch::grid(ui, "robustness").striped(true).spacing([14.0, 4.0]).show(ui, |ui| {
-            ui.strong("Control");
+            ui.strong(tr("Control"));
             for condition in &CONDITIONS {
-                ui.strong(condition.label);
+                ui.strong(tr(condition.label));
             }
             ui.end_row();
             ui.label("");
@@ -68,7 +78,7 @@ pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs, commands: &mut Vec<Co
             }
             ui.end_row();
             for method in 0..each {
-                ui.label(&rows[method].found.name);
+                ui.label(tr(&rows[method].found.name));
                 for condition in 0..CONDITIONS.len() {
                     cell(ui, &rows[condition * each + method], palette);
                 }
@@ -76,13 +86,12 @@ pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs, commands: &mut Vec<Co
             }
         });
     });
-    save_table(ui, "changed-conditions", || sheets::robustness(rows), commands);
     if let Some(claim) = material_claim(rows) {
         let standing = Standing::either(claim.verdict == Verdict::Holds);
-        let mark = claim.verdict.label();
+        let mark = tr(claim.verdict.label());
         ui.horizontal_wrapped(|ui| {
             standing.label(ui, mark, RichText::strong);
-            ui.label(claim.paper);
+            ui.label(tr(claim.paper));
             ui.label(RichText::new(claim.found).color(palette.weak));
         });
     }

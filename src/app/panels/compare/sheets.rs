@@ -114,10 +114,11 @@ mod tests {
     use crate::study::compare::tournament::Tournament;
 
     #[test]
-    fn a_load_step_that_is_never_steady_has_an_empty_cell() {
+    fn a_load_step_that_nobody_is_back_from_has_an_empty_cell() {
         let transient = |name: &str, periods| Transient {
             name: name.to_owned(),
             periods,
+            unstable: false,
             overshoot_percent: 12.5,
             offset_percent: -0.25,
         };

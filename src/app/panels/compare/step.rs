@@ -1,6 +1,6 @@
 //! The load step: how long each way of control takes until the force is back.
 
-use egui::{RichText, ScrollArea, TextWrapMode, Ui};
+use egui::{RichText, TextWrapMode, Ui};
 
 use super::contest::Contest;
 use super::sheets;
@@ -8,8 +8,10 @@ use super::table::printed_of;
 use crate::app::command::Command;
 use crate::app::format;
 use crate::app::theme::Palette;
-use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::save_table::{SavedTable, TableOf, save_table_of};
+use crate::app::widgets::scaffold;
 use crate::app::widgets::touch;
+use crate::base::language::{text, tr};
 
 /// The section; the printed table belongs to what is shown or not.
 pub fn show(ui: &mut Ui, contest: &Contest, belongs: bool, commands: &mut Vec<Command>) {
@@ -18,38 +20,59 @@ pub fn show(ui: &mut Ui, contest: &Contest, belongs: bool, commands: &mut Vec<Co
     }
     let palette = Palette::at(ui);
     ui.add_space(8.0);
-    ui.heading("After a load step");
+    ui.horizontal_wrapped(|ui| {
+        ui.heading(tr("After a load step"));
+        let rows = contest.transients();
+        let so_many = || {
+            let told = |[done, all]: [usize; 2]| tr!("{done} of {n} done", done = done, n = all);
+            contest.load_steps().map(told).unwrap_or_default()
+        };
+        let saved = SavedTable {
+            what: "load-step",
+            of: TableOf::Cut(contest.scenario()),
+            partial: contest.load_steps().is_some().then_some(&so_many),
+        };
+        save_table_of(ui, &saved, !rows.is_empty(), || sheets::load_step(rows, belongs), commands);
+    });
     let [before_n, after_n] = contest.load_step_n();
-    let text = format!(
-        "From a section of {before_n:.0} N into one of {after_n:.0} N (static peaks in Ck45 at 100 % \
-         override), without noise: control periods of {} ms until the mean of four samples is back \
+    let text = tr!(
+        "From a section of {before:.0} N into one of {after:.0} N (static peaks in Ck45 at 100 % \
+         override), without noise: control periods of {period} ms until the mean of four samples is back \
          within 10 % for good. The paper prints iterations of an optimisation step without saying what \
          they are; they are shown beside.",
-        contest.control_period_ms()
+        before = before_n,
+        after = after_n,
+        period = contest.control_period_ms(),
     );
     ui.label(RichText::new(text).color(palette.weak));
     if contest.transients().is_empty() {
-        ui.weak("Not run yet: it comes first when the comparison runs.");
+        ui.weak(tr("Not run yet: it comes first when the comparison runs."));
         return;
     }
-    ScrollArea::horizontal().id_salt("load step").show(ui, |ui| {
+    scaffold::across(ui, "load step", |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
         steps(ui, contest, belongs);
     });
-    let sheet = || sheets::load_step(contest.transients(), belongs);
-    save_table(ui, "load-step", sheet, commands);
 }
 
 fn steps(ui: &mut Ui, contest: &Contest, belongs: bool) {
     let palette = Palette::at(ui);
     touch::grid(ui, "load step").striped(true).spacing([16.0, 4.0]).show(ui, |ui| {
-        for title in ["Control", "Periods", "Overshoot", "Left over", "Printed"] {
-            ui.strong(title);
+        for title in [
+            text!("Control"),
+            text!("Periods"),
+            text!("Overshoot"),
+            text!("Left over"),
+            text!("Printed"),
+        ] {
+            ui.strong(tr(title));
         }
         ui.end_row();
         for transient in contest.transients() {
-            ui.label(&transient.name);
-            let periods = transient.periods.map_or("never steady".to_owned(), |n| n.to_string());
+            ui.label(tr(&transient.name));
+            let periods = transient
+                .periods
+                .map_or(tr(transient.without_periods()).to_owned(), |n| n.to_string());
             ui.label(periods);
             ui.label(format::deviation(transient.overshoot_percent));
             ui.label(format::deviation(transient.offset_percent));

@@ -4,8 +4,9 @@
 use crate::app::format;
 use crate::app::panels::View;
 use crate::app::widgets::standing::Standing;
+use crate::base::language::{text, tr};
 use crate::blocks::reference::Reference;
-use crate::run::story::{EventKind, ResponseEnd, StepResponse, Story};
+use crate::run::story::{EventKind, Figures, ResponseEnd, StepResponse, Story, StoryEvent};
 
 /// What its card says.
 pub struct LoopAnswer {
@@ -15,6 +16,8 @@ pub struct LoopAnswer {
     pub standing: Standing,
     /// The lines below it.
     pub below: [String; 2],
+    /// What the band of settling is now, and why; empty where there is none.
+    pub band: String,
 }
 
 impl LoopAnswer {
@@ -23,84 +26,140 @@ impl LoopAnswer {
         let session = view.session;
         let now_s = session.row().time_s + 1e-9;
         let tolerance = session.current().target.tolerance_percent;
-        let Some((_, response)) = session.story().response_at(now_s) else {
+        let Some((event, response)) = session.story().response_at(now_s) else {
             let below = [String::new(), String::new()];
-            return Self { value: "-".to_owned(), standing: Standing::Plain, below };
+            return Self::new("-".to_owned(), Standing::Plain, below);
         };
-        let held = match session.current().target.reference {
-            Reference::Ra => "Ra",
-            Reference::Force => "force",
-        };
+        let held = session.current().target.reference;
         let found = Self::after(response, (held, tolerance), view.narrow);
+        let coupled = session.current().machine.coupled;
+        let off = shaken(event).filter(|_| coupled && held == Reference::Ra);
+        let shakes = off.is_some();
+        let found = match off {
+            Some(off) => found.with_dynamics(off, tolerance, view.narrow),
+            None => found,
+        };
+        let found = Self { band: band(response), ..found };
         let Some([word, stretch]) = was(session.story(), response, now_s) else { return found };
         // The last step alone is no verdict on a cut that swung or chattered.
         let standing = match found.standing {
             Standing::Good | Standing::Best | Standing::Plain => Standing::Watch,
             standing @ (Standing::Watch | Standing::Bad) => standing,
         };
-        let [settled, _] = found.below;
+        let [settled, with_dynamics] = found.below.clone();
+        let told = if shakes { with_dynamics } else { settled };
         let below = match view.narrow {
             true => [word, stretch],
-            false => [format!("{word} {stretch}"), settled],
+            false => [format!("{word} {stretch}"), told],
         };
-        Self { value: found.value, standing, below }
+        Self { standing, below, ..found }
+    }
+
+    fn new(value: String, standing: Standing, below: [String; 2]) -> Self {
+        Self { value, standing, below, band: String::new() }
+    }
+
+    /// The same with what the machine's vibration makes of it, a deviation in percent: what rests within the tolerance
+    /// may be outside it with that.
+    fn with_dynamics(self, off: f64, tolerance: f64, narrow: bool) -> Self {
+        let inside = off.abs() <= tolerance;
+        let standing = match (self.standing, inside) {
+            (standing, true) => standing,
+            (_, false) if off > 0.0 => Standing::Bad,
+            (Standing::Good | Standing::Best | Standing::Plain | Standing::Watch, false) => {
+                Standing::Watch
+            }
+            (Standing::Bad, false) => Standing::Bad,
+        };
+        let [settled, _] = self.below;
+        let error = format::deviation(off);
+        let told = match (inside, narrow) {
+            (true, false) => tr!("with dynamics {error} within", error = error),
+            (false, false) => tr!("with dynamics {error} outside", error = error),
+            (_, true) => tr!("with dynamics {error}", error = error),
+        };
+        Self::new(self.value, standing, [settled, told])
     }
 
     /// The answer to one change; what is held, and its tolerance in percent.
-    fn after(response: &StepResponse, held: (&str, f64), narrow: bool) -> Self {
-        let words = |value: &str, below: [&str; 2]| Self {
-            value: value.to_owned(),
-            standing: Standing::Plain,
-            below: below.map(str::to_owned),
+    fn after(response: &StepResponse, held: (Reference, f64), narrow: bool) -> Self {
+        let words = |value: &str, below: [&str; 2]| {
+            Self::new(value.to_owned(), Standing::Plain, below.map(str::to_owned))
         };
         match response.ends {
-            ResponseEnd::TooShort => words("-", ["too short to judge", ""]),
-            ResponseEnd::Moving => words("not at rest", ["still on its way", ""]),
+            ResponseEnd::TooShort if narrow => words("-", [tr("too short yet"), ""]),
+            ResponseEnd::TooShort => words("-", [tr("too short to judge"), ""]),
+            ResponseEnd::Moving => words(tr("not at rest"), [tr("still on its way"), ""]),
             ResponseEnd::Unstable => {
-                let of = |swing: Option<f64>, word: &str| {
-                    swing.map_or(String::new(), |size| {
-                        format!("{word} ±{}", format::quantity(size, "%"))
-                    })
-                };
-                let swing = response.oscillation;
-                let period = swing.map_or(String::new(), |swing| {
-                    format!("period {}, no rest", format::quantity(swing.period_s, "s"))
+                let below = response.oscillation.map(|swing| {
+                    let force = format::quantity(swing.force_percent, "%");
+                    let period = format::quantity(swing.period_s, "s");
+                    [
+                        tr!("force ±{swing}", swing = force),
+                        tr!("period {period}, no rest", period = period),
+                    ]
                 });
-                let below = [of(swing.map(|swing| swing.force_percent), "force"), period];
-                Self { value: "unstable".to_owned(), standing: Standing::Bad, below }
+                Self::new(tr(UNSTABLE).to_owned(), Standing::Bad, below.unwrap_or_default())
             }
             ResponseEnd::AtRest => Self::at_rest(response, held, narrow),
         }
     }
 
-    fn at_rest(response: &StepResponse, (held, tolerance): (&str, f64), narrow: bool) -> Self {
+    fn at_rest(response: &StepResponse, (held, tolerance): (Reference, f64), narrow: bool) -> Self {
         let below = transient(response, narrow);
         let Some(error) = response.remaining_error_percent else {
-            let value = if narrow { "no Ra" } else { "not judged" }.to_owned();
+            let value = if narrow { tr("no Ra") } else { tr("not judged") };
             let [settled, _] = below;
-            let below = ["outside the model".to_owned(), settled];
-            return Self { value, standing: Standing::Plain, below };
+            let why = if narrow { tr("outside the model") } else { tr("Ra outside its model") };
+            let below = [why.to_owned(), settled];
+            return Self::new(value.to_owned(), Standing::Plain, below);
         };
         let swing = response.swing_percent.unwrap_or_default();
         let inside = error.abs() <= tolerance;
-        let word = match (inside, narrow) {
-            (true, false) => " within",
-            (false, false) if error.abs() < 100.0 => " outside",
+        let written = format::deviation(error);
+        let value = match (inside, narrow) {
+            (true, false) => tr!("{error} within", error = written),
+            (false, false) if error.abs() < 100.0 => tr!("{error} outside", error = written),
             // The sign says it, and so much is outside anyway.
-            (false, false) | (_, true) => "",
+            (false, false) | (_, true) => written,
         };
         let standing = match (inside, error.abs() + swing <= tolerance) {
             (true, true) => Standing::Good,
             (true, false) => Standing::Watch,
+            // Smoother than asked is no scrap.
+            (false, _) if held == Reference::Ra && error < 0.0 => Standing::Watch,
             (false, _) => Standing::Bad,
         };
         let [settled, overshoot] = below;
-        let swings = if narrow { "±" } else { "swings by ±" };
-        let second = response
-            .told_swing_percent()
-            .map_or(overshoot, |swing| format!("{held} {swings}{}", format::quantity(swing, "%")));
-        let below = [settled, second];
-        Self { value: format!("{}{word}", format::deviation(error)), standing, below }
+        let told = if response.swings_on() { Some(swing) } else { response.told_swing_percent() };
+        let second = told.map_or(overshoot, |swing| {
+            let swing = format::quantity(swing, "%");
+            match (held, narrow) {
+                (Reference::Ra, true) => format!("Ra ±{swing}"),
+                (Reference::Ra, false) => tr!("Ra swings by ±{swing}", swing = swing),
+                (Reference::Force, true) => tr!("force ±{swing}", swing = swing),
+                (Reference::Force, false) => tr!("force swings by ±{swing}", swing = swing),
+            }
+        });
+        Self::new(value, standing, [settled, second])
+    }
+}
+
+/// What an unstable loop is called.
+const UNSTABLE: &str = text!("unstable");
+
+/// How far Ra with dynamics lies from its target at the end of a change's stretch, percent.
+fn shaken(event: &StoryEvent) -> Option<f64> {
+    match &event.figures {
+        Figures::Change(effect) => effect.after.and_then(|after| after.deviation_dyn_percent),
+        Figures::Air(_)
+        | Figures::Answer(_)
+        | Figures::Limit(_)
+        | Figures::Outside(_)
+        | Figures::Chatter(_)
+        | Figures::Wear(_)
+        | Figures::LimitCycle(_)
+        | Figures::End(_) => None,
     }
 }
 
@@ -109,30 +168,75 @@ fn was(story: &Story, response: &StepResponse, now_s: f64) -> Option<[String; 2]
     if response.is_unstable() {
         return None;
     }
-    let kinds = [(EventKind::LimitCycle, "unstable"), (EventKind::Chatter, "chattered")];
+    let kinds = [(EventKind::LimitCycle, UNSTABLE), (EventKind::Chatter, text!("chattered"))];
     let each = kinds.map(|(kind, word)| (word, story.stretches_until(kind, now_s)));
     let (word, stretches) = each.into_iter().find(|(_, stretches)| !stretches.is_empty())?;
     let [from_s, to_s] = stretches.last()?;
-    let more = if stretches.len() > 1 { ", and before" } else { "" };
-    Some([word.to_owned(), format!("{from_s:.1} to {to_s:.1} s{more}")])
+    let when = match stretches.len() > 1 {
+        true => tr!("{from:.1} to {to:.1} s, and before", from = *from_s, to = *to_s),
+        false => tr!("{from:.1} to {to:.1} s", from = *from_s, to = *to_s),
+    };
+    Some([tr(word).to_owned(), when])
+}
+
+/// The band that settling is judged by, with where it comes from.
+fn band(response: &StepResponse) -> String {
+    let noise = response.settling_band_percent.zip(response.band_of_noise_percent());
+    let Some((band, noise)) = noise else { return String::new() };
+    let of = |share: f64| format::quantity(share, "%");
+    let told = match of(noise) == of(0.0) {
+        true => tr!(
+            "The band is ±{band} here: the 2 % of the textbooks, since no noise moves the force at rest.",
+            band = of(band)
+        ),
+        false => tr!(
+            "The band is ±{band} here: the 2 % of the textbooks and {noise} for what noise still moves the force by \
+             at rest.",
+            band = of(band),
+            noise = of(noise)
+        ),
+    };
+    match response.swings_on() {
+        true => {
+            let on = tr("What is held swings by more than that: nothing settles here.");
+            format!(" {told} {on}")
+        }
+        false => format!(" {told}"),
+    }
 }
 
 /// How it came to rest: settling and overshoot, or that there was nothing of the kind.
 fn transient(response: &StepResponse, narrow: bool) -> [String; 2] {
-    let settling = match response.settling_time_s {
-        Some(settling_s) if !response.is_without_transient() => {
-            let word = if narrow { "force rests" } else { "force settles in" };
-            format!("{word} {}", format::quantity(settling_s, "s"))
-        }
-        Some(_) | None if narrow => "force steady".to_owned(),
-        Some(_) | None => "force settles at once".to_owned(),
-    };
     let band = format::quantity(response.settling_band_percent.unwrap_or_default(), "%");
-    let settled = if narrow { settling } else { format!("{settling} (±{band})") };
+    if response.swings_on() {
+        let swings = match narrow {
+            true => tr!("no rest (±{band})", band = band),
+            false => tr!("does not settle (±{band})", band = band),
+        };
+        return [swings, String::new()];
+    }
+    let settled = match response.settling_time_s {
+        Some(settling_s) if !response.is_without_transient() => {
+            let time = format::quantity(settling_s, "s");
+            match narrow {
+                true => tr!("force rests {time}", time = time),
+                false => tr!("force settles in {time} (±{band})", time = time, band = band),
+            }
+        }
+        Some(_) | None if narrow => tr("force steady").to_owned(),
+        Some(_) | None => tr!("force settles at once (±{band})", band = band),
+    };
     let overshoot = response.overshoot_percent.filter(|_| !response.is_without_transient());
-    let overshoot = overshoot.map_or("no transient".to_owned(), |overshoot| {
-        let word = if narrow { "over" } else { "its overshoot" };
-        format!("{word} {}", format::quantity(overshoot, "%"))
+    let overshoot = overshoot.map_or(tr("no transient").to_owned(), |overshoot| {
+        let size = format::quantity(overshoot, "%");
+        // Beside a peak in the plot "overshoot 0.0 %" reads as wrong: the peak is the change's own.
+        let jump = response.jump_percent.filter(|_| size == format::quantity(0.0, "%"));
+        match (jump.map(format::deviation), narrow) {
+            (Some(jump), true) => tr!("jump {jump}", jump = jump),
+            (Some(jump), false) => tr!("jump {jump}, no overshoot", jump = jump),
+            (None, true) => tr!("overshoot {size}", size = size),
+            (None, false) => tr!("its overshoot {size}", size = size),
+        }
     });
     [settled, overshoot]
 }

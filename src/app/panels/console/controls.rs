@@ -4,11 +4,17 @@
 use egui::{CollapsingHeader, ComboBox, RichText, Role, Ui, WidgetInfo};
 
 use super::Windows;
-use crate::app::command::{Command, SessionCommand};
+use super::afc;
+use super::operator;
+use super::workpiece::EDIT_HELP;
+use crate::app::command::{Command, HandCommand, SessionCommand, ShellCommand};
 use crate::app::panels::View;
+use crate::app::panels::machine::STABILITY;
+use crate::app::session::NO_OTHER_SCENARIO;
 use crate::app::theme::Palette;
 use crate::app::widgets::setting::{Size, setting};
 use crate::app::widgets::target::target as target_of;
+use crate::base::language::{text, tr};
 use crate::blocks::control::ControllerKind;
 use crate::run::presets::{self, PresetGroup};
 use crate::run::scenario::table;
@@ -23,31 +29,39 @@ const FIRST: [&str; 5] =
 const TARGET: &str = "target.ra_um";
 
 /// Groups below the fold, with their titles, around those of the controllers: what is asked for most first.
-const BEFORE: &[(&str, &str)] = &[("target", "Target")];
+const BEFORE: &[(&str, &str)] = &[("target", text!("Target"))];
 const AFTER: &[(&str, &str)] = &[
-    ("workpiece", "Workpiece"),
-    ("program", "NC program"),
-    ("cnc", "CNC and dead time"),
-    ("belief", "What the controller believes"),
-    ("noise", "Noise"),
-    ("plant", "Plant"),
-    ("formula", "Own formulas of the models"),
-    ("tool", "Cutter"),
-    ("wear", "Wear over the tool's life"),
-    ("feed_drive", "Feed drive"),
-    ("spindle_drive", "Spindle drive"),
-    ("machine", "Machine"),
-    ("life", "Sound and tool life"),
-    ("profile", "Roughness profile"),
-    ("plan", "Off-line plan"),
-    ("run", "Run"),
-    ("", "Name"),
+    ("workpiece", text!("Workpiece")),
+    ("disturbances", text!("Disturbances")),
+    ("economics", text!("What a cut costs")),
+    ("program", text!("NC program")),
+    ("twin", text!("What constant feed to compare with")),
+    ("cnc", text!("CNC and dead time")),
+    ("belief", text!("What the controller believes")),
+    ("noise", text!("Noise")),
+    ("plant", text!("Plant")),
+    ("formula", text!("Own formulas of the models")),
+    ("tool", text!("Cutter")),
+    ("wear", text!("Wear over the tool's life")),
+    ("feed_drive", text!("Feed drive")),
+    ("spindle_drive", text!("Spindle drive")),
+    ("machine", text!("Machine")),
+    ("life", text!("Sound and tool life")),
+    ("profile", text!("Roughness profile")),
+    ("plan", text!("Off-line plan")),
+    ("run", text!("Run")),
+    ("", text!("Name")),
 ];
 
 /// The groups below the fold, with their titles, in order.
 fn groups() -> impl Iterator<Item = (&'static str, &'static str)> {
     let controllers = ControllerKind::ALL.iter().map(|kind| (kind.group(), kind.label()));
     BEFORE.iter().copied().chain(controllers).chain(AFTER.iter().copied())
+}
+
+/// The title of a group of settings.
+pub fn group_title(group: &str) -> Option<&'static str> {
+    groups().find_map(|(path, title)| (path == group).then_some(title))
 }
 
 /// The first controls: target Ra, material and hardness, noise, wear, controller.
@@ -79,23 +93,35 @@ fn concerns(group: &str, kind: ControllerKind) -> bool {
 /// The windows on part and revolution, and all other settings by group.
 pub fn more(ui: &mut Ui, view: &View<'_>, windows: &mut Windows, commands: &mut Vec<Command>) {
     ui.horizontal_wrapped(|ui| {
-        let help = "The part from the side: drag its depths and its ends, or type them in a table";
-        if ui.button("Edit depths\u{2026}").on_hover_text(help).clicked() {
+        if ui.button(tr("Edit depths\u{2026}")).on_hover_text(tr(EDIT_HELP)).clicked() {
             windows.workpiece.toggle(view);
         }
-        let help = "The forces on the tool at 28.8 kHz over the last turns before the playhead";
-        if ui.button("Within a revolution\u{2026}").on_hover_text(help).clicked() {
+        let help = tr(
+            "The depth from which on this machine chatters, over the speed: on the screen Machine",
+        );
+        if ui.button(tr("Limit depth\u{2026}")).on_hover_text(help).clicked() {
+            commands.push(Command::Shell(ShellCommand::ShowPart("machine", STABILITY)));
+        }
+        let help = tr("The forces on the tool at 28.8 kHz over the last turns before the playhead");
+        if ui.button(tr("Within a revolution\u{2026}")).on_hover_text(help).clicked() {
             windows.revolution.open = !windows.revolution.open;
+        }
+        if ui.button(tr("Operator\u{2026}")).on_hover_text(tr(operator::HELP)).clicked() {
+            commands.push(Command::hand(HandCommand::Toggle));
+        }
+        let chosen = view.session.current().controller.kind == ControllerKind::Afc;
+        if chosen && ui.button("AFC\u{2026}").on_hover_text(tr(afc::HELP)).clicked() {
+            windows.afc.open = !windows.afc.open;
         }
     });
     ui.add_space(6.0);
-    CollapsingHeader::new("More settings").id_salt("more").show_unindented(ui, |ui| {
+    CollapsingHeader::new(tr("More settings")).id_salt("more").show_unindented(ui, |ui| {
         let scenario = view.session.current();
         for (group, title) in groups() {
             if !concerns(group, scenario.controller.kind) {
                 continue;
             }
-            CollapsingHeader::new(title).id_salt(("group", group)).show(ui, |ui| {
+            CollapsingHeader::new(tr(title)).id_salt(("group", group)).show(ui, |ui| {
                 let rest = table().iter().filter(|param| {
                     param.group == group
                         && param.path != TARGET
@@ -113,30 +139,56 @@ pub fn more(ui: &mut Ui, view: &View<'_>, windows: &mut Windows, commands: &mut 
 pub fn scenarios(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     let info = &view.session.scenario().info;
     let width = ui.available_width();
-    let shown = presets::title(&info.name).unwrap_or(&info.name);
-    let response = ComboBox::from_id_salt("preset")
+    let title = presets::title(&info.name).map_or(info.name.as_str(), tr);
+    // What is not the shipped scenario any more does not go by its name alone.
+    let edited = !view.session.edits().list().is_empty();
+    let changed = edited || presets::is_changed(view.session.scenario());
+    let shown = match changed {
+        true => tr!("{scenario}, changed", scenario = title),
+        false => title.to_owned(),
+    };
+    let locked = view.session.has_locks();
+    let list = ComboBox::from_id_salt("preset")
         .width(width)
         .truncate()
-        .selected_text(format!("Scenario: {shown}"))
-        .height(PRESETS_HEIGHT)
-        .show_ui(ui, |ui| {
-            for group in PresetGroup::ALL {
-                ui.label(RichText::new(group.label()).small().color(Palette::at(ui).weak));
+        .selected_text(tr!("Scenario: {scenario}", scenario = shown))
+        .height(PRESETS_HEIGHT);
+    let show = |ui: &mut Ui| {
+        let shown = list.show_ui(ui, |ui| {
+            for (number, group) in PresetGroup::ALL.iter().enumerate() {
+                if number > 0 {
+                    ui.separator();
+                }
+                ui.strong(tr(group.label()));
                 for preset in presets::of_group(*group) {
                     let help = format!("{}: steadycut run {0}", preset.name);
-                    let choice = ui.selectable_label(preset.name == info.name, preset.title);
+                    let choice = ui.selectable_label(preset.name == info.name, tr(preset.title));
                     if choice.on_hover_text(help).clicked() {
                         let load = SessionCommand::LoadPreset(preset.name.to_owned());
                         commands.push(Command::Session(load));
                     }
                 }
             }
-        })
-        .response;
-    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Scenario"));
-    response.on_hover_text("The shipped scenarios");
+        });
+        shown.response
+    };
+    let response = ui.add_enabled_ui(!locked, show).inner;
+    response.widget_info(|| WidgetInfo {
+        current_text_value: Some(shown.clone()),
+        ..WidgetInfo::labeled(Role::ComboBox, !locked, tr("Scenario"))
+    });
+    let help = tr("The shipped scenarios");
+    response.on_hover_text(help).on_disabled_hover_text(tr(NO_OTHER_SCENARIO));
     if !info.description.is_empty() {
-        ui.label(RichText::new(&info.description).small().color(Palette::at(ui).weak));
+        // What was changed since may be other than its text says.
+        let told = match (presets::title(&info.name).is_some(), changed) {
+            (_, false) => tr(&info.description).to_owned(),
+            (true, true) => tr!("As shipped: {about}", about = tr(&info.description)),
+            (false, true) => {
+                tr!("Without the changes made in the cut: {about}", about = tr(&info.description))
+            }
+        };
+        ui.label(RichText::new(told).small().color(Palette::at(ui).weak));
     }
 }
 

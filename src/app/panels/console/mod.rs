@@ -1,15 +1,24 @@
 //! The console: headline comparison, controls, and the plots of the run.
 
+mod afc;
 mod answer;
 mod bands;
+mod cards;
 mod controls;
+mod disturb;
 mod headline;
+pub(super) mod operator;
 mod revolution;
 mod story;
-mod workpiece;
+pub(super) mod workpiece;
 
 use egui::{CentralPanel, CollapsingHeader, Ui};
 
+use afc::AfcWindow;
+pub use controls::group_title;
+use disturb::DisturbWindow;
+pub use operator::CUT_BY_HAND;
+use operator::OperatorView;
 use revolution::RevolutionWindow;
 use workpiece::WorkpieceWindow;
 
@@ -17,9 +26,12 @@ use super::{Panel, View};
 use crate::app::command::{Command, PlaybackCommand};
 use crate::app::format;
 use crate::app::theme::{self, Look};
+use crate::app::timeline::try_again;
 use crate::app::widgets::chart::{self, Axes, Chart, ChartCurve};
 use crate::app::widgets::scaffold;
+use crate::base::language::{text, tr};
 use crate::base::units::ratio_from_percent;
+use crate::study::opening::FramePart;
 
 /// The first screen.
 #[derive(Default)]
@@ -28,7 +40,10 @@ pub struct ConsolePanel {
     follow: bool,
     /// Whether the plots followed the playhead until they were zoomed, and will when they fit again.
     follows_again: bool,
+    /// Whether the line that says what the program is was closed.
+    introduced: bool,
     windows: Windows,
+    operator: OperatorView,
 }
 
 /// The windows over this screen.
@@ -36,6 +51,8 @@ pub struct ConsolePanel {
 struct Windows {
     revolution: RevolutionWindow,
     workpiece: WorkpieceWindow,
+    afc: AfcWindow,
+    disturb: DisturbWindow,
 }
 
 const fn main(signal: &'static str) -> ChartCurve {
@@ -47,7 +64,7 @@ const fn other(signal: &'static str, look: Look) -> ChartCurve {
 }
 
 /// The paper's six quantities, with overrides and depth of cut.
-fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
+pub(in crate::app::panels) fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
     let scenario = view.session.current();
     let tolerance = ratio_from_percent(scenario.target.tolerance_percent);
     let chart = |id, title, curves| Chart {
@@ -61,15 +78,15 @@ fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
     };
     let cnc = &scenario.cnc;
     let limits = vec![
-        ("Least override", cnc.override_min_percent),
-        ("Largest override", cnc.override_max_percent),
+        (text!("Least override"), cnc.override_min_percent),
+        (text!("Largest override"), cnc.override_max_percent),
     ];
     [
         Chart {
             band: Some(("ra_target_um", tolerance)),
             ..chart(
                 "roughness",
-                "Roughness",
+                text!("Roughness"),
                 const {
                     &[
                         other("ra_dyn_um", Look::Dynamics),
@@ -83,7 +100,7 @@ fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
             band: Some(("force_ref_n", theme::FORCE_BAND)),
             ..chart(
                 "force",
-                "Force",
+                text!("Force"),
                 const {
                     &[
                         other("force_dyn_n", Look::Dynamics),
@@ -96,12 +113,12 @@ fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
         },
         chart(
             "feed",
-            "Feed",
+            text!("Feed"),
             const { &[other("feed_command_mm_min", Look::Command), main("feed_mm_min")] },
         ),
         chart(
             "spindle",
-            "Spindle speed",
+            text!("Spindle speed"),
             const { &[other("spindle_command_rpm", Look::Command), main("spindle_rpm")] },
         ),
         Chart {
@@ -114,7 +131,7 @@ fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
             },
             ..chart(
                 "override",
-                "Override",
+                text!("Override"),
                 const {
                     &[
                         other("spindle_override_percent", Look::Command),
@@ -124,7 +141,7 @@ fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
             )
         },
         // From the data alone: a step of a tenth of the depth must be seen.
-        chart("depth", "Depth of cut", const { &[main("axial_depth_mm")] }),
+        chart("depth", text!("Depth of cut"), const { &[main("axial_depth_mm")] }),
     ]
 }
 
@@ -139,11 +156,11 @@ impl Panel for ConsolePanel {
     }
 
     fn title(&self) -> &'static str {
-        "Console"
+        text!("Console")
     }
 
     fn words(&self) -> &'static str {
-        "start home plots run simulation digest"
+        text!("start home plots run simulation digest")
     }
 
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
@@ -151,6 +168,10 @@ impl Panel for ConsolePanel {
         if follow != self.follow {
             (self.follow, self.follows_again) = (follow, false);
             self.axes.fit();
+        }
+        self.operator.follow(ui, view);
+        if self.operator.show(ui, view, commands) {
+            return;
         }
         if view.narrow {
             self.narrow(ui, view, commands);
@@ -165,35 +186,53 @@ impl Panel for ConsolePanel {
         }
         self.windows.revolution.show(ui, view, commands);
         self.windows.workpiece.show(ui, view, commands);
+        self.windows.afc.show(ui, view, commands);
+        self.windows.disturb.show(ui, view, commands);
+    }
+
+    fn left(&mut self) {
+        self.operator.left();
     }
 }
 
 impl ConsolePanel {
     fn wide(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        scaffold::controls(ui, "controls", |ui| {
-            controls::scenarios(ui, view, commands);
-            ui.add_space(6.0);
-            controls::first(ui, view, commands);
-            ui.add_space(6.0);
-            controls::more(ui, view, &mut self.windows, commands);
-        });
+        if !view.frame.hides(FramePart::Settings) {
+            scaffold::controls(ui, "controls", |ui| self.settings(ui, view, commands));
+        }
         scaffold::middle(ui, |ui| {
             headline::show(ui, view);
             ui.add_space(2.0);
-            story::show(ui, view, commands);
+            story::sentences(ui, view);
+            story::events(ui, view, commands);
             self.plots(ui, view, columns(ui), false, commands);
         });
+    }
+
+    fn settings(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        controls::scenarios(ui, view, commands);
+        ui.add_space(6.0);
+        controls::first(ui, view, commands);
+        ui.add_space(6.0);
+        disturb::buttons(ui, view, &mut self.windows.disturb.open, commands);
+        ui.add_space(6.0);
+        controls::more(ui, view, &mut self.windows, commands);
+        // Below everything: as it goes it moves nothing.
+        ui.add_space(8.0);
+        story::introduction(ui, view, &mut self.introduced);
     }
 
     /// In one column, but for the plots where there is room beside each other.
     fn narrow(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         CentralPanel::no_frame().frame(scaffold::narrow()).show(ui, |ui| {
-            // Where it is low as well, the headline is scrolled with the plots.
+            // Where it is low as well, headline and target are scrolled with the plots.
             let low = ui.available_height() < theme::LOW;
             if !low {
                 headline::show(ui, view);
+                if !view.frame.hides(FramePart::Settings) {
+                    controls::target(ui, view, commands);
+                }
             }
-            controls::target(ui, view, commands);
             self.plots(ui, view, columns(ui), low, commands);
         });
     }
@@ -210,16 +249,22 @@ impl ConsolePanel {
         let charts = charts(view);
         let rows = charts.len() / columns;
         scaffold::column(ui, "plots").show(ui, |ui| {
+            let settings = !view.frame.hides(FramePart::Settings);
             if with_headline {
                 headline::show(ui, view);
+                if settings {
+                    controls::target(ui, view, commands);
+                }
             }
-            if view.narrow {
+            if view.narrow && settings {
                 // With the plots in one page: a page in a page is hard to scroll.
-                CollapsingHeader::new("Settings").show_unindented(ui, |ui| {
+                let header = CollapsingHeader::new(tr("Settings")).id_salt("Settings");
+                let header = header.show_unindented(ui, |ui| {
                     controls::scenarios(ui, view, commands);
                     controls::first_but_target(ui, view, commands);
                     controls::more(ui, view, &mut self.windows, commands);
                 });
+                disturb::switch(ui, header.header_response.rect, &mut self.windows.disturb.open);
             }
             // Room for the last label of each time axis.
             let gap = egui::vec2(18.0, ui.spacing().item_spacing.y);
@@ -236,7 +281,13 @@ impl ConsolePanel {
             for (i, row) in charts.chunks(columns).enumerate() {
                 // On a phone the first plot comes first, to be in sight.
                 if view.narrow && i == 1 {
-                    story::show(ui, view, commands);
+                    // The events before the sentences, which may take all that is left below the plot.
+                    story::events(ui, view, commands);
+                    story::introduction(ui, view, &mut self.introduced);
+                    story::sentences(ui, view);
+                    if settings {
+                        try_again(ui, view, commands);
+                    }
                 }
                 ui.horizontal_top(|ui| {
                     ui.spacing_mut().item_spacing.x = 0.5 * gap.x;

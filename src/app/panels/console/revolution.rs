@@ -11,6 +11,7 @@ use crate::app::jobs::Work;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::legend;
 use crate::app::widgets::window::{self, WindowPlace};
+use crate::base::language::{text, tr};
 use crate::base::settings::Value;
 use crate::blocks::cutting::process::ForceModel;
 use crate::run::one_run::Repeat;
@@ -23,6 +24,9 @@ const EVERY_S: f64 = 0.25;
 const FIRST: u64 = 8_000;
 /// Plant steps in a control period and rows in it where it is switched on from here: 28.8 kHz.
 const STEPS: [i64; 2] = [576, 96];
+
+/// Title of the window, and name of its work.
+const TITLE: &str = text!("Within a revolution");
 
 /// What the horizontal axis is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -71,21 +75,23 @@ impl Default for RevolutionWindow {
     }
 }
 
+/// Name of the line of the reference.
+const DESIRED: &str = text!("Desired force");
 /// The lines: name and look, in the order of the samples' values.
 const LINES: [(&str, Look); 4] = [
-    ("Fxy, across the tool", Look::Produced),
-    ("Fx, along the feed", Look::Axis(0)),
-    ("Fy, across the feed", Look::Axis(1)),
-    ("Fz, along the tool", Look::Axis(2)),
+    (text!("Fxy, across the tool"), Look::Produced),
+    (text!("Fx, along the feed"), Look::Axis(0)),
+    (text!("Fy, across the feed"), Look::Axis(1)),
+    (text!("Fz, along the tool"), Look::Axis(2)),
 ];
 
 impl RevolutionWindow {
     /// Shows it, if it is open.
     pub fn show(&mut self, ui: &Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let height = theme::OVERLAY_HEIGHTS[1];
-        let place = WindowPlace { screen: ui.max_rect(), narrow: view.narrow, height };
+        let place = WindowPlace { screen: ui.max_rect(), narrow: view.narrow, height, share: 1.0 };
         let mut open = self.open;
-        window::show(ui.ctx(), "Within a revolution", place, &mut open, |ui| {
+        window::show(ui.ctx(), TITLE, place, &mut open, |ui| {
             self.content(ui, view, commands);
         });
         self.open = open;
@@ -101,7 +107,7 @@ impl RevolutionWindow {
                 self.picture(ui, view);
             }
             None if by_teeth && self.work.as_ref().is_some_and(Work::is_running) => {
-                ui.label("The run is being repeated up to this moment.");
+                ui.label(tr("The run is being repeated up to this moment."));
             }
             Some(_) | None => nothing(ui, by_teeth, commands),
         }
@@ -130,7 +136,7 @@ impl RevolutionWindow {
             let repeat = self.repeat.clone().filter(|(changes, _)| *changes == key.0);
             let before = repeat.map(|(_, repeat)| repeat);
             let job = RevolutionJob::new(run, playhead_s, self.turns, before);
-            self.work = Some(view.jobs.begin_brief("Within a revolution", job, FIRST));
+            self.work = Some(view.jobs.begin_brief(TITLE, job, FIRST));
         }
     }
 
@@ -150,18 +156,18 @@ impl RevolutionWindow {
     fn head(&mut self, ui: &mut Ui, csv: String, commands: &mut Vec<Command>) {
         ui.horizontal_wrapped(|ui| {
             let before = (self.turns, self.axis);
-            for (turns, name) in [(1, "1 turn"), (2, "2 turns")] {
+            for (turns, name) in [(1, tr("1 turn")), (2, tr("2 turns"))] {
                 ui.selectable_value(&mut self.turns, turns, name);
             }
             ui.separator();
-            ui.selectable_value(&mut self.axis, Axis::Angle, "Angle");
-            ui.selectable_value(&mut self.axis, Axis::Time, "Time");
+            ui.selectable_value(&mut self.axis, Axis::Angle, tr("Angle"));
+            ui.selectable_value(&mut self.axis, Axis::Time, tr("Time"));
             ui.separator();
             if before != (self.turns, self.axis) {
                 self.zoomed = None;
             }
-            let help = "Save these samples as CSV: time, angle, Fx, Fy, Fz, Fxy";
-            let button = ui.button("Samples as CSV").on_hover_text(help);
+            let help = tr("Save these samples as CSV: time, angle, Fx, Fy, Fz, Fxy");
+            let button = ui.button(tr("Save CSV")).on_hover_text(help);
             if button.clicked() {
                 commands.push(Command::File(FileCommand::SaveCsv {
                     what: "revolution".to_owned(),
@@ -171,13 +177,13 @@ impl RevolutionWindow {
         });
         ui.scope(|ui| {
             ui.spacing_mut().item_spacing = egui::vec2(10.0, 1.0);
-            legend::row(ui, "the revolution", |ui| {
+            legend::row(ui, tr("the revolution"), |ui| {
                 for ((name, look), hidden) in LINES.into_iter().zip(&mut self.hidden) {
-                    if legend::entry(ui, name, look, *hidden).pressed {
+                    if legend::entry(ui, tr(name), look, *hidden).pressed {
                         *hidden = !*hidden;
                     }
                 }
-                legend::sample(ui, "Desired force", Look::Reference);
+                legend::sample(ui, tr(DESIRED), Look::Reference);
             });
         });
     }
@@ -194,20 +200,18 @@ fn csv_of(shown: &Revolution) -> String {
 fn nothing(ui: &mut Ui, by_teeth: bool, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
     if by_teeth {
-        ui.label("The force was not simulated tooth by tooth at this moment of the run.");
+        ui.label(tr("The force was not simulated tooth by tooth at this moment of the run."));
         return;
     }
-    ui.label(
-        RichText::new("The force of this cut is the maximum that a formula or a network gives.")
-            .strong(),
-    );
-    ui.label(
+    let text = tr("The force of this cut is the maximum that a formula or a network gives.");
+    ui.label(RichText::new(text).strong());
+    ui.label(tr(
         "To look into a revolution, the force has to be simulated tooth by tooth: the mechanistic \
          model of the ball-end mill, at 28.8 kHz.",
-    );
+    ));
     ui.add_space(6.0);
     ui.horizontal_wrapped(|ui| {
-        if ui.button("Simulate tooth by tooth").clicked() {
+        if ui.button(tr("Simulate tooth by tooth")).clicked() {
             let [steps, rows] = STEPS;
             let model = ForceModel::Mechanistic.id().to_owned();
             commands.push(Command::Session(SessionCommand::SetUp(vec![
@@ -216,11 +220,11 @@ fn nothing(ui: &mut Ui, by_teeth: bool, commands: &mut Vec<Command>) {
                 ("run.record_every".to_owned(), Value::Int(rows)),
             ])));
         }
-        if ui.button("Load Experiment 2").clicked() {
+        if ui.button(tr("Load Experiment 2")).clicked() {
             commands.push(Command::Session(SessionCommand::LoadPreset("experiment-2".to_owned())));
         }
     });
-    let text = "Both can be undone. The first keeps this scenario and changes its plant.";
+    let text = tr("Both can be undone. The first keeps this scenario and changes its plant.");
     ui.label(RichText::new(text).small().color(palette.weak));
     ui.add_space(theme::PLOT_HEIGHT_MIN * 0.2);
 }

@@ -9,13 +9,14 @@ mod table;
 use egui::{RichText, Ui};
 
 use super::super::View;
-use crate::app::command::Command;
+use crate::app::command::{Command, PlaybackCommand};
 use crate::app::format;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::setting::{Size, setting};
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::window::{self, WindowPlace};
+use crate::base::language::{text, tr};
 use crate::base::settings::Value;
 use crate::blocks::cutting::tool_path::{ToolPath, wall_mm};
 use crate::blocks::cutting::workpiece::{DepthProfile, Workpiece};
@@ -31,9 +32,13 @@ use picture::PicturePart;
 const CUTS: &str = "workpiece.cuts";
 /// The parts of the papers, as shipped scenarios have them.
 const PARTS: [(&str, &str); 2] =
-    [("Experiment 1", "experiment-1"), ("Experiment 2", "experiment-2")];
+    [(text!("Experiment 1"), "experiment-1"), (text!("Experiment 2"), "experiment-2")];
 /// A section as it is added: length, axial depth, wall, mm.
 const NEW_SECTION: Section = [30.0, 2.0, 2.0];
+
+/// What the buttons that open the window say it is for.
+pub const EDIT_HELP: &str =
+    text!("The part from the side: drag its depths and its ends, or type them in a table");
 
 /// The window.
 #[derive(Default)]
@@ -84,9 +89,9 @@ impl WorkpieceWindow {
     /// Shows it, if it is open.
     pub fn show(&mut self, ui: &Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         let height = theme::OVERLAY_HEIGHTS[0];
-        let place = WindowPlace { screen: ui.max_rect(), narrow: view.narrow, height };
+        let place = WindowPlace { screen: ui.max_rect(), narrow: view.narrow, height, share: 1.0 };
         let mut open = self.open;
-        window::show(ui.ctx(), "Workpiece", place, &mut open, |ui| {
+        window::show(ui.ctx(), text!("Workpiece"), place, &mut open, |ui| {
             self.content(ui, view, commands);
         });
         self.open = open;
@@ -141,25 +146,27 @@ impl WorkpieceWindow {
     fn choose(&mut self, ui: &mut Ui, cuts: &mut Vec<Vec<Section>>, tool_cut: usize) {
         ui.horizontal_wrapped(|ui| {
             for number in 0..cuts.len() {
-                let name = format!("Cut {}", number + 1);
-                let mark = if number == tool_cut { format!("{name}, tool") } else { name };
+                let mark = match number == tool_cut {
+                    true => tr!("Cut {number}, tool", number = number + 1),
+                    false => tr!("Cut {number}", number = number + 1),
+                };
                 ui.selectable_value(&mut self.cut, number, mark);
             }
             let room = cuts.len() < MAX_CUTS;
-            let full = format!("At most {MAX_CUTS} cuts");
-            let add = ui.add_enabled(room, egui::Button::new("Add a cut"));
+            let full = tr!("At most {n} cuts", n = MAX_CUTS);
+            let add = ui.add_enabled(room, egui::Button::new(tr("Add a cut")));
             if add.on_disabled_hover_text(&full).clicked() {
                 cuts.push(vec![NEW_SECTION]);
                 self.cut = cuts.len() - 1;
             }
-            let name = format!("Duplicate cut {}", self.cut + 1);
+            let name = tr!("Duplicate cut {number}", number = self.cut + 1);
             if icon::button(ui, Icon::Copy, &name, if room { &name } else { &full }, room).clicked()
             {
                 cuts.insert(self.cut + 1, cuts[self.cut].clone());
                 self.cut += 1;
             }
-            let name = format!("Remove cut {}", self.cut + 1);
-            let last = "The last cut stays: `One path` goes without cuts";
+            let name = tr!("Remove cut {number}", number = self.cut + 1);
+            let last = tr("The last cut stays: “One path” goes without cuts");
             let several = cuts.len() > 1;
             if icon::button(ui, Icon::Close, &name, if several { &name } else { last }, several)
                 .clicked()
@@ -188,11 +195,25 @@ impl WorkpieceWindow {
             table::move_stretch(&scenario.workpiece, cut_to_mm, moved, commands);
         }
         table::profile(ui, scenario, cut_to_mm, commands, &mut self.said);
+        // There at all times, so that nothing comes under the finger that pressed it.
+        let grey = table::any_is_cut(&scenario.workpiece, cut_to_mm);
+        let back = ui.add_enabled(grey, egui::Button::new(tr("Back to the start")));
+        let help =
+            tr("What is grey is cut already: at the start of the cut every stretch can be changed");
+        if back.on_hover_text(help).on_disabled_hover_text(help).clicked() {
+            commands.push(Command::Playback(PlaybackCommand::SeekTo(0.0)));
+        }
         if under_way {
             let at = format::quantity(tool_mm, "mm");
-            let text = format!(
+            let text = tr!(
                 "The tool is at {at}: changed depths act from there and from now on. A stretch that \
-                 begins before it holds only for what of it is still to be cut; what is cut stays."
+                 begins before it holds only for what of it is still to be cut; what is cut stays.",
+                at = at
+            );
+            ui.label(RichText::new(text).small().color(Palette::at(ui).weak));
+        } else if view.session.finished().is_some() {
+            let text = tr(
+                "The cut is over: changed depths are those of the whole part, which is cut anew from its start.",
             );
             ui.label(RichText::new(text).small().color(Palette::at(ui).weak));
         }
@@ -208,14 +229,16 @@ impl WorkpieceWindow {
     ) -> Option<Moved> {
         let length_mm: f64 = part.sections.iter().map(|section| section[0]).sum();
         let place = match part.tool_mm {
-            at if at == f64::NEG_INFINITY => "still to be cut".to_owned(),
-            at if at == f64::INFINITY => "cut already".to_owned(),
-            at if at < 0.0 => "the tool comes in from the air".to_owned(),
-            at => format!("tool at {}", format::quantity(at, "mm")),
+            at if at == f64::NEG_INFINITY => tr("still to be cut").to_owned(),
+            at if at == f64::INFINITY => tr("cut already").to_owned(),
+            at if at < 0.0 => tr("the tool comes in from the air").to_owned(),
+            at => tr!("tool at {place}", place = format::quantity(at, "mm")),
         };
         let length = format::quantity(length_mm, "mm");
-        ui.label(RichText::new(format!("{length} long, {place}")).strong());
+        let text = tr!("{length} long, {place}", length = length, place = place);
+        ui.label(RichText::new(text).strong());
         let (map, moved) = picture::show(ui, part, &mut self.hand);
+        let moved = moved.or_else(|| self.hand.field(ui, &mut self.said));
         let place_mm = [begin_mm, length_mm];
         self.material.show(ui, view.session.current(), &map, place_mm, part.tool_mm);
         ui.add_space(4.0);
@@ -229,19 +252,21 @@ fn parts(ui: &mut Ui, workpiece: &Workpiece, outline: &Outline, commands: &mut V
         commands.push(Command::set(CUTS, Value::from(cuts)));
     };
     ui.horizontal_wrapped(|ui| {
-        ui.label("Take the part of");
+        ui.label(tr("Take the part of"));
         for (name, preset) in PARTS {
-            let help = "Takes over the cuts alone; the scenario of this name also sets controller, \
-                        noise and feed";
-            if ui.button(name).on_hover_text(help).clicked()
+            let help = tr(
+                "Takes over the cuts alone; the scenario of this name also sets controller, noise and feed",
+            );
+            if ui.button(tr(name)).on_hover_text(help).clicked()
                 && let Ok(scenario) = presets::load(preset)
             {
                 set(scenario.workpiece.cuts.clone());
             }
         }
         if workpiece.cuts.is_empty() {
-            let help = "One straight cut with this path's depths, the tool coming in from the air";
-            if ui.button("Make cuts of the path").on_hover_text(help).clicked() {
+            let help =
+                tr("One straight cut with this path's depths, the tool coming in from the air");
+            if ui.button(tr("Make cuts of the path")).on_hover_text(help).clicked() {
                 let mut sections = path_sections(workpiece, outline);
                 sections.retain(|section| section[0] >= MIN_SECTION_MM);
                 sections.truncate(MAX_SECTIONS);
@@ -252,8 +277,8 @@ fn parts(ui: &mut Ui, workpiece: &Workpiece, outline: &Outline, commands: &mut V
                 set(vec![sections]);
             }
         } else {
-            let help = "No cuts: the path with its length, depths and depth profile";
-            if ui.button("One path").on_hover_text(help).clicked() {
+            let help = tr("No cuts: the path with its length, depths and depth profile");
+            if ui.button(tr("One path")).on_hover_text(help).clicked() {
                 set(Vec::new());
             }
         }

@@ -8,9 +8,11 @@ use super::machine::{marks, vibration};
 use super::models::{desired_force, roughness};
 use super::overrides::overrides;
 pub use crate::base::equation::Live;
+use crate::base::language::tr;
 use crate::base::units::percent_from_ratio;
+use crate::models::formula_model::FormulaModel;
 use crate::models::structure::RoughnessFrom;
-use crate::run::explanation::explain_force;
+use crate::run::explanation::{explain_force, of_own};
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 
@@ -36,8 +38,16 @@ pub fn live(block: Block, moment: &Moment<'_>) -> Vec<Live> {
         Block::Controller => controller(&belief, row, scenario),
         Block::Override => overrides(row, scenario),
         Block::DeadTime => dead_time(row, scenario, delayed),
-        Block::FeedDrive => vec![feed_drive(row, scenario, delayed[0])],
-        Block::SpindleDrive => vec![spindle_drive(row, scenario, delayed[1])],
+        Block::FeedDrive => {
+            let own = scenario.feed_drive.curve.get();
+            let own = own.map(|own| reached(own, ["f_{rest}", "f_c"], delayed[0]));
+            own.into_iter().chain([feed_drive(row, scenario, delayed[0])]).collect()
+        }
+        Block::SpindleDrive => {
+            let own = scenario.spindle_drive.curve.get();
+            let own = own.map(|own| reached(own, ["n_{rest}", "n_c"], delayed[1]));
+            own.into_iter().chain([spindle_drive(row, scenario, delayed[1])]).collect()
+        }
         Block::Cutting => explain_force(scenario, row),
         Block::Dynamic if scenario.machine.coupled => {
             vec![dynamic(row, scenario), vibration(row, scenario)]
@@ -61,14 +71,19 @@ fn dead_time(row: &Row, scenario: &Scenario, delayed: [f64; 2]) -> Vec<Live> {
     let dead_s = scenario.cnc.dead_time_s;
     let line = |symbol: &str, now: f64, then: f64, unit: &str| {
         Live::everywhere(
-            format!("{symbol}_c delayed by {} s", number(dead_s)),
-            format!("in {}, out {} {unit}", number(now), number(then)),
+            tr!("{symbol}_c delayed by {time} s", symbol = symbol, time = number(dead_s)),
+            tr!("in {now}, out {then} {unit}", now = number(now), then = number(then), unit = unit),
         )
     };
     vec![
         line("f", row.feed_command_mm_min, delayed[0], "mm/min"),
         line("n", row.spindle_command_rpm, delayed[1], "1/min"),
     ]
+}
+
+/// What a drive reaches at rest, by a formula of one's own.
+fn reached(own: &FormulaModel, [symbol, input]: [&str; 2], command: f64) -> Live {
+    of_own(own, symbol, &[(input, command)], own.at(&[command]))
 }
 
 fn feed_drive(row: &Row, scenario: &Scenario, command: f64) -> Live {
@@ -80,8 +95,12 @@ fn feed_drive(row: &Row, scenario: &Scenario, command: f64) -> Live {
         _ => sum(&[(1.0, "s^3"), (a2, "s^2"), (a1, "s"), (a0, "")]),
     };
     Live::everywhere(
-        format!("f_a / f_c = {} / ({polynomial})  ({})", number(a0), kind.label()),
-        format!("f_c = {} gives f_a = {} mm/min", number(command), number(row.feed_mm_min)),
+        format!("f_a / f_c = {} / ({polynomial})  ({})", number(a0), tr(kind.label())),
+        tr!(
+            "f_c = {command} gives f_a = {feed} mm/min",
+            command = number(command),
+            feed = number(row.feed_mm_min)
+        ),
     )
 }
 
@@ -103,7 +122,7 @@ fn spindle_drive(row: &Row, scenario: &Scenario, command: f64) -> Live {
             number(tau),
             number(slope.round())
         ),
-        range: format!("a straight ramp beyond {} 1/min of error", number(rate * tau)),
+        range: tr!("a straight ramp beyond {error} 1/min of error", error = number(rate * tau)),
         valid: asked == slope,
     }
 }
@@ -112,12 +131,12 @@ fn dynamic(row: &Row, scenario: &Scenario) -> Live {
     let noise = &scenario.noise;
     let share = if row.force_n > 0.0 { row.force_dyn_n / row.force_n - 1.0 } else { 0.0 };
     Live::everywhere(
-        format!(
-            "level {}: band {} %, ripple {} %, inhomogeneity {} %",
-            number(noise.level),
-            number(noise.band_percent),
-            number(noise.ripple_percent),
-            number(noise.inhomogeneity_percent)
+        tr!(
+            "level {level}: band {band} %, ripple {ripple} %, inhomogeneity {inhomogeneity} %",
+            level = number(noise.level),
+            band = number(noise.band_percent),
+            ripple = number(noise.ripple_percent),
+            inhomogeneity = number(noise.inhomogeneity_percent)
         ),
         format!(
             "F_{{dyn}} = {} · (1 + {} %) = {} N",
@@ -130,12 +149,18 @@ fn dynamic(row: &Row, scenario: &Scenario) -> Live {
 
 fn dynamometer(row: &Row, scenario: &Scenario) -> Live {
     let deviation = scenario.noise.level * scenario.noise.sensor_n;
+    let symbol = "F_{dyn}";
     Live::everywhere(
-        format!("F_m = F_{{dyn}} + noise of {} N (standard deviation)", number(deviation)),
-        format!(
-            "F_m = {} N, held since the last sample; F_{{dyn}} now {} N",
-            number(row.force_measured_n),
-            number(row.force_dyn_n)
+        tr!(
+            "F_m = {symbol} + noise of {deviation} N (standard deviation)",
+            symbol = symbol,
+            deviation = number(deviation)
+        ),
+        tr!(
+            "F_m = {measured} N, held since the last sample; {symbol} now {force} N",
+            measured = number(row.force_measured_n),
+            symbol = symbol,
+            force = number(row.force_dyn_n)
         ),
     )
 }

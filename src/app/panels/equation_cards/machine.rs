@@ -2,6 +2,7 @@
 
 use super::formula::number;
 use crate::base::equation::Live;
+use crate::base::language::tr;
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 
@@ -9,15 +10,15 @@ use crate::run::signals::Row;
 pub fn vibration(row: &Row, scenario: &Scenario) -> Live {
     let machine = &scenario.machine;
     Live::everywhere(
-        format!(
-            "P = F g / max g - {} · {} b (u - u_T), g the teeth's chip, u_T one tooth earlier",
-            number(machine.specific_cutting_force_n_mm2),
-            number(machine.directional_factor)
+        tr!(
+            "P = F g / max g - {force} · {factor} b (u - u_T), g the teeth's chip, u_T one tooth earlier",
+            force = number(machine.specific_cutting_force_n_mm2),
+            factor = number(machine.directional_factor)
         ),
-        format!(
-            "u = {} um as the last tooth made the surface; velocity {} mm/s over the last second",
-            number(row.vibration_um),
-            number(row.sound_mm_s)
+        tr!(
+            "u = {vibration} um as the last tooth made the surface; velocity {sound} mm/s over the last second",
+            vibration = number(row.vibration_um),
+            sound = number(row.sound_mm_s)
         ),
     )
 }
@@ -25,7 +26,7 @@ pub fn vibration(row: &Row, scenario: &Scenario) -> Live {
 /// Ra with dynamics where it comes from the marks of the teeth.
 pub fn marks(row: &Row) -> Live {
     Live::everywhere(
-        "Ra_{dyn} = Ra + Ra(marks) - Ra(marks without vibration)",
+        tr("Ra_{dyn} = Ra + Ra(marks) - Ra(marks without vibration)"),
         format!(
             "Ra_{{dyn}} = {} + {} = {} um",
             number(row.ra_um),

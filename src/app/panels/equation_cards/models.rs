@@ -7,6 +7,7 @@ use super::laws::{
 };
 use crate::app::format;
 use crate::base::equation::Live;
+use crate::base::language::tr;
 use crate::base::math;
 use crate::models::Valued;
 use crate::models::formula_model::FormulaModel;
@@ -26,7 +27,18 @@ const M5: [f64; 2] = [3.018, -0.0341];
 type Law = (String, String, String);
 
 fn from_to(symbol: &str, [low, high]: [f64; 2], unit: &str) -> String {
-    format!("{symbol} {} to {} {}", number(low), number(high), format::unit(unit))
+    tr!(
+        "{symbol} {low} to {high} {unit}",
+        symbol = symbol,
+        low = number(low),
+        high = number(high),
+        unit = format::unit(unit)
+    )
+}
+
+/// A range beyond which a law goes straight on.
+fn straight_beyond(range: String) -> String {
+    tr!("{range}; straight on beyond", range = range)
 }
 
 fn live(symbol: &str, (formula, values, range): Law, answer: Valued, unit: &str) -> Live {
@@ -42,7 +54,7 @@ fn live(symbol: &str, (formula, values, range): Law, answer: Valued, unit: &str)
 fn own(model: &FormulaModel, symbol: &str, unit: &str, x: f64) -> Law {
     let [formula, values] = model.shown(&[symbol], &[x]);
     let range = model.inputs().first().map_or([x, x], |input| [input.range.low, input.range.high]);
-    (formula, values, format!("{}; straight on beyond", from_to(symbol, range, unit)))
+    (formula, values, straight_beyond(from_to(symbol, range, unit)))
 }
 
 /// Model 1 at the target.
@@ -60,7 +72,7 @@ pub fn desired_force(belief: &GeneticModels, row: &Row) -> Live {
         ForceRoughness::K1K5 => (
             "293 - 593 / √(39.37 Ra)".to_owned(),
             format!("293 - 593 / √(39.37 · {})", number(ra)),
-            format!("F_d at least {} N", number(FORCE_REF_MIN_N)),
+            tr!("F_d at least {force} N", force = number(FORCE_REF_MIN_N)),
         ),
         ForceRoughness::M1M5 { .. } => (
             polynomial(&M1, "Ra"),
@@ -70,7 +82,7 @@ pub fn desired_force(belief: &GeneticModels, row: &Row) -> Live {
         ForceRoughness::Curve(curve) => (
             curve_formula(&curve, "Ra"),
             curve_with(&curve, ra),
-            format!("{}; straight on beyond", from_to("Ra", [curve.low, curve.high], "um")),
+            straight_beyond(from_to("Ra", [curve.low, curve.high], "um")),
         ),
     };
     if force.value == FORCE_REF_MIN_N {
@@ -89,22 +101,22 @@ pub fn feed(belief: &GeneticModels, force_n: f64) -> Live {
         FeedLaw::K2 => (
             "25.4 (189 - 5926160 / F_s^2)".to_owned(),
             format!("25.4 (189 - 5926160 / {}^2)", number(force_n.max(1.0))),
-            format!("F_s from {} N on; below it the feed is negative", number(K2_MIN_N)),
+            tr!("F_s from {force} N on; below it the feed is negative", force = number(K2_MIN_N)),
         ),
         FeedLaw::M2 => (
             polynomial(&strategy_2013::M2.coefficients, "F_s"),
             polynomial_with(&strategy_2013::M2.coefficients, force_n),
-            "F_s where the feed is positive and rises with it".to_owned(),
+            tr("F_s where the feed is positive and rises with it").to_owned(),
         ),
         FeedLaw::M2Restored(quartic) => (
             polynomial(&quartic.coefficients, "F_s"),
             quartic_with(&quartic, force_n, M2_RESTORED_RANGE_N),
-            format!("{}; straight on beyond", from_to("F_s", M2_RESTORED_RANGE_N, "N")),
+            straight_beyond(from_to("F_s", M2_RESTORED_RANGE_N, "N")),
         ),
         FeedLaw::Curve(curve) => (
             curve_formula(&curve, "F_s"),
             curve_with(&curve, force_n),
-            format!("{}; straight on beyond", from_to("F_s", [curve.low, curve.high], "N")),
+            straight_beyond(from_to("F_s", [curve.low, curve.high], "N")),
         ),
     };
     live("f_c", law, belief.feed_from_force(force_n), "mm/min")
@@ -126,18 +138,18 @@ pub fn speed(belief: &GeneticModels, force_n: f64) -> Live {
                 } else {
                     format!("√(max(0, {radicand}))")
                 },
-                format!("F_s up to {} N; above it there is no root", number(K3_MAX_N)),
+                tr!("F_s up to {force} N; above it there is no root", force = number(K3_MAX_N)),
             )
         }
         SpeedLaw::Exponential(law, range) => (
             exponential(&law, "F_s"),
             exponential_with(&law, force_n),
-            format!("{}; goes on beyond", from_to("F_s", range, "N")),
+            tr!("{range}; goes on beyond", range = from_to("F_s", range, "N")),
         ),
         SpeedLaw::Curve(curve) => (
             curve_formula(&curve, "F_s"),
             curve_with(&curve, force_n),
-            format!("{}; straight on beyond", from_to("F_s", [curve.low, curve.high], "N")),
+            straight_beyond(from_to("F_s", [curve.low, curve.high], "N")),
         ),
     };
     live("n_c", law, answer, "1/min")
@@ -146,8 +158,8 @@ pub fn speed(belief: &GeneticModels, force_n: f64) -> Live {
 /// Model 5 or 6 at a force, with the symbols of its output and input.
 pub fn roughness(plant: &GeneticModels, force_n: f64, ra_symbol: &str, force_symbol: &str) -> Live {
     if force_n <= 0.0 {
-        let formula = format!("{ra_symbol}: the tool is in the air");
-        return Live::everywhere(formula, "no force, so no surface is cut");
+        let formula = tr!("{symbol}: the tool is in the air", symbol = ra_symbol);
+        return Live::everywhere(formula, tr("no force, so no surface is cut"));
     }
     let ra = plant.ra_from_force(force_n);
     if let Some(model) = &plant.own.ra {
@@ -165,7 +177,7 @@ pub fn roughness(plant: &GeneticModels, force_n: f64, ra_symbol: &str, force_sym
             (
                 curve_inverse_formula(&curve, force_symbol),
                 curve_inverse(&curve, force_n),
-                format!("{}; straight on beyond", from_to(force_symbol, ends, "N")),
+                straight_beyond(from_to(force_symbol, ends, "N")),
             )
         }
     };
@@ -184,7 +196,7 @@ fn k5(plant: &GeneticModels, force_n: f64, symbol: &str) -> Law {
         straight_on(end, 2.0 * end / (293.0 - K5_MAX_N), force_n, K5_MAX_N)
     };
     let range = from_to(symbol, [0.0, K5_MAX_N], "N");
-    let range = format!("{range}; straight on beyond, before its pole at 293 N");
+    let range = tr!("{range}; straight on beyond, before its pole at 293 N", range = range);
     (format!("0.0254 (593 / (293 - {symbol}))^2"), values, range)
 }
 
@@ -197,6 +209,10 @@ fn m5(leading: f64, force_n: f64, symbol: &str) -> Law {
     (
         polynomial(&coefficients, symbol),
         polynomial_with(&coefficients, force_n),
-        format!("{}; it turns round at {} N", from_to(symbol, [low, high], "N"), number(turns_n)),
+        tr!(
+            "{range}; it turns round at {force} N",
+            range = from_to(symbol, [low, high], "N"),
+            force = number(turns_n)
+        ),
     )
 }

@@ -2,6 +2,7 @@
 
 use super::formula::number;
 use crate::base::equation::Live;
+use crate::base::language::tr;
 use crate::base::units::percent_from_ratio;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::run::closed_loop::limits;
@@ -61,9 +62,9 @@ fn command(channel: &Channel, scenario: &Scenario) -> Live {
     let Channel { name, symbol, unit, programmed, .. } = *channel;
     let [low, high] = channel.range.map(|limit| number(percent_from_ratio(limit / programmed)));
     let limited = format!("limit({symbol} / {symbol}_p, {low}..{high} %)");
-    let wanted = if scenario.cnc.override_rate_limited { "ramp" } else { &limited };
+    let wanted = if scenario.cnc.override_rate_limited { tr("ramp") } else { &limited };
     let sent = if scenario.cnc.override_quantised {
-        format!("round({wanted}) to whole %")
+        tr!("round({wanted}) to whole %", wanted = wanted)
     } else {
         wanted.to_owned()
     };
@@ -76,7 +77,13 @@ fn command(channel: &Channel, scenario: &Scenario) -> Live {
             number(programmed),
             number(channel.command)
         ),
-        range: format!("{symbol} {least} to {most} {unit}"),
+        range: tr!(
+            "{symbol} {low} to {high} {unit}",
+            symbol = symbol,
+            low = least,
+            high = most,
+            unit = unit
+        ),
         valid: !channel.saturated,
     }
 }
@@ -87,19 +94,34 @@ fn ramp(channel: &Channel, scenario: &Scenario) -> Live {
     let rate = scenario.cnc.override_rate_percent_s;
     let period_s = scenario.control_period_s();
     let [low, high] = channel.range.map(|limit| number(percent_from_ratio(limit / programmed)));
-    let state = if channel.rate_limited { "on its way" } else { "arrived" };
+    let [rate, period, step] = [rate, period_s, rate * period_s].map(number);
+    let values = if channel.rate_limited {
+        tr!(
+            "rate T = {rate} %/s · {period} s = {step} %: {name} is on its way",
+            rate = rate,
+            period = period,
+            step = step,
+            name = name
+        )
+    } else {
+        tr!(
+            "rate T = {rate} %/s · {period} s = {step} %: {name} is arrived",
+            rate = rate,
+            period = period,
+            step = step,
+            name = name
+        )
+    };
     Live {
-        formula: format!(
+        formula: tr!(
             "ramp' = limit(wanted - ramp, ± rate T),  wanted = limit({symbol} / {symbol}_p, \
-             {low}..{high} %)"
+             {low}..{high} %)",
+            symbol = symbol,
+            low = low,
+            high = high
         ),
-        values: format!(
-            "rate T = {} %/s · {} s = {} %: {name} is {state}",
-            number(rate),
-            number(period_s),
-            number(rate * period_s)
-        ),
-        range: format!("{name} reaches what is wanted within a period"),
+        values,
+        range: tr!("{name} reaches what is wanted within a period", name = name),
         valid: !channel.rate_limited,
     }
 }

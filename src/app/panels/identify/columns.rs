@@ -3,9 +3,10 @@
 use egui::{Align, Align2, Button, Label, Layout, RichText, Role, TextEdit, Ui, WidgetInfo, vec2};
 
 use super::form::{Asked, LoadedTable};
+use super::symbols::{column_words, told_number};
 use crate::app::theme::Palette;
 use crate::app::widgets::touch;
-use crate::base::equation::number;
+use crate::base::language::tr;
 
 /// Width of the field of a unit, points.
 const UNIT_WIDTH: f32 = 96.0;
@@ -13,12 +14,12 @@ const UNIT_WIDTH: f32 = 96.0;
 /// A line for every column, and the units of those that are chosen.
 pub fn show(ui: &mut Ui, asked: &mut Asked, table: &LoadedTable) {
     let palette = Palette::at(ui);
-    ui.label(RichText::new("Target and inputs").strong());
+    ui.label(RichText::new(tr("Target and inputs")).strong());
     for column in &table.offered.columns {
         match &column.range {
             Ok(range) => line(ui, asked, table, &column.name, *range),
             Err(because) => {
-                let said = format!("left out: {because}");
+                let said = tr!("left out: {because}", because = because);
                 ui.add(Label::new(RichText::new(said).small().color(palette.weak)).wrap());
             }
         }
@@ -28,7 +29,7 @@ pub fn show(ui: &mut Ui, asked: &mut Asked, table: &LoadedTable) {
         return;
     }
     ui.add_space(4.0);
-    ui.label(RichText::new("Units").strong());
+    ui.label(RichText::new(tr("Units")).strong());
     for name in chosen {
         unit(ui, asked, table, &name);
     }
@@ -46,13 +47,13 @@ fn line(ui: &mut Ui, asked: &mut Asked, table: &LoadedTable, name: &str, [low, h
         let least = touch::least(ui);
         let mut choice = |what: &str, is: bool| {
             let response = ui.add(Button::selectable(is, what).min_size(least));
-            let label = format!("{name}: {what}");
+            let label = format!("{}: {what}", column_words(name));
             response.widget_info(|| WidgetInfo::selected(Role::Button, true, is, label.clone()));
             response.clicked()
         };
         // From the right.
-        let input = choice("input", is_input);
-        let target = choice("target", is_target);
+        let input = choice(tr("input"), is_input);
+        let target = choice(tr("target"), is_target);
         if target {
             asked.target = (!is_target).then(|| name.to_owned());
             asked.inputs.retain(|input| input != name);
@@ -71,8 +72,9 @@ fn line(ui: &mut Ui, asked: &mut Asked, table: &LoadedTable, name: &str, [low, h
             asked.inputs = inputs;
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            let range = format!("{name}: {} to {}", number(low), number(high));
-            ui.add(Label::new(name).truncate()).on_hover_text(range);
+            let [low, high] = [low, high].map(told_number);
+            let range = tr!("{name}: {low} to {high}", name = name, low = low, high = high);
+            ui.add(Label::new(column_words(name)).truncate()).on_hover_text(range);
         });
     });
 }
@@ -85,15 +87,17 @@ fn unit(ui: &mut Ui, asked: &mut Asked, table: &LoadedTable, name: &str) {
     beside(ui, |ui| {
         let height = ui.spacing().interact_size.y;
         let field = TextEdit::singleline(&mut text)
-            .hint_text("none")
+            .hint_text(tr("none"))
             .desired_width(UNIT_WIDTH)
             .min_size(vec2(0.0, height))
             .align(Align2::LEFT_CENTER);
         let response = ui.add(field);
-        let label = format!("Unit of {name}");
+        let label = tr!("Unit of {name}", name = column_words(name));
         let now = text.clone();
         response.widget_info(|| WidgetInfo::text_edit(true, "", &now, label.clone()));
-        let help = "As mm/min, 1/min, N, um; empty or 1 for none. The ending of the column's name tells it first";
+        let help = tr(
+            "As mm/min, 1/min, N, um; empty or 1 for none. The ending of the column's name tells it first",
+        );
         if response.on_hover_text(help).changed() {
             if text == told {
                 asked.units.remove(name);
@@ -102,7 +106,7 @@ fn unit(ui: &mut Ui, asked: &mut Asked, table: &LoadedTable, name: &str) {
             }
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            ui.add(Label::new(name).truncate());
+            ui.add(Label::new(column_words(name)).truncate()).on_hover_text(name);
         });
     });
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::base::formula::Unit;
+use crate::base::language::{text, tr};
 use crate::study::identify::gp::columns::OfferedTable;
 use crate::study::identify::gp::job::{BATCHES, GpSettings};
 use crate::study::identify::gp::problem::GpProblem;
@@ -12,6 +13,12 @@ use crate::study::published::PaperId;
 /// What one looks for in the shipped tables at first: the feed that belongs to a force.
 const FIRST_TARGET: &str = "feed_final_mm_min";
 const FIRST_INPUT: &str = "force_final_n";
+
+/// Where nothing is left to be searched for.
+const WITHOUT_T: &str = text!(
+    "known part: nothing is left to be searched for; write T(...) with the columns that the rest may read (the \
+     constants alone are fitted by `steadycut identify gp --template`)"
+);
 
 /// A table with its columns.
 #[derive(Debug, PartialEq)]
@@ -46,6 +53,8 @@ pub struct Asked {
     pub units: BTreeMap<String, String>,
     /// Whether formulas must be right in their units.
     pub strict: bool,
+    /// The part of the formula that is known, as `a + b*n^3 + T(f)`; empty where none is.
+    pub template: String,
     /// Seed of all draws.
     pub seed: u64,
     /// Most batches.
@@ -73,21 +82,30 @@ impl Asked {
     /// The units of target and inputs.
     ///
     /// # Errors
-    /// Names the column whose unit cannot be read, or is not known where formulas must be right in their units.
+    /// Names every column whose unit cannot be read, or is not known where formulas must be right in their units.
     pub fn given(&self) -> Result<Vec<(String, Unit)>, String> {
         let one = |column: &String| {
             let text = self.unit(column);
             if self.strict && text.trim().is_empty() {
-                return Err(format!(
+                return Err(tr!(
                     "the unit of `{column}` is not known: write it beside its name, `1` for none, or let formulas \
-                     be of any units"
+                     be of any units",
+                    column = column
                 ));
             }
             let unit = Unit::parse(text.trim());
-            let unit = unit.map_err(|problem| format!("unit of `{column}`: {problem}"))?;
+            let unit = unit.map_err(|problem| {
+                let problem = problem.to_string();
+                tr!("unit of `{column}`: {problem}", column = column, problem = problem)
+            })?;
             Ok((column.clone(), unit))
         };
-        self.columns().map(one).collect()
+        let (known, faults): (Vec<_>, Vec<_>) = self.columns().map(one).partition(Result::is_ok);
+        let faults: Vec<String> = faults.into_iter().filter_map(Result::err).collect();
+        if !faults.is_empty() {
+            return Err(faults.join("; "));
+        }
+        Ok(known.into_iter().flatten().collect())
     }
 
     /// How to search.
@@ -96,32 +114,56 @@ impl Asked {
     }
 
     fn problem(&self) -> Result<GpProblem, String> {
-        let table = self.table.as_ref().ok_or("open a table, or choose one of the papers'")?;
-        let target = self.target.as_ref().ok_or("choose the column that the formula is to give")?;
-        if self.inputs.is_empty() {
-            return Err("choose at least one column that the formula may read".to_owned());
+        let table = self.table.as_ref().ok_or(tr("open a table, or choose one of the papers'"))?;
+        // All that is missing at once.
+        let mut missing = Vec::new();
+        if self.target.is_none() {
+            missing.push(tr("choose the column that the formula is to give").to_owned());
         }
+        if self.inputs.is_empty() {
+            missing.push(tr("choose at least one column that the formula may read").to_owned());
+        }
+        missing.extend(self.given().err());
+        let target = match &self.target {
+            Some(target) if missing.is_empty() => target,
+            Some(_) | None => return Err(missing.join("; ")),
+        };
         let problem = GpProblem::read(&table.text, target, &self.inputs)
-            .map_err(|problem| format!("{}: {problem}", table.name))?;
+            .map_err(|problem| format!("{}: {problem}", tr(&table.name)))?;
         let given = self.given()?;
         let problem = if self.strict { problem.strict(&given)? } else { problem };
+        let told = given.into_iter().filter(|(name, _)| !self.unit(name).trim().is_empty());
+        let problem = problem.told(&told.collect::<Vec<_>>());
+        let template = self.template.trim();
+        if !template.is_empty() {
+            let problem = problem
+                .with_template(template)
+                .map_err(|problem| tr!("known part: {problem}", problem = problem))?;
+            let free = problem.template.as_ref().is_some_and(|template| template.free.is_some());
+            return if free { Ok(problem) } else { Err(tr(WITHOUT_T).to_owned()) };
+        }
         match problem.collinear() {
             None => Ok(problem),
-            Some(collinear) => Err(format!("{collinear}; leave one of them out")),
+            Some(collinear) => {
+                Err(tr!("{collinear}; leave one of them out", collinear = collinear.to_string()))
+            }
         }
     }
 
-    /// What is another than in `other`, in words.
+    /// What is another than in `other`, in English words.
     pub fn differs(&self, other: &Self) -> Vec<&'static str> {
-        let units = |asked: &Self| asked.columns().map(|name| asked.unit(name)).collect::<Vec<_>>();
+        // Of columns that both read: one that was added is told as an input.
+        let has = |name: &str| other.columns().any(|column| column.as_str() == name);
+        let units = self.columns().any(|name| has(name) && self.unit(name) != other.unit(name));
         let pairs = [
-            ("table", self.table != other.table),
-            ("target", self.target != other.target),
-            ("inputs", self.inputs != other.inputs),
-            ("units", self.strict != other.strict || units(self) != units(other)),
-            ("seed", self.seed != other.seed),
-            ("batches", self.batches != other.batches),
-            ("paper", self.paper != other.paper),
+            (text!("data"), self.table != other.table),
+            (text!("target"), self.target != other.target),
+            (text!("inputs"), self.inputs != other.inputs),
+            (text!("units"), self.strict != other.strict || units),
+            (text!("known part"), self.template.trim() != other.template.trim()),
+            (text!("seed"), self.seed != other.seed),
+            (text!("batches"), self.batches != other.batches),
+            (text!("paper"), self.paper != other.paper),
         ];
         pairs.into_iter().filter(|(_, differs)| *differs).map(|(name, _)| name).collect()
     }
@@ -156,6 +198,7 @@ impl Default for IdentifyForm {
             inputs: Vec::new(),
             units: BTreeMap::new(),
             strict: false,
+            template: String::new(),
             seed,
             batches: BATCHES,
             paper: None,
@@ -195,7 +238,7 @@ impl IdentifyForm {
                 self.tables.push(Arc::clone(&table));
                 self.choose(&table);
             }
-            Err(because) => self.refused = Some(format!("not opened: {because}")),
+            Err(because) => self.refused = Some(tr!("not opened: {because}", because = because)),
         }
     }
 
@@ -212,7 +255,7 @@ impl IdentifyForm {
         match &self.checked {
             Some((_, Ok(problem))) => Ok(problem),
             Some((_, Err(because))) => Err(because.clone()),
-            None => Err("nothing was checked".to_owned()),
+            None => Err(tr("nothing was checked").to_owned()),
         }
     }
 }
@@ -238,13 +281,19 @@ mod tests {
         form.asked.units.insert("x".to_owned(), "1".to_owned());
         assert!(form.problem().is_ok());
         // Another one takes its place beside the papers'.
-        form.bring("other.csv", "a,b\n1,2\n");
+        form.bring("other.csv", "a,b\n1,2\n2,3\n3,5\n4,7\n5,9\n");
         assert_eq!(form.tables.len(), PaperId::ALL.len() + 1);
-        assert!(form.problem().is_err() && form.asked.inputs.is_empty());
+        let said = form.problem().unwrap_err();
+        assert!(
+            said.contains("choose the column") && said.contains("choose at least one"),
+            "{said}"
+        );
+        assert!(form.asked.inputs.is_empty());
         form.bring("bad.csv", "a,b\n1,x\n");
         let said = form.refused.clone().unwrap();
         assert!(
-            said.starts_with("not opened: bad.csv: ") && said.contains("line 2: `b`"),
+            said.starts_with("not opened: bad.csv: 1 row: at least 5")
+                && said.contains("line 2: `b`"),
             "{said}"
         );
         assert_eq!(form.asked.table.as_ref().unwrap().name, "other.csv", "it stays");
@@ -259,6 +308,25 @@ mod tests {
         next.strict = true;
         next.inputs.push("spindle_final_rpm".to_owned());
         assert_eq!(next.differs(&first), ["inputs", "units", "seed"]);
+    }
+
+    #[test]
+    fn a_known_part_is_read_and_its_faults_are_told() {
+        let mut form = IdentifyForm::default();
+        form.asked.inputs.push("spindle_final_rpm".to_owned());
+        form.asked.template = "a + b*spindle_final_rpm^3 + T(force_final_n)".to_owned();
+        let problem = form.problem().unwrap();
+        assert_eq!(problem.template.as_ref().unwrap().free, Some(vec![0]));
+        for (template, part) in [
+            ("a + b*force_final_n", "known part: nothing is left"),
+            ("a + T(force_final_n", "known part: the bracket of T"),
+            ("a + T(feed)", "known part: "),
+        ] {
+            form.asked.template = template.to_owned();
+            let said = form.problem().unwrap_err();
+            assert!(said.starts_with(part), "{template}: {said}");
+        }
+        assert_eq!(form.asked.differs(&IdentifyForm::default().asked), ["inputs", "known part"]);
     }
 
     #[test]

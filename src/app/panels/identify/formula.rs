@@ -5,13 +5,14 @@ use egui::{Label, RichText, Role, Ui, WidgetInfo};
 
 use super::places::Places;
 use super::search::{FormulaSearch, Seen};
-use super::symbols::{rounded, symbols};
+use super::symbols::{in_language, rounded, symbols};
 use super::{actions, facts, fit_plots, tree};
 use crate::app::command::Command;
 use crate::app::panels::View;
 use crate::app::panels::equation_cards::formula::typeset;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::standing::Standing;
+use crate::base::language::tr;
 
 /// From this width on, points, words and pictures stand beside each other.
 const BESIDE_FROM: f32 = 720.0;
@@ -31,9 +32,9 @@ pub fn show(
     let palette = Palette::at(ui);
     let Some(Seen { row, found, .. }) = search.inspect() else { return };
     let title = match (row.chosen, search.report().is_some()) {
-        (true, _) => format!("Formula of size {}, the one chosen", row.size),
-        (false, true) => format!("Formula of size {}", row.size),
-        (false, false) => format!("Formula of size {}, so far", row.size),
+        (true, _) => tr!("Formula of size {size}, the one chosen", size = row.size),
+        (false, true) => tr!("Formula of size {size}", size = row.size),
+        (false, false) => tr!("Formula of size {size}, so far", size = row.size),
     };
     theme::card(palette).show(ui, |ui| {
         ui.set_width(ui.available_width());
@@ -52,17 +53,20 @@ pub fn show(
         let words: Vec<&str> = words.iter().map(String::as_str).collect();
         let (inputs, target) = words.split_at(problem.inputs.len());
         let target = target.first().copied().unwrap_or_default();
-        let equation = format!("{target} = {}", rounded(&seen.formula, DIGITS).equation(inputs));
+        let equation = rounded(&seen.formula, DIGITS).equation(inputs);
+        let equation = in_language(&format!("{target} = {equation}"));
         let set = typeset(&equation, FORMULA, theme::note(ui.ctx()).size, palette.text);
         let response = ui.add(Label::new(set).wrap());
         let said = equation.clone();
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, said.clone()));
-        response.on_hover_text(format!("With all digits: {}", seen.formula));
+        let all = tr!("With all digits: {formula}", formula = seen.formula.to_string());
+        response.on_hover_text(all);
         if !row.doubt.is_empty() {
-            Standing::Watch.label(ui, &format!("Unsure: {}.", row.doubt), |text| text);
+            let text = tr!("Unsure: {doubt}.", doubt = tr(row.doubt));
+            Standing::Watch.label(ui, &text, |text| text);
         }
         if row.exact {
-            Standing::Good.label(ui, "Exact but for rounding.", |text| text);
+            Standing::Good.label(ui, tr("Exact but for rounding."), |text| text);
         }
         actions::show(ui, search, &seen, places, view, commands);
         ui.add_space(4.0);

@@ -4,15 +4,15 @@ use egui::{Align, Button, Label, Layout, RichText, Role, Ui, WidgetInfo};
 
 use super::front_plot;
 use super::search::{FormulaSearch, FrontRow};
-use super::symbols::{rounded, symbols};
+use super::symbols::{in_language, rounded, symbols, told_number};
 use crate::app::command::Command;
 use crate::app::panels::equation_cards::formula::typeset;
 use crate::app::theme::{self, Palette};
-use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::save_table::{SavedTable, TableOf, save_table_of};
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
-use crate::base::equation::number;
 use crate::base::formula::Formula;
+use crate::base::language::{text, tr};
 use crate::study::export::sheet::Sheet;
 
 /// From this width on, points, picture and table stand beside each other.
@@ -28,9 +28,18 @@ const CELLS: [f32; 4] = [44.0, 60.0, 60.0, 76.0];
 
 /// Picture and table.
 pub fn show(ui: &mut Ui, search: &mut FormulaSearch, narrow: bool, commands: &mut Vec<Command>) {
-    ui.label(RichText::new("Front: the formula of the least error of each size").strong());
+    ui.horizontal_wrapped(|ui| {
+        let title = tr("Front: the formula of the least error of each size");
+        ui.label(RichText::new(title).strong());
+        let work = search.work();
+        let done = || work.progress().to_string();
+        let partial = (!work.is_over()).then_some(&done as &dyn Fn() -> String);
+        let of = TableOf::Named(&search.problem().target);
+        let saved = SavedTable { what: "front", of, partial };
+        save_table_of(ui, &saved, !search.rows().is_empty(), || sheet(search), commands);
+    });
     if search.rows().is_empty() {
-        ui.weak("No formula has a finite value on all rows yet.");
+        ui.weak(tr("No formula has a finite value on all rows yet."));
         return;
     }
     let shown = search.shown().map(|row| row.size);
@@ -53,7 +62,6 @@ pub fn show(ui: &mut Ui, search: &mut FormulaSearch, narrow: bool, commands: &mu
         search.pick(size);
     }
     notes(ui, search);
-    save_table(ui, "front", || sheet(search), commands);
 }
 
 /// A cell of the table: so wide, whatever stands in it.
@@ -72,9 +80,9 @@ fn table(ui: &mut Ui, search: &FormulaSearch, shown: Option<usize>, narrow: bool
         // As low as its text.
         ui.spacing_mut().interact_size.y = 14.0;
         ui.horizontal(|ui| {
-            for (title, width) in ["size", "error", "left out"].iter().zip(CELLS) {
+            for (title, width) in [tr("size"), tr("error"), tr("left out")].into_iter().zip(CELLS) {
                 cell(ui, width, |ui| {
-                    ui.label(RichText::new(*title).small().color(palette.weak));
+                    ui.label(RichText::new(title).small().color(palette.weak));
                 });
             }
         });
@@ -86,14 +94,14 @@ fn table(ui: &mut Ui, search: &FormulaSearch, shown: Option<usize>, narrow: bool
     for row in search.rows() {
         let is = shown == Some(row.size);
         let found = Formula::parse(&row.formula, &names);
-        let equation = found.map(|found| rounded(&found, DIGITS).equation(&words));
+        let equation = found.map(|found| in_language(&rounded(&found, DIGITS).equation(&words)));
         let equation = equation.unwrap_or_else(|_| row.formula.clone());
         let mut line = |ui: &mut Ui| {
             cell(ui, CELLS[0], |ui| {
                 let button = Button::selectable(is, row.size.to_string());
                 let least = touch::least(ui).max(egui::vec2(CELLS[0], 0.0));
                 let response = ui.add(button.min_size(least));
-                let label = format!("Formula of size {}", row.size);
+                let label = tr!("Formula of size {size}", size = row.size);
                 response
                     .widget_info(|| WidgetInfo::selected(Role::Button, true, is, label.clone()));
                 if response.clicked() {
@@ -101,13 +109,13 @@ fn table(ui: &mut Ui, search: &FormulaSearch, shown: Option<usize>, narrow: bool
                 }
             });
             cell(ui, CELLS[1], |ui| {
-                ui.label(number(row.error));
+                ui.label(told_number(row.error));
             });
             cell(ui, CELLS[2], |ui| {
-                ui.label(row.left_out.map(number).unwrap_or_default());
+                ui.label(row.left_out.map(told_number).unwrap_or_default());
             });
             cell(ui, CELLS[3], |ui| {
-                sign(row).line(ui, RichText::new(word(row)), egui::TextWrapMode::Extend);
+                sign(row).line(ui, RichText::new(tr(word(row))), egui::TextWrapMode::Extend);
             });
         };
         let note = theme::note(ui.ctx()).size;
@@ -133,13 +141,14 @@ fn sign(row: &FrontRow) -> Standing {
     }
 }
 
+/// What its sign says, in English.
 fn word(row: &FrontRow) -> &'static str {
     match (row.chosen, row.exact, row.doubt) {
-        (true, true, _) => "chosen, exact",
-        (true, false, _) => "chosen",
-        (false, true, _) => "exact",
+        (true, true, _) => text!("chosen, exact"),
+        (true, false, _) => text!("chosen"),
+        (false, true, _) => text!("exact"),
         (false, false, "") => "",
-        (false, false, _) => "unsure",
+        (false, false, _) => text!("unsure"),
     }
 }
 
@@ -150,44 +159,56 @@ fn notes(ui: &mut Ui, search: &FormulaSearch) {
         ui.add(Label::new(RichText::new(text).small().color(palette.weak)).wrap());
     };
     let Some(report) = search.report() else {
-        let text = "Errors are root mean squares of what is left over. At rows left out they are found once the \
-                    search is over.";
+        let text = tr(
+            "Errors are root mean squares of what is left over. At rows left out they are found once the \
+                       search is over.",
+        );
         return note(ui, text.to_owned());
     };
-    let told = report.left_out.unwrap_or("nothing");
+    let told = tr(report.left_out.unwrap_or(text!("nothing")));
     note(
         ui,
-        format!(
-            "Left out: {told}. Unsure: more than twice the least error there, or not certain to be finite."
+        tr!(
+            "Left out: {rows}. Unsure: more than twice the least error there, or not certain to be finite.",
+            rows = told
         ),
     );
     if report.searched_rows < report.rows {
         let (searched, rows) = (report.searched_rows, report.rows);
         note(
             ui,
-            format!(
-                "Searched on {searched} of {rows} rows, drawn by the seed; constants are fitted to all."
+            tr!(
+                "Searched on {searched} of {n} rows, drawn by the seed; constants are fitted to all.",
+                searched = searched,
+                n = rows
             ),
         );
     }
     if let Some(paper) = &report.paper {
-        let found = paper.formula.as_deref().unwrap_or("no formula");
-        let reached = if paper.reached { "reached" } else { "not reached" };
-        note(
-            ui,
-            format!(
-                "As the paper of {} searched: {found}, size {}, R2 {:.5} after {} generations, stop at {} {reached}. \
-                 The smaller error is that of the {} search.",
-                paper.paper,
-                paper.size,
-                paper.fitness,
-                paper.generations,
-                paper.stop,
-                report.found_by
-            ),
+        let found = paper.formula.as_deref().map(in_language);
+        let found = found.as_deref().unwrap_or(tr("no formula"));
+        let by = match report.found_by {
+            "paper" => tr("The smaller error is that of the paper search."),
+            _ => tr("The smaller error is that of the default search."),
+        };
+        let reached = if paper.reached {
+            tr!("stop at {stop} reached", stop = paper.stop)
+        } else {
+            tr!("stop at {stop} not reached", stop = paper.stop)
+        };
+        let searched = tr!(
+            "As the paper of {paper} searched: {formula}, size {size}, R2 {fitness:.5} after {n} generations, {reached}.",
+            paper = paper.paper,
+            formula = found,
+            size = paper.size,
+            fitness = paper.fitness,
+            n = paper.generations,
+            reached = reached
         );
+        note(ui, format!("{searched} {by}"));
     }
-    note(ui, format!("Digest {}: the same on the command line.", report.digest));
+    let digest = tr!("Digest {digest}: the same on the command line.", digest = report.digest);
+    note(ui, digest);
 }
 
 fn sheet(search: &FormulaSearch) -> Sheet {

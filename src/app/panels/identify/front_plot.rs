@@ -4,11 +4,12 @@ use egui::{Color32, Role, Ui, Vec2, WidgetInfo};
 use egui_plot::{MarkerShape, PlotPoint, Points};
 
 use super::search::{FormulaSearch, FrontRow};
-use crate::app::format::log10;
+use crate::app::format::{self, log10};
 use crate::app::theme::Palette;
 use crate::app::widgets::focus::pointer_only;
 use crate::app::widgets::legend;
 use crate::app::widgets::plot::{decade, decades, decades_of, grid, still};
+use crate::base::language::tr;
 
 /// Most powers of ten of errors that are shown: what is exact lies at the lower edge.
 const DECADES: f64 = 8.0;
@@ -28,7 +29,7 @@ pub fn show(
     ui.vertical(|ui| {
         marks(ui, search, palette);
         let rows = search.rows();
-        let unit = search.asked.unit(&search.problem().target);
+        let unit = format::unit(&search.asked.unit(&search.problem().target));
         let errors = rows.iter().flat_map(|row| [Some(row.error), row.left_out]).flatten();
         let [low, high] = decades_of(errors, DECADES).map(log10);
         let place = move |row: &FrontRow, error: f64| [row.size as f64, log10(error).max(low)];
@@ -39,7 +40,7 @@ pub fn show(
             .x_grid_spacer(move |input| grid(input, width / 60.0))
             .y_grid_spacer(move |input| decades(input, height))
             .y_axis_formatter(|mark, _| decade(mark))
-            .x_axis_label("size [nodes]")
+            .x_axis_label(tr("size [nodes]"))
             .show(ui, |plot| {
                 plot.set_plot_bounds_x(0.0..=largest + 1.0);
                 plot.set_plot_bounds_y(low..=high);
@@ -48,13 +49,13 @@ pub fn show(
                     points.color(color).filled(filled)
                 };
                 let trained = rows.iter().map(|row| place(row, row.error)).collect();
-                plot.points(of("error", trained, palette.produced, MarkerShape::Circle, true));
+                plot.points(of(tr("error"), trained, palette.produced, MarkerShape::Circle, true));
                 let judged = |row: &FrontRow| Some(place(row, row.left_out?));
                 let left_out: Vec<[f64; 2]> = rows.iter().filter_map(judged).collect();
                 let diamond = MarkerShape::Diamond;
-                plot.points(of("at rows left out", left_out, palette.command, diamond, true));
+                plot.points(of(tr("at rows left out"), left_out, palette.command, diamond, true));
                 if let Some(row) = rows.iter().find(|row| Some(row.size) == shown) {
-                    let ring = Points::new("looked at", vec![place(row, row.error)]);
+                    let ring = Points::new(tr("looked at"), vec![place(row, row.error)]);
                     let ring = ring.shape(MarkerShape::Circle).radius(2.0 * RADIUS).filled(false);
                     plot.points(ring.color(palette.text));
                 }
@@ -75,8 +76,11 @@ pub fn show(
         });
         let count = rows.len();
         response.response.widget_info(|| {
-            let unit = if unit.is_empty() { String::new() } else { format!(" in {unit}") };
-            let label = format!("Front: error{unit} against size, {count} formulas");
+            let label = if unit.is_empty() {
+                tr!("Front: error against size, {n} formulas", n = count)
+            } else {
+                tr!("Front: error in {unit} against size, {n} formulas", unit = unit, n = count)
+            };
             WidgetInfo::labeled(Role::Figure, true, label)
         });
         clicked.flatten()
@@ -85,14 +89,19 @@ pub fn show(
 }
 
 fn marks(ui: &mut Ui, search: &FormulaSearch, palette: &Palette) {
-    let unit = search.asked.unit(&search.problem().target);
+    let unit = format::unit(&search.asked.unit(&search.problem().target));
     let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
     ui.horizontal_wrapped(|ui| {
-        legend::points(ui, &format!("error{unit}"), palette.produced, MarkerShape::Circle);
+        legend::points(
+            ui,
+            &format!("{}{unit}", tr("error")),
+            palette.produced,
+            MarkerShape::Circle,
+        );
         if search.report().is_some() {
-            legend::points(ui, "at rows left out", palette.command, MarkerShape::Diamond);
+            legend::points(ui, tr("at rows left out"), palette.command, MarkerShape::Diamond);
         }
-        legend::sample_of(ui, "looked at", palette.text, |painter, rect, color| {
+        legend::sample_of(ui, tr("looked at"), palette.text, |painter, rect, color| {
             painter.circle_stroke(rect.center(), 5.0, egui::Stroke::new(1.0, color));
         });
     });

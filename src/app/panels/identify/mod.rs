@@ -11,6 +11,7 @@ mod formula;
 mod front;
 mod front_plot;
 mod places;
+mod preview;
 mod search;
 mod symbols;
 mod transport;
@@ -24,6 +25,7 @@ use crate::app::command::Command;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::scaffold;
 use crate::app::widgets::standing::Standing;
+use crate::base::language::{text, tr};
 use form::IdentifyForm;
 use places::Places;
 use search::FormulaSearch;
@@ -49,7 +51,7 @@ impl Panel for IdentifyPanel {
     }
 
     fn title(&self) -> &'static str {
-        "Identify"
+        text!("Identify")
     }
 
     fn words(&self) -> &'static str {
@@ -64,6 +66,7 @@ impl Panel for IdentifyPanel {
         match file {
             BroughtFile::Table { name, text } => self.form.bring(name, text),
             BroughtFile::Search { name, text } => self.form.resume(name, text),
+            BroughtFile::Mission { .. } | BroughtFile::Linked(_) => {}
         }
     }
 
@@ -140,18 +143,18 @@ fn empty(ui: &mut Ui) {
     ui.add_space(4.0);
     theme::card(palette).show(ui, |ui| {
         ui.set_width(ui.available_width());
-        ui.label(RichText::new("No formula was searched for yet").strong());
-        ui.label(
+        ui.label(RichText::new(tr("No formula was searched for yet")).strong());
+        ui.label(tr(
             "Choose a table (a CSV can be dropped here), the column that the formula is to give, and the columns \
              that it may read; then press Search.",
-        );
-        ui.label(
+        ));
+        ui.label(tr(
             "The front grows while the search works: for every size the formula of the least error. Any of them can \
              be looked at, saved, and put into the running cut.",
-        );
-        ui.label(
+        ));
+        ui.label(tr(
             "Without a table of one's own: Go the whole way plans and measures cuts on the simulator, which can then \
              be searched as well.",
-        );
+        ));
     });
 }

@@ -8,6 +8,7 @@ use crate::app::command::{Command, FileCommand};
 use crate::app::files::file_name;
 use crate::app::jobs::{Jobs, Work};
 use crate::base::formula::Unit;
+use crate::base::language::{text, tr};
 use crate::study::identify::gp::inspect::FormulaInspection;
 use crate::study::identify::gp::job::GpJob;
 use crate::study::identify::gp::problem::GpProblem;
@@ -80,8 +81,10 @@ fn rows(so_far: &SearchSoFar) -> Vec<FrontRow> {
             formula: found.formula.clone(),
             chosen: found.chosen,
             doubt: match (found.certified, found.greyed) {
-                (false, _) => "not certain to be finite on the ranges of the rows",
-                (true, true) => "at rows left out more than twice the least error of the front",
+                (false, _) => text!("not certain to be finite on the ranges of the rows"),
+                (true, true) => {
+                    text!("at rows left out more than twice the least error of the front")
+                }
                 (true, false) => "",
             },
             exact: found.exact,
@@ -117,7 +120,7 @@ impl FormulaSearch {
         if let Some((name, text)) = resumed {
             job.resume(text).map_err(|problem| format!("{name}: {problem}"))?;
         }
-        let name = format!("Identify: {}", problem.target);
+        let name = tr!("Identify: {target}", target = problem.target);
         let work = jobs.begin(name, WatchedSearch::new(job), FIRST);
         let latest = work.partial();
         let rows = rows(&latest);
@@ -237,12 +240,12 @@ impl FormulaSearch {
         );
         if let Some(report) = &self.latest.report {
             let found = report.front.iter().find(|found| found.formula == row.formula);
-            let found = found.ok_or("the front has this formula no more")?;
+            let found = found.ok_or(tr("the front has this formula no more"))?;
             return FormulaInspection::of(&self.problem, found, &self.given, source);
         }
         let front = &self.latest.standing.front;
         let found = front.iter().find(|found| found.formula == row.formula);
-        let found = found.ok_or("the front has this formula no more")?;
+        let found = found.ok_or(tr("the front has this formula no more"))?;
         FormulaInspection::on_the_way(&self.problem, found, &self.given, source)
     }
 }

@@ -10,6 +10,7 @@ use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
+use crate::base::language::tr;
 use crate::study::identify::gp::standing::GpStage;
 
 /// What is wished for.
@@ -34,12 +35,8 @@ pub fn show(
     };
     let Some(search) = search else {
         ui.horizontal_wrapped(|ui| {
-            if button(
-                ui,
-                possible,
-                "Search",
-                "Searches for formulas; it goes on while other screens are shown",
-            ) {
+            let help = tr("Searches for formulas; it goes on while other screens are shown");
+            if button(ui, possible, tr("Search"), help) {
                 wish = Some(Wish::Begin);
             }
             resume(ui, possible, commands);
@@ -53,43 +50,47 @@ pub fn show(
     let changed = form.asked.differs(&search.asked);
     ui.horizontal_wrapped(|ui| {
         if running {
-            if icon::button(ui, Icon::Pause, "Pause the search", "Stands still; what was found stays", true)
-                .clicked()
-            {
+            let help = tr("Stands still; what was found stays");
+            if icon::button(ui, Icon::Pause, tr("Pause the search"), help, true).clicked() {
                 search.work().stop();
             }
         } else {
-            let help = "Goes on where it was paused";
-            if icon::button(ui, Icon::Play, "Go on with the search", help, !over).clicked() {
+            let help = tr("Goes on where it was paused");
+            if icon::button(ui, Icon::Play, tr("Go on with the search"), help, !over).clicked() {
                 search.work().go_on();
             }
         }
         let searching = search.standing().stage == GpStage::Search;
-        let help = "Ends the search with its last whole batch; what was found is still judged at rows left out";
-        if button(ui, searching, "End here", help) {
+        let help =
+            tr("Ends the search with its last whole batch; what was found is still judged at rows left out");
+        if button(ui, searching, tr("End here"), help) {
             search.end_here();
         }
         let anew = !changed.is_empty() && possible;
-        if button(ui, anew, "Begin anew", "Searches for what is set now, and gives this search up") {
+        let help = tr("Searches for what is set now, and gives this search up");
+        if button(ui, anew, tr("Begin anew"), help) {
             wish = Some(Wish::Begin);
         }
-        if button(ui, true, "Save the search", "Writes a file to go on with later, here or with --resume") {
+        let help = tr("Writes a file to go on with later, here or with --resume");
+        if button(ui, true, tr("Save the search"), help) {
             search.save();
         }
         resume(ui, possible, commands);
     });
     progress(ui, search);
     if !changed.is_empty() {
-        let text = format!(
-            "Changed since this search was begun: {}. It stays as it was begun; `Begin anew` searches for what is set \
+        let changed: Vec<&str> = changed.into_iter().map(tr).collect();
+        let text = tr!(
+            "Changed since this search was begun: {changed}. It stays as it was begun; `Begin anew` searches for what is set \
              now.",
-            changed.join(", ")
+            changed = changed.join(", ")
         );
         Standing::Watch.label(ui, &text, |text| text);
         if let Some(missing) = &missing {
             Standing::Watch.label(ui, missing, |text| text);
         }
-        if button(ui, true, "Set back", "Sets table, columns and numbers to those of this search") {
+        let help = tr("Sets table, columns and numbers to those of this search");
+        if button(ui, true, tr("Set back"), help) {
             form.asked = search.asked.clone();
         }
     }
@@ -97,8 +98,10 @@ pub fn show(
 }
 
 fn resume(ui: &mut Ui, possible: bool, commands: &mut Vec<Command>) {
-    let button = Button::new("Resume\u{2026}").min_size(touch::least(ui));
-    let help = "Goes on with a saved search of the same table, columns, units and seed; its file can also be dropped here";
+    let button = Button::new(tr("Resume\u{2026}")).min_size(touch::least(ui));
+    let help = tr(
+        "Goes on with a saved search of the same table, columns, units and seed; its file can also be dropped here",
+    );
     if ui.add_enabled(possible, button).on_hover_text(help).clicked() {
         commands.push(Command::File(FileCommand::OpenSearch));
     }
@@ -109,21 +112,25 @@ fn progress(ui: &mut Ui, search: &FormulaSearch) {
     let palette = Palette::at(ui);
     let standing = search.standing();
     let running = search.work().is_running();
-    let batches = format!("batch {} of at most {}", standing.batches, standing.most_batches);
     let stage = match standing.stage {
-        GpStage::Search => batches,
-        GpStage::Paper => "the paper's own search".to_owned(),
-        GpStage::LeftOut => "judging the front at rows left out".to_owned(),
-        GpStage::Over => format!("done after {} batches", standing.batches),
+        GpStage::Search => tr!(
+            "batch {batch} of at most {most}",
+            batch = standing.batches,
+            most = standing.most_batches
+        ),
+        GpStage::Paper => tr("the paper's own search").to_owned(),
+        GpStage::LeftOut => tr("judging the front at rows left out").to_owned(),
+        GpStage::Over => tr!("done after {n} batches", n = standing.batches),
     };
-    let mut text = format!("{stage}, {} formulas", standing.evaluations);
+    let mut told = vec![stage, tr!("{n} formulas", n = standing.evaluations)];
     if !search.work().is_over() {
         match (running, search.work().left_s()) {
-            (true, Some(left_s)) => text += &format!(", at most {} left", time_left(left_s)),
+            (true, Some(left_s)) => told.push(tr!("at most {left} left", left = time_left(left_s))),
             (true, None) => {}
-            (false, _) => text += ", paused",
+            (false, _) => told.push(tr("paused").to_owned()),
         }
     }
+    let text = told.join(", ");
     ui.horizontal_wrapped(|ui| {
         let share = search.work().progress().share() as f32;
         ui.scope(|ui| {

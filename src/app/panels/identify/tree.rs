@@ -1,14 +1,15 @@
 //! A formula as a tree: its operations, with what they work on below them.
 
 use egui::{
-    Align2, Color32, CornerRadius, FontId, Pos2, Rect, RichText, Role, ScrollArea, Sense, Stroke,
-    StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Align2, Color32, CornerRadius, FontId, Pos2, Rect, RichText, Role, Sense, Stroke, StrokeKind,
+    Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
-use super::symbols::short;
+use super::symbols::{short, told_number};
 use crate::app::theme::{self, Palette};
-use crate::base::equation::number;
+use crate::app::widgets::scaffold;
 use crate::base::formula::{Function, Node, Operator};
+use crate::base::language::tr;
 
 /// Height of a part, and from one level to the next, points.
 const HEIGHT: f32 = 24.0;
@@ -43,7 +44,7 @@ struct Part {
 
 fn label(node: &Node, words: &[&str]) -> (String, PartKind) {
     match node {
-        Node::Number(x) => (number(*x), PartKind::Number),
+        Node::Number(x) => (told_number(*x), PartKind::Number),
         Node::Constant(constant) => (short(&constant.name, NAME), PartKind::Number),
         Node::Input(index) => {
             let word = words.get(*index).copied().unwrap_or("?");
@@ -116,7 +117,7 @@ fn laid_out(root: &Node, words: &[&str], width_of: &dyn Fn(&str) -> f32) -> (Vec
 /// Draws the tree, scrolled where it is too wide.
 pub fn show(ui: &mut Ui, root: &Node, words: &[&str]) {
     let palette = Palette::at(ui);
-    ui.label(RichText::new("As a tree").strong());
+    ui.label(RichText::new(tr("As a tree")).strong());
     let font = theme::note(ui.ctx());
     let painter = ui.painter().clone();
     let width_of = |text: &str| {
@@ -124,12 +125,12 @@ pub fn show(ui: &mut Ui, root: &Node, words: &[&str]) {
         galley.size().x + 12.0
     };
     let (parts, size) = laid_out(root, words, &width_of);
-    ScrollArea::horizontal().id_salt("tree").show(ui, |ui| {
+    scaffold::across(ui, "tree", |ui| {
         let (rect, response) = ui.allocate_exact_size(size + vec2(2.0, 4.0), Sense::hover());
         paint(ui, &parts, rect.min + vec2(1.0, 1.0), &font, palette);
         let count = parts.len();
         response.widget_info(|| {
-            let label = format!("Tree of the formula, {count} parts");
+            let label = tr!("Tree of the formula, {n} parts", n = count);
             WidgetInfo::labeled(Role::Figure, true, label)
         });
     });

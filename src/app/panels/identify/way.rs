@@ -5,13 +5,14 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use egui::{Button, Label, ProgressBar, RichText, Ui};
 
+use super::symbols::{in_language, told_number};
 use crate::app::command::{Command, FileCommand, SessionCommand, ShellCommand};
 use crate::app::jobs::{Jobs, Work, time_left};
 use crate::app::panels::BroughtFile;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
-use crate::base::equation::number;
+use crate::base::language::{text, tr};
 use crate::blocks::control::ControllerKind;
 use crate::models::tool::Tool;
 use crate::run::edits::Edits;
@@ -21,6 +22,8 @@ use crate::study::experiment::way::job::WayJob;
 use crate::study::experiment::way::report::{EntrantSummary, WayReport};
 use crate::study::experiment::way::{CUTS_2007, WaySettings};
 
+/// Name of the work at the way.
+const WORK: &str = text!("Identify: the whole way");
 /// Steps of the first slice.
 const FIRST: u64 = 500;
 
@@ -48,10 +51,10 @@ pub struct WayView {
 fn settings(scenario: &Scenario, seed: u64, batches: u64) -> Result<WaySettings, String> {
     let tool = scenario.tool.name;
     if scenario.tool != (Tool { name: tool, ..tool.load().tool }) {
-        return Err(
-            "the open scenario's cutter is none of the shipped: the way is gone with one of those"
-                .to_owned(),
-        );
+        return Err(tr(
+            "the open scenario's cutter is none of the shipped: the way is gone with one of those",
+        )
+        .to_owned());
     }
     let (material, hardness) = (scenario.plant.material, scenario.plant.hardness_hb);
     let hardness_hb = (hardness != material.hardness_hb()).then_some(hardness);
@@ -68,10 +71,11 @@ impl WayView {
         jobs: &Jobs,
     ) {
         let palette = Palette::at(ui);
-        ui.label(RichText::new("From cuts to a controller").strong());
-        let about = format!(
-            "With the open scenario's cutter and material: {CUTS_2007} cuts planned and measured on the simulator, models \
-             1 to 5 identified from them, the rows of Table 3 run on the models."
+        ui.label(RichText::new(tr("From cuts to a controller")).strong());
+        let about = tr!(
+            "With the open scenario's cutter and material: {n} cuts planned and measured on the simulator, models \
+             1 to 5 identified from them, the rows of Table 3 run on the models.",
+            n = CUTS_2007
         );
         ui.add(Label::new(RichText::new(about).small().color(palette.weak)).wrap());
         let least = touch::least(ui);
@@ -79,23 +83,23 @@ impl WayView {
         let running = self.work.as_ref().is_some_and(Work::is_running);
         let over = self.work.as_ref().is_none_or(Work::is_over);
         ui.horizontal_wrapped(|ui| {
-            if over && button(ui, "Go the whole way") {
+            if over && button(ui, tr("Go the whole way")) {
                 let job =
                     settings(scenario, seed, batches).and_then(|settings| WayJob::new(&settings));
                 self.refused = job.as_ref().err().cloned();
                 if let Ok(job) = job {
-                    self.work = Some(jobs.begin("Identify: the whole way", job, FIRST));
+                    self.work = Some(jobs.begin(WORK, job, FIRST));
                     self.taken = None;
                 }
             }
             if let Some(work) = self.work.as_ref().filter(|_| !over) {
-                if running && button(ui, "Pause the way") {
+                if running && button(ui, tr("Pause the way")) {
                     work.stop();
                 }
-                if !running && button(ui, "Go on with the way") {
+                if !running && button(ui, tr("Go on with the way")) {
                     work.go_on();
                 }
-                if button(ui, "Give the way up") {
+                if button(ui, tr("Give the way up")) {
                     self.work = None;
                 }
             }
@@ -107,9 +111,16 @@ impl WayView {
                 ui.add(ProgressBar::new(share).desired_width(140.0).desired_height(10.0));
             });
             let left = work.left_s().filter(|_| running).map(time_left);
-            let left = left.map_or_else(String::new, |left| format!(", about {left} left"));
-            let paused = if running { "" } else { ", paused" };
-            let text = format!("{:.0} % of the way{left}{paused}", 100.0 * work.progress().share());
+            let percent = 100.0 * work.progress().share();
+            let text = match (left, running) {
+                (Some(left), _) => tr!(
+                    "{percent:.0} % of the way, about {left} left",
+                    percent = percent,
+                    left = left
+                ),
+                (None, true) => tr!("{percent:.0} % of the way", percent = percent),
+                (None, false) => tr!("{percent:.0} % of the way, paused", percent = percent),
+            };
             ui.label(RichText::new(text).color(palette.weak));
         }
         for because in self.refused.iter().chain(&self.work.as_ref().and_then(Work::refusal)) {
@@ -149,17 +160,17 @@ fn handed_on(ui: &mut Ui, taken: &Taken, commands: &mut Vec<Command>) {
     let least = touch::least(ui);
     ui.horizontal_wrapped(|ui| {
         if let Some(table) = &taken.table
-            && ui.add(Button::new("Its cuts as the table").min_size(least)).clicked()
+            && ui.add(Button::new(tr("Its cuts as the table")).min_size(least)).clicked()
         {
-            let (name, text) = ("cuts of the way".to_owned(), table.clone());
+            let (name, text) = (tr("cuts of the way").to_owned(), table.clone());
             commands.push(Command::File(FileCommand::Bring(BroughtFile::Table { name, text })));
         }
         match &taken.scenario {
             Ok(text) => {
-                let help = "Ra 0.81 um with Tracking on the models found";
-                let button = ui.add(Button::new("Cut with its models").min_size(least));
+                let help = tr("Ra 0.81 µm with Tracking on the models found");
+                let button = ui.add(Button::new(tr("Cut with its models")).min_size(least));
                 if button.on_hover_text(help).clicked() {
-                    let (name, text) = ("The scenario of the way".to_owned(), text.clone());
+                    let (name, text) = (tr("The scenario of the way").to_owned(), text.clone());
                     commands.push(Command::Session(SessionCommand::LoadText { name, text }));
                     commands.push(Command::Shell(ShellCommand::ShowScreen("console")));
                 }
@@ -176,56 +187,71 @@ fn told(ui: &mut Ui, report: &WayReport) {
     let weak = |ui: &mut Ui, text: String| {
         ui.add(Label::new(RichText::new(text).small().color(palette.weak)).wrap());
     };
-    let (tool, material) = (report.settings.tool.label(), report.settings.material.label());
-    ui.label(RichText::new(format!("The whole way: {tool} in {material}")).strong());
-    weak(ui, format!("Truth: {}.", report.truth));
+    let settings = &report.settings;
+    let title = tr!(
+        "The whole way: {tool} in {material}",
+        tool = tr(settings.tool.label()),
+        material = tr(settings.material.label())
+    );
+    ui.label(RichText::new(title).strong());
+    weak(ui, tr!("Truth: {truth}.", truth = report.truth));
     let [axial, radial] = report.depths_mm;
-    ui.label(format!(
-        "{} of {} cuts measured, {} mm deep and {} mm wide.",
-        report.measured,
-        report.settings.cuts,
-        number(axial),
-        number(radial)
+    ui.label(tr!(
+        "{measured} of {n} cuts measured, {axial} mm deep and {radial} mm wide.",
+        measured = report.measured,
+        n = settings.cuts,
+        axial = told_number(axial),
+        radial = told_number(radial)
     ));
     for (run, problem) in &report.unmeasured {
-        Standing::Watch.label(ui, &format!("Cut {run}: {problem}."), |text| text);
+        let text = tr!("Cut {run}: {problem}.", run = *run, problem = problem);
+        Standing::Watch.label(ui, &text, |text| text);
     }
     for found in &report.models {
-        let ranges = found
-            .ranges
-            .iter()
-            .map(|(name, [low, high])| format!("{name} {} to {}", number(*low), number(*high)));
-        let text = format!("{}: {} = {}", found.name, found.role.target(), found.formula);
+        let ranges = found.ranges.iter().map(|(name, [low, high])| {
+            let [low, high] = [*low, *high].map(told_number);
+            tr!("{name} {low} to {high}", name = name, low = low, high = high)
+        });
+        let formula = in_language(&found.formula.to_string());
+        let text = format!("{}: {} = {formula}", found.name, found.role.target());
         ui.add(Label::new(text).wrap());
         let ranges: Vec<String> = ranges.collect();
-        let error = number(found.error);
-        weak(ui, format!("error {error}, {} cuts, {}", found.cuts, ranges.join(", ")));
+        let text = tr!(
+            "error {error}, {n} cuts, {ranges}",
+            error = told_number(found.error),
+            n = found.cuts,
+            ranges = ranges.join(", ")
+        );
+        weak(ui, text);
     }
     if report.rows.is_empty() {
         return;
     }
-    ui.label(
-        RichText::new(format!("Ra against its target, {} rows of Table 3", report.rows.len()))
-            .strong(),
-    );
+    let title = tr!("Ra against its target, {n} rows of Table 3", n = report.rows.len());
+    ui.label(RichText::new(title).strong());
     report.summary.iter().for_each(|one| held(ui, one));
-    weak(ui, format!("Digest {}: that of `steadycut experiment way`.", report.digest));
+    let digest =
+        tr!("Digest {digest}: that of `steadycut experiment way`.", digest = report.digest);
+    weak(ui, digest);
 }
 
 /// How far an entrant holds Ra.
 fn held(ui: &mut Ui, one: &EntrantSummary) {
     let outside = match one.outside {
         0 => String::new(),
-        count => format!("; {count} rows outside the ranges of the models"),
+        n => format!("; {}", tr!("{n} rows outside the ranges of the models", n = n)),
     };
     let (standing, held) = match (one.worst_percent, one.rms_percent) {
         (Some(worst), Some(rms)) => {
-            (Standing::Plain, format!("off by {worst:.1} % at most, {rms:.1} % rms"))
+            let held = tr!("off by {worst:.1} % at most, {rms:.1} % rms", worst = worst, rms = rms);
+            (Standing::Plain, held)
         }
-        (_, _) => (Standing::Watch, format!("{} rows without a Ra", one.without_ra)),
+        (_, _) => (Standing::Watch, tr!("{n} rows without a Ra", n = one.without_ra)),
     };
     let kind = ControllerKind::ALL.iter().find(|kind| kind.id() == one.controller);
-    let controller = kind.map_or(one.controller, |kind| kind.label());
-    let text = format!("{controller} on {}: {held}{outside}.", one.models.label());
+    let controller = kind.map_or(one.controller, |kind| tr(kind.label()));
+    let entrant =
+        tr!("{controller} on {models}", controller = controller, models = tr(one.models.label()));
+    let text = format!("{entrant}: {held}{outside}.");
     standing.label(ui, &text, |text| text);
 }

@@ -8,8 +8,14 @@ use crate::app::history::LearningSample;
 use crate::app::panels::View;
 use crate::app::theme::{Look, Palette};
 use crate::app::widgets::plot::still;
+use crate::base::language::{text, tr};
 use crate::base::units::percent_from_ratio;
 use crate::models::unks::UnksStart;
+
+/// Titles of the curves.
+const FEEDBACK: &str = text!("Feedback's share of the override [%]");
+/// See [`FEEDBACK`].
+const ERROR: &str = text!("Error of NM-1's prediction [%]");
 
 /// Least and largest height of the range of values, in percent: the first moments of a cut are
 /// predicted so badly that they would flatten all that follows.
@@ -25,11 +31,11 @@ pub fn show(ui: &mut Ui, view: &View<'_>, samples: &[LearningSample], height: f3
     };
     let feedback = |ui: &mut Ui| {
         let points = points(|sample| sample.feedback);
-        plot(ui, view, "Feedback's share of the override [%]", points, Look::Command, height);
+        plot(ui, view, FEEDBACK, points, Look::Command, height);
     };
     let error = |ui: &mut Ui| {
         let points = points(|sample| sample.error);
-        plot(ui, view, "Error of NM-1's prediction [%]", points, Look::Produced, height);
+        plot(ui, view, ERROR, points, Look::Produced, height);
     };
     match (last.start, ui.available_width() < BESIDE_FROM) {
         (UnksStart::Cold, _) => feedback(ui),
@@ -46,17 +52,21 @@ pub fn show(ui: &mut Ui, view: &View<'_>, samples: &[LearningSample], height: f3
         let iterations: u32 = samples.iter().map(|sample| sample.iterations).sum();
         let mean = f64::from(iterations) / samples.len() as f64;
         let now = last.iterations;
-        ui.label(format!("Internal loop: {now} iterations now, {mean:.1} on average so far"));
+        ui.label(tr!(
+            "Internal loop: {now} iterations now, {mean:.1} on average so far",
+            now = now,
+            mean = mean
+        ));
     }
     let note = match last.start {
-        UnksStart::Shipped => {
+        UnksStart::Shipped => tr(
             "Means of the size over about a second in contact. The feedback's share is all that the \
-             loops add to NM-2, where the override is between its limits."
-        }
-        UnksStart::Cold => {
+             loops add to NM-2, where the override is between its limits.",
+        ),
+        UnksStart::Cold => tr(
             "Mean of its size over about a second in contact, where the override is between its \
-             limits."
-        }
+             limits.",
+        ),
     };
     ui.label(RichText::new(note).small().color(Palette::at(ui).weak));
 }
@@ -70,7 +80,7 @@ fn plot(
     height: f32,
 ) {
     let palette = Palette::at(ui);
-    ui.label(RichText::new(title).strong());
+    ui.label(RichText::new(tr(title)).strong());
     // Of all of the run, so that the axis does not jump while playing.
     let all = view.session.chosen().learning().until(f64::INFINITY);
     let most = points.iter().map(|point| point[1]).fold(SPAN[0], f64::max).min(SPAN[1]);
@@ -84,8 +94,8 @@ fn plot(
             plot.set_plot_bounds_x(0.0..=1.02 * length_s);
             plot.set_plot_bounds_y(0.0..=1.08 * most);
             let (stroke, style) = look.line(palette);
-            let line = Line::new(title, PlotPoints::from(points));
+            let line = Line::new(tr(title), PlotPoints::from(points));
             plot.line(line.stroke(stroke).style(style).allow_band(false));
-            plot.vline(VLine::new("playhead", playhead_s).stroke((1.0, palette.playhead)));
+            plot.vline(VLine::new(tr("playhead"), playhead_s).stroke((1.0, palette.playhead)));
         });
 }

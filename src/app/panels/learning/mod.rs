@@ -15,6 +15,7 @@ use crate::app::command::Command;
 use crate::app::history::LearningSample;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::legend;
+use crate::base::language::{text, tr};
 use crate::models::unks::UnksStart;
 use net::{DrawnNet, Shown};
 use passes::PassesView;
@@ -72,7 +73,7 @@ impl LearningView {
     fn networks(&mut self, ui: &mut Ui, samples: &[LearningSample]) {
         let palette = Palette::at(ui);
         let (Some(first), Some(now)) = (samples.first(), samples.last()) else {
-            ui.label(RichText::new("No networks at the playhead yet.").color(palette.weak));
+            ui.label(RichText::new(tr("No networks at the playhead yet.")).color(palette.weak));
             return;
         };
         ui.horizontal_wrapped(|ui| {
@@ -80,8 +81,8 @@ impl LearningView {
                 ui.selectable_value(&mut self.shown, shown, shown.label())
                     .on_hover_text(shown.help());
             }
-            legend::sample(ui, "positive", net::POSITIVE);
-            legend::sample(ui, "negative", net::NEGATIVE);
+            legend::sample(ui, tr("positive"), net::POSITIVE);
+            legend::sample(ui, tr("negative"), net::NEGATIVE);
         });
         let cold = now.start == UnksStart::Cold;
         let drawn =
@@ -96,9 +97,9 @@ impl LearningView {
                 net::show(right, &inverse, self.shown, NET_HEIGHT);
             });
         }
-        CollapsingHeader::new("What is this?").id_salt("learning words").show(ui, |ui| {
+        CollapsingHeader::new(tr("What is this?")).id_salt("learning words").show(ui, |ui| {
             for line in words(cold).iter().chain(SIGNS) {
-                ui.label(*line);
+                ui.label(tr(line));
             }
         });
     }
@@ -106,30 +107,42 @@ impl LearningView {
 
 /// What the pictures mean.
 const SIGNS: &[&str] = &[
-    "F is the measured force, F1 and F2 what it was one and two control periods ago; a is the \
-     override that the feed drive has reached, u the one that is asked for.",
-    "A dot in a neuron is its bias. Beside the weights, a ring marks the neurons that have changed \
-     most.",
+    text!(
+        "F is the measured force, F1 and F2 what it was one and two control periods ago; a is the \
+         override that the feed drive has reached, u the one that is asked for."
+    ),
+    text!(
+        "A dot in a neuron is its bias. Beside the weights, a ring marks the neurons that have changed \
+         most."
+    ),
 ];
 
 /// The scheme in words.
 fn words(cold: bool) -> &'static [&'static str] {
     if cold {
         &[
-            "NM-2 is the inverse model: it asks for the override by itself. It begins untrained and \
-             asks for 100 %, so at first the feedback does all the work, as the division controller \
-             does.",
-            "What the feedback adds is what NM-2 has not known: it learns from it, sample by sample \
-             (feedback-error learning). As it learns, the feedback's share falls.",
-            "NM-1 has no part in the cold start and does not learn.",
+            text!(
+                "NM-2 is the inverse model: it asks for the override by itself. It begins untrained and \
+                 asks for 100 %, so at first the feedback does all the work, as the division controller \
+                 does."
+            ),
+            text!(
+                "What the feedback adds is what NM-2 has not known: it learns from it, sample by sample \
+                 (feedback-error learning). As it learns, the feedback's share falls."
+            ),
+            text!("NM-1 has no part in the cold start and does not learn."),
         ]
     } else {
         &[
-            "NM-2 is the inverse model: it asks for the override that gives the wanted force. NM-1 is \
-             the forward model: it predicts the force of an override, and an internal loop corrects \
-             the override with it before it is sent.",
-            "Both were trained before and go on learning in the cut: NM-1 from what the force came \
-             to, NM-2 from what the loops have added to it.",
+            text!(
+                "NM-2 is the inverse model: it asks for the override that gives the wanted force. NM-1 is \
+                 the forward model: it predicts the force of an override, and an internal loop corrects \
+                 the override with it before it is sent."
+            ),
+            text!(
+                "Both were trained before and go on learning in the cut: NM-1 from what the force came \
+                 to, NM-2 from what the loops have added to it."
+            ),
         ]
     }
 }

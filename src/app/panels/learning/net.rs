@@ -5,6 +5,7 @@ use egui::{Align2, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, po
 
 use crate::app::format::fine;
 use crate::app::theme::{self, Look, Palette};
+use crate::base::language::{decimal, tr};
 use crate::models::unks::SIZES;
 
 /// How positive and negative weights are drawn.
@@ -35,15 +36,17 @@ impl Shown {
 
     pub fn label(self) -> &'static str {
         match self {
-            Self::Weights => "Weights",
-            Self::Change => "Change since the start",
+            Self::Weights => tr("Weights"),
+            Self::Change => tr("Change since the start"),
         }
     }
 
     pub fn help(self) -> &'static str {
         match self {
-            Self::Weights => "Links as thick as their weights; rings mark what has changed most",
-            Self::Change => "Links as thick as what the weights have changed by in this cut",
+            Self::Weights => {
+                tr("Links as thick as their weights; rings mark what has changed most")
+            }
+            Self::Change => tr("Links as thick as what the weights have changed by in this cut"),
         }
     }
 }
@@ -65,19 +68,19 @@ impl<'a> DrawnNet<'a> {
         let (title, role, inputs, output) = match (i, cold) {
             (0, false) => {
                 let inputs = ["ln F", "ln F/F1", "ln F/F2", "ln u/a"];
-                ("NM-1", "predicts the force", inputs, "change of ln F")
+                ("NM-1", tr("predicts the force"), inputs, tr("change of ln F"))
             }
             (0, true) => {
                 let inputs = ["ln F", "ln F/F1", "ln F/F2", "ln u/a"];
-                ("NM-1", "has no part in the cold start", inputs, "change of ln F")
+                ("NM-1", tr("has no part in the cold start"), inputs, tr("change of ln F"))
             }
             (_, false) => {
                 let inputs = ["ln F", "ln F/F1", "ln F/F2", "ln Fref/F"];
-                ("NM-2", "asks for the override", inputs, "ln u/a")
+                ("NM-2", tr("asks for the override"), inputs, "ln u/a")
             }
             (_, true) => {
                 let inputs = ["ln F/a", "ln F/F1", "ln F/F2", "ln Fref"];
-                ("NM-2", "asks for the override", inputs, "ln u")
+                ("NM-2", tr("asks for the override"), inputs, "ln u")
             }
         };
         Self { title, role, inputs, output, start, now, lessons }
@@ -106,11 +109,11 @@ pub fn show(ui: &mut Ui, drawn: &DrawnNet<'_>, shown: Shown, height: f32) {
         ui.label(RichText::new(drawn.title).strong());
         ui.label(RichText::new(drawn.role).color(palette.weak));
     });
-    let said = format!(
-        "{} lessons; largest weight {}, largest change {}",
-        drawn.lessons,
-        fine(weight, ""),
-        scientific(change)
+    let said = tr!(
+        "{n} lessons; largest weight {weight}, largest change {change}",
+        n = drawn.lessons,
+        weight = fine(weight, ""),
+        change = scientific(change)
     );
     ui.label(RichText::new(&said).small().color(palette.weak));
     let size = vec2(ui.available_width(), height);
@@ -122,7 +125,7 @@ pub fn show(ui: &mut Ui, drawn: &DrawnNet<'_>, shown: Shown, height: f32) {
 
 /// A small number in full digits is hard to read.
 fn scientific(value: f64) -> String {
-    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
+    if value == 0.0 { "0".to_owned() } else { decimal(format!("{value:.1e}")) }
 }
 
 /// Where the neurons of a layer of `count` stand.

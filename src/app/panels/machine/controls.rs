@@ -5,6 +5,7 @@ use egui::{CollapsingHeader, RichText, Ui};
 use crate::app::command::Command;
 use crate::app::theme::Palette;
 use crate::app::widgets::setting::{Size, setting};
+use crate::base::language::{text, tr};
 use crate::run::scenario::{Scenario, table};
 use crate::study::uses::Screen;
 
@@ -18,8 +19,11 @@ const FIRST: [&str; 6] = [
     "wear.tool_life_factor",
 ];
 /// Groups below a fold, with their titles.
-const FOLDS: [(&str, &str); 3] =
-    [("machine", "Machine and chip"), ("wear", "Wear"), ("life", "Sound, noise and prediction")];
+const FOLDS: [(&str, &str); 3] = [
+    ("machine", text!("Machine and chip")),
+    ("wear", text!("Wear")),
+    ("life", text!("Sound, noise and prediction")),
+];
 
 /// All of them.
 pub fn show(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
@@ -28,7 +32,7 @@ pub fn show(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
     }
     ui.add_space(4.0);
     for (group, title) in FOLDS {
-        CollapsingHeader::new(title).id_salt(("machine", group)).show(ui, |ui| {
+        CollapsingHeader::new(tr(title)).id_salt(("machine", group)).show(ui, |ui| {
             let all = table().iter().filter(|param| param.group == group);
             for param in all.filter(|param| !FIRST.contains(&param.path.as_str())) {
                 setting(ui, Screen::Machine, &param.path, scenario, Size::Small, commands);
@@ -36,7 +40,7 @@ pub fn show(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
         });
     }
     ui.add_space(4.0);
-    let note = "The programmed feed, speed and depth of cut are those of the Console.";
+    let note = tr("The programmed feed, speed and depth of cut are those of the Console.");
     ui.label(RichText::new(note).small().color(Palette::at(ui).weak));
 }
 

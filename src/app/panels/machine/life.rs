@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use crate::app::jobs::{Jobs, Work};
 use crate::app::session::Session;
+use crate::base::language::text;
 use crate::models::machine_trend::{MachineTrend, TrendPoint};
 use crate::models::wear::WearModel;
 use crate::run::scenario::Scenario;
@@ -54,7 +55,8 @@ impl Life {
     #[must_use]
     pub fn new(scenario: &Scenario, adjusts: bool, jobs: &Jobs) -> Self {
         let key = Key::new(scenario, adjusts);
-        let work = jobs.begin("Trends over the tool life", LifeJob::of(scenario), FIRST_POINTS);
+        let work =
+            jobs.begin(text!("Trends over the tool life"), LifeJob::of(scenario), FIRST_POINTS);
         let tool_work = begin_tool(scenario, adjusts, jobs);
         Self {
             trends: work.partial(),
@@ -129,7 +131,7 @@ impl Life {
 }
 
 fn begin_tool(scenario: &Scenario, adjusts: bool, jobs: &Jobs) -> Work<AdaptiveLife> {
-    jobs.begin("Life of one tool", AdaptiveLife::new(scenario, adjusts), FIRST_MINUTES)
+    jobs.begin(text!("Life of one tool"), AdaptiveLife::new(scenario, adjusts), FIRST_MINUTES)
 }
 
 /// The life predicted from the sound of the cut in the console, up to the playhead.

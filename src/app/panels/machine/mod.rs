@@ -8,7 +8,7 @@ mod motion;
 mod picture;
 mod plot;
 mod response;
-mod sound;
+pub(super) mod sound;
 mod stability;
 mod state;
 mod vibration;
@@ -19,6 +19,7 @@ use egui::{CollapsingHeader, Frame, Margin, ScrollArea, Ui};
 use super::{Panel, View};
 use crate::app::command::Command;
 use crate::app::widgets::scaffold;
+use crate::base::language::{text, tr};
 use crate::base::units::rev_s_from_rpm;
 use crate::models::wear::WearModel;
 use life::{Life, LifeInCut};
@@ -43,16 +44,20 @@ enum Part {
 }
 
 /// The name of the part with the stability chart.
-pub const STABILITY: &str = "Stability";
+pub const STABILITY: &str = text!("Stability");
 
 const PARTS: [(Part, &str, &str); 3] = [
-    (Part::Vibration, "Vibration", "The masses moving, the frequency response and the modes"),
+    (
+        Part::Vibration,
+        text!("Vibration"),
+        text!("The masses moving, the frequency response and the modes"),
+    ),
     (
         Part::Life,
-        "Wear and sound",
-        "Wear, sound and roughness over the tool's life, and its predicted life",
+        text!("Wear and sound"),
+        text!("Wear, sound and roughness over the tool's life, and its predicted life"),
     ),
-    (Part::Stability, STABILITY, "The depth at which the cut chatters, over the speed"),
+    (Part::Stability, STABILITY, text!("The depth at which the cut chatters, over the speed")),
 ];
 
 /// The screen.
@@ -74,11 +79,13 @@ impl Panel for MachinePanel {
     }
 
     fn title(&self) -> &'static str {
-        "Machine"
+        text!("Machine")
     }
 
     fn words(&self) -> &'static str {
-        "chatter stability lobes sound vibration wear tool life modes frequency response limit depth"
+        text!(
+            "chatter stability lobes sound vibration wear tool life modes frequency response limit depth"
+        )
     }
 
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
@@ -111,7 +118,7 @@ impl MachinePanel {
         }
         let adjusts = self.wear.adjusts;
         let busy = match self.part {
-            Part::Vibration => self.vibration.advance(dt_s),
+            Part::Vibration => self.vibration.advance(ui, dt_s),
             Part::Life => {
                 self.in_cut.follow(view.session);
                 let life = self.life.get_or_insert_with(|| Life::new(scenario, adjusts, view.jobs));
@@ -126,7 +133,7 @@ impl MachinePanel {
         };
         let wears = scenario.wear.model == WearModel::Life;
         self.wear.follow(wears.then_some(view.session.row().used_life));
-        self.sound.advance(view.session, self.wear.x, dt_s);
+        self.sound.advance(view.session, [self.wear.x, 1.0], dt_s);
         if busy {
             ui.ctx().request_repaint();
         }
@@ -149,14 +156,20 @@ impl MachinePanel {
     }
 
     fn narrow(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        scaffold::column(ui, "machine").show(ui, |ui| {
+        scaffold::column(ui, ("machine", self.part as u8)).show(ui, |ui| {
             scaffold::narrow().show(ui, |ui| {
                 self.head(ui, view);
                 let room = Frame::new().inner_margin(Margin { right: AXIS_END, ..Margin::ZERO });
                 room.show(ui, |ui| self.part(ui, view, CHART_HEIGHT, commands));
-                CollapsingHeader::new("Settings of the machine").show_unindented(ui, |ui| {
-                    controls::show(ui, view.session.current(), commands);
-                });
+                // Its verdict is what is looked for: nothing that is pressed stands before it.
+                if self.part == Part::Stability {
+                    self.sound(ui, view);
+                }
+                CollapsingHeader::new(tr("Settings of the machine"))
+                    .id_salt("Settings of the machine")
+                    .show_unindented(ui, |ui| {
+                        controls::show(ui, view.session.current(), commands);
+                    });
             });
         });
     }
@@ -165,16 +178,21 @@ impl MachinePanel {
     fn head(&mut self, ui: &mut Ui, view: &View<'_>) {
         ui.horizontal_wrapped(|ui| {
             for (part, name, help) in PARTS {
-                ui.selectable_value(&mut self.part, part, name).on_hover_text(help);
+                ui.selectable_value(&mut self.part, part, tr(name)).on_hover_text(tr(help));
             }
             if !view.narrow {
                 ui.separator();
                 self.sound.show(ui, view.session.playback().playing);
             }
         });
-        if view.narrow {
-            ui.horizontal(|ui| self.sound.show(ui, view.session.playback().playing));
+        if view.narrow && self.part != Part::Stability {
+            self.sound(ui, view);
         }
+    }
+
+    /// The sound, on a phone.
+    fn sound(&mut self, ui: &mut Ui, view: &View<'_>) {
+        ui.horizontal(|ui| self.sound.show(ui, view.session.playback().playing));
     }
 
     fn part(&mut self, ui: &mut Ui, view: &View<'_>, height: f32, commands: &mut Vec<Command>) {
@@ -190,7 +208,7 @@ impl MachinePanel {
             }
             (Part::Stability, ..) => {
                 let now = Operating { speed_rpm: row.spindle_rpm, depth_mm: row.axial_depth_mm };
-                self.stability.show(ui, now, height, commands);
+                self.stability.show(ui, now, (height, view.narrow), commands);
             }
             // Made before the next frame.
             _ => ui.ctx().request_repaint(),

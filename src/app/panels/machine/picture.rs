@@ -8,6 +8,7 @@ use super::motion::{MotionPicture, amplitude};
 use super::state::MachineState;
 use crate::app::format;
 use crate::app::theme::{self, Palette};
+use crate::base::language::{decimal, fixed, tr};
 use crate::base::math::pow;
 use crate::models::structure::parameters::NODES;
 
@@ -83,11 +84,12 @@ pub fn show(ui: &mut Ui, machine: &MachineState, motion: &MotionPicture, phase: 
 /// The picture in words.
 fn said(motion: &MotionPicture, scale: &Scale) -> String {
     let parts = NODES.iter().zip(motion.z).map(|(node, z)| match motion.in_metres {
-        true => format!("{node} {}", format::fine(1e6 * amplitude(z), "um")),
-        false => format!("{node} {:.3}", z.re),
+        true => format!("{} {}", tr(node), format::fine(1e6 * amplitude(z), "um")),
+        false => format!("{} {}", tr(node), fixed(z.re, 3)),
     });
     let parts = parts.collect::<Vec<String>>().join(", ");
-    format!("Five masses at {}: {parts}. {}", format::fine(motion.f_hz, "Hz"), scale.text)
+    let at = format::fine(motion.f_hz, "Hz");
+    tr!("Five masses at {at}: {parts}. {scale}", at = at, parts = parts, scale = scale.text)
 }
 
 /// How large movements are drawn.
@@ -104,15 +106,17 @@ impl Scale {
         let none = largest <= 0.0 || !largest.is_finite();
         if !in_metres || none {
             let points = if none { 0.0 } else { wanted / largest };
-            let text = "Shape of a mode: its size means nothing".to_owned();
+            let text = tr("Shape of a mode: its size means nothing").to_owned();
             return Self { points, bar: None, text };
         }
         // Round, and no larger than there is room for.
         let times = round_down(wanted * POINT_M / largest);
         let points = times / POINT_M;
         let bar_um = round_down(1e6 * 40.0 / points);
-        let bar = ((1e-6 * bar_um * points) as f32, format!("{bar_um} {}", format::unit("um")));
-        Self { points, bar: Some(bar), text: format!("Movement drawn ×{}", grouped(times)) }
+        let name = format!("{} {}", decimal(bar_um.to_string()), format::unit("um"));
+        let bar = ((1e-6 * bar_um * points) as f32, name);
+        let text = tr!("Movement drawn ×{times}", times = grouped(times));
+        Self { points, bar: Some(bar), text }
     }
 
     /// Draws it upwards from `foot`, the bar before the words.
@@ -151,7 +155,7 @@ fn grouped(x: f64) -> String {
         .rev()
         .filter_map(|part| std::str::from_utf8(part).ok())
         .collect();
-    if x < 1.0 { format!("{x}") } else { parts.join(" ") }
+    if x < 1.0 { decimal(x.to_string()) } else { parts.join(" ") }
 }
 
 fn ground_line(painter: &egui::Painter, rect: Rect, y: f32, palette: &Palette) {
@@ -223,19 +227,23 @@ fn mass(
     let z = motion.z[node];
     let move_text = match motion.in_metres {
         true => format::fine(1e6 * amplitude(z), "um"),
-        false => format!("{:+.2}", z.re + 0.0),
+        false => format::signed(decimal(format!("{:+.2}", z.re + 0.0))),
     };
     let line = |text: String, y: f32, color: Color32| {
         let galley = painter.layout_no_wrap(text, theme::note(painter.ctx()), color);
         let at = pos2(rect.center().x - 0.5 * galley.size().x, rect.center().y + y);
         painter.galley(at, galley, color);
     };
-    line(format!("{} {}", node + 1, NODES[node]), -17.0, palette.text);
+    line(format!("{} {}", node + 1, tr(NODES[node])), -17.0, palette.text);
     line(format!("{weight} · {move_text}"), 1.0, palette.text);
 }
 
 fn kilograms(mass_kg: f64) -> String {
-    if mass_kg < 1e-3 { format!("{:.1} mg", 1e6 * mass_kg) } else { format!("{mass_kg} kg") }
+    if mass_kg < 1e-3 {
+        format!("{} mg", fixed(1e6 * mass_kg, 1))
+    } else {
+        format!("{} kg", decimal(mass_kg.to_string()))
+    }
 }
 
 /// The pair of forces between tooth and work.

@@ -11,11 +11,12 @@ use crate::app::format::{self, log10};
 use crate::app::theme::{Look, Palette};
 use crate::app::widgets::legend;
 use crate::app::widgets::plot::{decade, decades, grid, near, still, tick};
+use crate::base::language::tr;
 use crate::base::math::{extent, pow};
 
 /// A line of a plot.
 pub struct PlotCurve {
-    /// Its name in the legend.
+    /// Its name in the legend, in English; so are the names of all that a figure shows.
     pub name: &'static str,
     /// How it is drawn.
     pub look: Look,
@@ -41,8 +42,8 @@ pub struct Marks {
 pub struct Figure {
     /// Its name.
     pub title: &'static str,
-    /// What the horizontal axis is, named where its unit is long.
-    pub over: &'static str,
+    /// Its title where the unit of the horizontal axis is too long for its numbers: with the words for that axis.
+    pub long_title: &'static str,
     /// Units of the two axes.
     pub units: [&'static str; 2],
     /// Range of the horizontal axis.
@@ -55,7 +56,7 @@ pub struct Figure {
     pub curves: Vec<PlotCurve>,
     /// A band: name, and places with their two values.
     pub band: Option<(&'static str, Vec<[f64; 3]>)>,
-    /// Vertical lines.
+    /// Vertical lines, with their names in the chosen language.
     pub posts: Vec<(String, Look, f64)>,
     /// Horizontal lines.
     pub levels: Vec<(&'static str, Look, f64)>,
@@ -70,7 +71,7 @@ impl Figure {
     pub fn new(title: &'static str, units: [&'static str; 2], across: [f64; 2]) -> Self {
         Self {
             title,
-            over: "",
+            long_title: "",
             units,
             across,
             up: [0.0, 1.0],
@@ -91,20 +92,20 @@ impl Figure {
             ui.horizontal_wrapped(|ui| {
                 self.title(ui);
                 for curve in &self.curves {
-                    legend::sample(ui, curve.name, curve.look);
+                    legend::sample(ui, tr(curve.name), curve.look);
                 }
                 for (name, look, _) in &self.levels {
-                    legend::sample(ui, name, *look);
+                    legend::sample(ui, tr(name), *look);
                 }
                 if let Some((name, _)) = &self.band {
                     let color = Palette::at(ui).accent;
-                    legend::sample_of(ui, name, color, |painter, rect, color| {
+                    legend::sample_of(ui, tr(name), color, |painter, rect, color| {
                         let bar = rect.shrink2(egui::vec2(0.0, 0.25 * rect.height()));
                         painter.rect_filled(bar, 2.0, color.gamma_multiply(BAND));
                     });
                 }
                 for marks in &self.marks {
-                    legend::points(ui, marks.name, marks.color, marks.shape);
+                    legend::points(ui, tr(marks.name), marks.color, marks.shape);
                 }
             });
         });
@@ -113,13 +114,11 @@ impl Figure {
     /// Its title with its units.
     fn title(&self, ui: &mut Ui) {
         let [across, up] = self.units;
-        let mut text = self.title.to_owned();
-        if !up.is_empty() {
-            text += &format!(" [{}]", format::unit(up));
-        }
-        if long(across) {
-            text += &format!(" over the {} [{across}]", self.over);
-        }
+        let text = match (up.is_empty(), long(across)) {
+            (_, true) => tr(self.long_title).to_owned(),
+            (true, false) => tr(self.title).to_owned(),
+            (false, false) => format!("{} [{}]", tr(self.title), format::unit(up)),
+        };
         ui.label(RichText::new(text).strong());
     }
 
@@ -168,7 +167,8 @@ impl Figure {
             });
         response.response.widget_info(|| {
             let [from, to] = self.across.map(|x| format::fine(x, across_unit));
-            let label = format!("{} from {from} to {to}", self.title);
+            let title = tr(self.title);
+            let label = tr!("{title} from {from} to {to}", title = title, from = from, to = to);
             WidgetInfo::labeled(Role::Figure, true, label)
         });
         response
@@ -177,7 +177,7 @@ impl Figure {
     fn draw(&self, plot: &mut PlotUi<'_>, palette: &Palette) {
         if let Some((name, band)) = &self.band {
             let column = |i: usize| band.iter().map(|row| row[i]).collect::<Vec<f64>>();
-            let area = FilledArea::new(*name, &column(0), &column(1), &column(2));
+            let area = FilledArea::new(tr(name), &column(0), &column(1), &column(2));
             plot.add(area.fill_color(palette.accent.gamma_multiply(BAND)).allow_hover(false));
         }
         for (name, look, at) in &self.posts {
@@ -186,11 +186,11 @@ impl Figure {
         }
         for (name, look, at) in &self.levels {
             let (stroke, style) = look.line(palette);
-            plot.hline(HLine::new(*name, self.place(*at)).stroke(stroke).style(style));
+            plot.hline(HLine::new(tr(name), self.place(*at)).stroke(stroke).style(style));
         }
         for curve in &self.curves {
             let (stroke, style) = curve.look.line(palette);
-            let line = Line::new(curve.name, self.points(&curve.points));
+            let line = Line::new(tr(curve.name), self.points(&curve.points));
             plot.line(line.stroke(stroke).style(style).allow_band(false));
         }
         for (x, text) in &self.tags {
@@ -199,7 +199,7 @@ impl Figure {
             plot.text(Text::new("", at, text).anchor(egui::Align2::LEFT_TOP).allow_hover(false));
         }
         for marks in &self.marks {
-            let points = Points::new(marks.name, self.points(&marks.at));
+            let points = Points::new(tr(marks.name), self.points(&marks.at));
             let points = points.shape(marks.shape).radius(marks.radius).color(marks.color);
             plot.points(points);
         }

@@ -14,6 +14,7 @@ use crate::app::widgets::legend;
 use crate::app::widgets::plot::decades_of;
 use crate::app::widgets::touch;
 use crate::app::widgets::zoom::by_touch;
+use crate::base::language::{fixed, text, tr};
 use crate::base::math::{TAU, acos};
 use crate::models::structure::Complex;
 use crate::models::structure::frf::{FrequencyResponse, LAST_HZ, tree};
@@ -31,9 +32,9 @@ type Part = fn(&FrequencyResponse) -> Complex;
 
 /// The responses that can be shown.
 const PARTS: [(&str, Look, Part); 3] = [
-    ("|G_rel| tooth to work", Look::Produced, |r| r.grel),
-    ("|H33| tooth", Look::Command, |r| r.h33),
-    ("|Hww| work", Look::Reference, |r| r.hww),
+    (text!("|G_rel| tooth to work"), Look::Produced, |r| r.grel),
+    (text!("|H33| tooth"), Look::Command, |r| r.h33),
+    (text!("|Hww| work"), Look::Reference, |r| r.hww),
 ];
 
 /// See the head of this file.
@@ -85,17 +86,17 @@ impl ResponseView {
     fn legend(&mut self, ui: &mut Ui) {
         ui.scope(|ui| {
             ui.spacing_mut().interact_size.y = 14.0;
-            legend::row(ui, "the frequency response", |ui| {
-                let title = format!("Frequency response [{}]", format::unit("um/kN"));
+            legend::row(ui, text!("the frequency response"), |ui| {
+                let title = tr!("Frequency response [{unit}]", unit = format::unit("um/kN"));
                 ui.label(RichText::new(title).strong());
                 for (i, (name, look, _)) in PARTS.iter().enumerate() {
-                    if legend::entry(ui, name, *look, self.hidden[i]).pressed {
+                    if legend::entry(ui, tr(name), *look, self.hidden[i]).pressed {
                         self.hidden[i] = !self.hidden[i];
                     }
                 }
-                legend::sample(ui, "modes", Look::Limit);
+                legend::sample(ui, tr("modes"), Look::Limit);
                 let color = Palette::at(ui).warn;
-                legend::points(ui, "passing teeth", color, MarkerShape::Up);
+                legend::points(ui, tr("passing teeth"), color, MarkerShape::Up);
             });
         });
     }
@@ -113,24 +114,26 @@ impl ResponseView {
                 .suffix(" Hz");
             let response = ui.add(slider);
             touch::only_across(ui, &response, &mut self.cursor_hz, before);
-            response.widget_info(|| WidgetInfo::slider(true, self.cursor_hz, "Cursor frequency"));
+            let name = tr("Cursor frequency");
+            response.widget_info(|| WidgetInfo::slider(true, self.cursor_hz, name));
             moved = response.changed();
-            response
-                .on_hover_text("The cursor: drag it here or in the plot, or use the arrow keys");
-            ui.selectable_value(&mut self.near, false, "to 3000 Hz");
-            ui.selectable_value(&mut self.near, true, "to 600 Hz");
-            ui.checkbox(&mut self.phase, "Phase");
+            let help = tr("The cursor: drag it here or in the plot, or use the arrow keys");
+            response.on_hover_text(help);
+            ui.selectable_value(&mut self.near, false, tr("to 3000 Hz"));
+            ui.selectable_value(&mut self.near, true, tr("to 600 Hz"));
+            ui.checkbox(&mut self.phase, tr("Phase"));
         });
         let here = tree(&machine.model, self.cursor_hz);
         let read = |(name, _, part): &(&str, Look, Part)| {
             let z = part(&here);
             let size = format::fine(UM_KN * amplitude(z), "um/kN");
             let name = name.split(' ').next().unwrap_or_default();
-            format!("{name} {size}, {:.1}°", degrees(z))
+            format!("{name} {size}, {}°", fixed(degrees(z), 1))
         };
         let shown = PARTS.iter().enumerate().filter(|(i, _)| !self.hidden[*i]);
         let said = shown.map(|(_, part)| read(part)).collect::<Vec<String>>().join("; ");
-        let text = format!("At {}: {said}", format::fine(self.cursor_hz, "Hz"));
+        let at = format::fine(self.cursor_hz, "Hz");
+        let text = tr!("At {at}: {said}", at = at, said = said);
         let label = ui.label(RichText::new(&text).color(Palette::at(ui).weak));
         label.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
         moved
@@ -138,7 +141,7 @@ impl ResponseView {
 
     fn sizes(&self, ui: &Ui, machine: &MachineState, tooth_hz: f64, last_hz: f64) -> Figure {
         let palette = Palette::at(ui);
-        let mut figure = Figure::new("Response", ["Hz", "um/kN"], [0.0, last_hz]);
+        let mut figure = Figure::new(text!("Response"), ["Hz", "um/kN"], [0.0, last_hz]);
         let shown = PARTS.iter().enumerate().filter(|(i, _)| !self.hidden[*i]);
         // The first stands in front.
         let curves = shown.rev().map(|(_, (name, look, part))| {
@@ -150,19 +153,20 @@ impl ResponseView {
         (figure.up, figure.logarithmic) = (decades_of(values, DECADES), true);
         for (i, mode) in machine.modes.iter().enumerate() {
             let f_hz = mode.free.frequency_hz;
-            let name = format!("mode {}, {}", i + 1, format::fine(f_hz, "Hz"));
+            let at = format::fine(f_hz, "Hz");
+            let name = tr!("mode {number}, {at}", number = i + 1, at = at);
             figure.posts.push((name, Look::Limit, f_hz));
             if f_hz < last_hz {
                 figure.tags.push((f_hz, (i + 1).to_string()));
             }
         }
-        figure.posts.push(("cursor".to_owned(), Look::Setpoint, self.cursor_hz));
+        figure.posts.push((tr("cursor").to_owned(), Look::Setpoint, self.cursor_hz));
         if tooth_hz > 0.0 {
             let harmonics = (1..).map(|k| f64::from(k) * tooth_hz);
             let floor = figure.up[0] * 1.12;
             let at = harmonics.take_while(|f_hz| *f_hz <= last_hz).map(|f_hz| [f_hz, floor]);
             figure.marks.push(Marks {
-                name: "passing teeth",
+                name: text!("passing teeth"),
                 at: at.collect(),
                 shape: MarkerShape::Up,
                 color: palette.warn,
@@ -173,7 +177,7 @@ impl ResponseView {
     }
 
     fn phases(&self, machine: &MachineState, last_hz: f64) -> Figure {
-        let mut figure = Figure::new("Phase", ["Hz", "deg"], [0.0, last_hz]);
+        let mut figure = Figure::new(text!("Phase"), ["Hz", "deg"], [0.0, last_hz]);
         let shown = PARTS.iter().enumerate().filter(|(i, _)| !self.hidden[*i]);
         let curves = shown.rev().map(|(_, (name, look, part))| {
             let points = machine.sweep.iter().map(|r| [r.f_hz, degrees(part(r))]);
@@ -181,7 +185,7 @@ impl ResponseView {
         });
         figure.curves = curves.collect();
         figure.up = [-190.0, 20.0];
-        figure.posts.push(("cursor".to_owned(), Look::Setpoint, self.cursor_hz));
+        figure.posts.push((tr("cursor").to_owned(), Look::Setpoint, self.cursor_hz));
         figure
     }
 }

@@ -8,6 +8,7 @@ use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
+use crate::base::language::tr;
 use crate::base::units::rev_s_from_rpm;
 use crate::models::machine_trend::MachineTrend;
 use crate::run::signals::flag;
@@ -19,6 +20,8 @@ const CHANGE_EVERY_S: f64 = 0.25;
 
 /// Steps in the share of the tool's life from one block to the next.
 const X_STEPS: f64 = 50.0;
+/// The same in the force.
+const LOAD_STEPS: f64 = 12.0;
 
 /// What a block of samples depends on.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +31,8 @@ struct Key {
     spindle_line: u64,
     /// Fraction of the tool's life.
     x: f64,
+    /// Force as a fraction of the one at which the model's own level is heard.
+    load: f64,
 }
 
 /// See the head of this file.
@@ -60,14 +65,14 @@ impl SoundControl {
     /// The switch and the volume, and what stands in the way.
     pub fn show(&mut self, ui: &mut Ui, playing: bool) {
         let palette = Palette::at(ui);
-        let help = "The sound of the cut as the model gives it: passing teeth and random force at \
-                    this speed, louder with wear. It sounds while the cut plays.";
+        let help =
+            tr("The sound of the cut as the model gives it: passing teeth and random force at \
+                       this speed, louder with wear. It sounds while the cut plays.");
         let sign = if self.on { Icon::Sound } else { Icon::Silence };
-        let response = icon::button(ui, sign, "Sound of the cut", help, true);
-        response.widget_info(|| {
-            WidgetInfo::selected(egui::Role::Button, true, self.on, "Sound of the cut")
-        });
-        ui.label(if self.on { "Sound on" } else { "Sound off" });
+        let name = tr("Sound of the cut");
+        let response = icon::button(ui, sign, name, help, true);
+        response.widget_info(|| WidgetInfo::selected(egui::Role::Button, true, self.on, name));
+        ui.label(if self.on { tr("Sound on") } else { tr("Sound off") });
         if response.clicked() {
             self.switch();
         }
@@ -76,13 +81,14 @@ impl SoundControl {
         let slider = Slider::new(&mut self.volume, 0.0..=1.0).show_value(false).step_by(0.05);
         let slider = ui.add_enabled(self.on, slider);
         touch::only_across(ui, &slider, &mut self.volume, before);
-        slider.widget_info(|| WidgetInfo::slider(self.on, f64::from(self.volume), "Volume"));
-        slider.on_hover_text("Volume");
+        slider.widget_info(|| WidgetInfo::slider(self.on, f64::from(self.volume), tr("Volume")));
+        slider.on_hover_text(tr("Volume"));
         if let Some(problem) = &self.problem {
-            let text = format!("No sound: {}.", problem.trim_end_matches('.'));
+            let text = tr!("No sound: {problem}.", problem = problem.trim_end_matches('.'));
             Standing::Watch.label(ui, &text, |text| text);
         } else if self.on && !playing {
-            ui.label(RichText::new("silent while the cut is paused").small().color(palette.weak));
+            let text = tr("silent while the cut is paused");
+            ui.label(RichText::new(text).small().color(palette.weak));
         }
     }
 
@@ -106,8 +112,9 @@ impl SoundControl {
     }
 
     /// Lets the loudspeaker play what the cut at the playhead sounds like at the fraction `x` of the
-    /// tool's life.
-    pub fn advance(&mut self, session: &Session, x: f64, dt_s: f64) {
+    /// tool's life, under a force as a fraction of the one at
+    /// which the model's own level is heard.
+    pub fn advance(&mut self, session: &Session, [x, load]: [f64; 2], dt_s: f64) {
         if !self.on {
             return;
         }
@@ -129,11 +136,13 @@ impl SoundControl {
         let line_hz = f64::from(rate_hz.max(1)) / SAMPLES as f64;
         // Finer steps than these are inaudible.
         let x = (x * X_STEPS).round() / X_STEPS;
+        let load = (load * LOAD_STEPS).round() / LOAD_STEPS;
         let cuts = session.playback().playing && !row.has(flag::AIR) && row.spindle_rpm > 0.0;
         let wanted = cuts.then(|| Key {
             model: model(session.current()),
             spindle_line: (rev_s_from_rpm(row.spindle_rpm) / line_hz).round() as u64,
             x,
+            load,
         });
         if wanted == self.sounding {
             return;
@@ -157,7 +166,7 @@ impl SoundControl {
         let made = self
             .made
             .get_or_insert_with(|| CutSound::new(&wanted.model, row.spindle_rpm, rate_hz, seed));
-        speaker.play(made.block(x, 1.0));
+        speaker.play(made.block(x, load));
         (self.sounding, self.since_change_s) = (Some(wanted), 0.0);
     }
 }

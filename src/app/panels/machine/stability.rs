@@ -17,7 +17,7 @@ use crate::app::jobs::{Jobs, Work};
 use crate::app::session::Session;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::standing::Standing;
-use crate::base::math::{extent, limit};
+use crate::base::language::{text, tr};
 use crate::base::settings::Value;
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::models::structure::MachineSettings;
@@ -103,21 +103,31 @@ impl AtSpeed {
         let range = Range { from_rpm, to_rpm, speeds: 1, highest_mm, simulate: false };
         // A machine that gives no chart says so in the place of the chart.
         let job = ChartJob::new(scenario, range).ok();
-        self.work = job.map(|job| jobs.begin_brief("Limit depth at this speed", job, 1));
+        self.work = job.map(|job| jobs.begin_brief(text!("Limit depth at this speed"), job, 1));
     }
 
     /// The limit, in words; nothing where that at another speed is known only.
-    fn text(&self, now: Operating, highest_mm: f64) -> String {
+    fn text(&self, now: Operating, highest_mm: f64, any_speed_mm: f64) -> Option<String> {
         let here =
             |point: &&LobePoint| (point.speed_rpm - now.speed_rpm).abs() <= 4.0 * VERDICT_STEP[0];
-        let Some(point) = self.found.as_ref().filter(here) else { return String::new() };
+        let point = self.found.as_ref().filter(here)?;
         let speed = format::quantity(point.speed_rpm, "1/min");
-        match point.interrupted_mm {
-            Some(mm) => format!(" Limit depth at {speed}: {}.", format::quantity(mm, "mm")),
-            None => {
-                format!(" No limit depth at {speed} up to {}.", format::quantity(highest_mm, "mm"))
-            }
-        }
+        // One answer to "how deep may it go", and what the other depth in the chart is.
+        let any = format::quantity(any_speed_mm, "mm");
+        Some(match point.interrupted_mm {
+            Some(mm) => tr!(
+                "Quiet at {speed} up to {limit} (limit depth), at any speed up to {any}.",
+                speed = speed,
+                limit = format::quantity(mm, "mm"),
+                any = any,
+            ),
+            None => tr!(
+                "Quiet at {speed} up to {highest} at least: no limit depth was found; at any speed up to {any}.",
+                speed = speed,
+                highest = format::quantity(highest_mm, "mm"),
+                any = any,
+            ),
+        })
     }
 }
 
@@ -146,7 +156,7 @@ fn begin(scenario: &Scenario, jobs: &Jobs) -> Result<Chart, String> {
     range.highest_mm = HIGHEST * of(range)?.any_speed_mm();
     let job = of(range)?;
     let (cut, any_speed_mm) = (job.cut().clone(), job.any_speed_mm());
-    let work = jobs.begin("Stability chart", job, 1);
+    let work = jobs.begin(text!("Stability chart"), job, 1);
     Ok(Chart { cut, any_speed_mm, points: work.partial(), work })
 }
 
@@ -181,23 +191,36 @@ impl StabilityView {
     }
 
     /// Draws all of it, `height` points high, with the verdict on the present cut.
-    pub fn show(&mut self, ui: &mut Ui, now: Operating, height: f32, commands: &mut Vec<Command>) {
+    /// On a phone it comes first, and the choice of the damper last.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        now: Operating,
+        (height, narrow): (f32, bool),
+        commands: &mut Vec<Command>,
+    ) {
         let palette = Palette::at(ui);
         let Some(charted) = &mut self.charted else {
             // Begun before the next frame.
             return ui.ctx().request_repaint();
         };
         let top = ui.cursor().top();
-        quality(ui, charted.settings.0.spindle_quality, commands);
+        let damper = charted.settings.0.spindle_quality;
+        if !narrow {
+            quality(ui, damper, commands);
+        }
         let chart = match &charted.chart {
             Ok(chart) => chart,
             Err(error) => {
                 theme::card(palette).show(ui, |ui| {
                     ui.set_width(ui.available_width());
-                    let title = "No chart can be made of this machine";
+                    let title = tr("No chart can be made of this machine");
                     Standing::Bad.label(ui, title, RichText::strong);
                     ui.label(error);
                 });
+                if narrow {
+                    quality(ui, damper, commands);
+                }
                 return;
             }
         };
@@ -212,9 +235,11 @@ impl StabilityView {
             ui.ctx().request_repaint();
         }
         verdict(ui, worst, chart);
-        let limit = charted.limit.text(now, HIGHEST * chart.any_speed_mm);
-        present(ui, now, grown, &limit);
-        let cut = format!("Charted: {}.", chart.cut.engagement_text());
+        let limit = charted.limit.text(now, HIGHEST * chart.any_speed_mm, chart.any_speed_mm);
+        let chatters = worst.is_some_and(|(_, grown)| grown > 1.0);
+        present(ui, now, (grown, chatters), limit.as_deref());
+        quiet_speed(ui, worst, chart);
+        let cut = tr!("Charted: {cut}.", cut = chart.cut.engagement_text());
         ui.label(RichText::new(cut).small().color(palette.weak));
         let figure = figure(chart, now, grown, worst, palette);
         figure.legend(ui);
@@ -222,12 +247,15 @@ impl StabilityView {
             let share = chart.work.progress().share() as f32;
             let bar = ProgressBar::new(share).show_percentage();
             ui.add(bar.desired_height(14.0));
-            if !chart.work.is_running() && ui.button("Go on with the chart").clicked() {
+            if !chart.work.is_running() && ui.button(tr("Go on with the chart")).clicked() {
                 chart.work.go_on();
             }
         }
         let height = height - (ui.cursor().top() - top);
         figure.show(ui, height.max(theme::PLOT_HEIGHT_SCROLLED), Sense::hover());
+        if narrow {
+            quality(ui, damper, commands);
+        }
     }
 }
 
@@ -239,17 +267,17 @@ fn far(judged: Operating, now: Operating) -> bool {
 /// The two readings of the spindle's damper.
 fn quality(ui: &mut Ui, now: f64, commands: &mut Vec<Command>) {
     ui.horizontal_wrapped(|ui| {
-        ui.label(RichText::new("Spindle quality").strong());
+        ui.label(RichText::new(tr("Spindle quality")).strong());
         for (quality, name, help) in [
             (
                 SPINDLE_QUALITY,
-                "Q 5, by its damper",
-                "The printed damper of 2348 N s/m belongs to it",
+                tr("Q 5, by its damper"),
+                tr("The printed damper of 2348 N s/m belongs to it"),
             ),
             (
                 QUALITY_PRINTED[1],
-                "Q 17, as printed",
-                "The quality printed in the table: a third of the damping",
+                tr("Q 17, as printed"),
+                tr("The quality printed in the table: a third of the damping"),
             ),
         ] {
             let chosen = now == quality;
@@ -264,19 +292,30 @@ fn quality(ui: &mut Ui, now: f64, commands: &mut Vec<Command>) {
 fn verdict(ui: &mut Ui, worst: Option<(CutOfRun, f64)>, chart: &Chart) {
     let palette = Palette::at(ui);
     let (text, standing) = match worst {
-        None => ("The cuts of this run are being judged".to_owned(), Standing::Plain),
+        None => (tr("The cuts of this run are being judged").to_owned(), Standing::Plain),
         Some((cut, grown)) => {
             let [from, to] = cut.from_to_mm.map(|mm| format::quantity(mm, "mm"));
-            let at = format!("{}, from {from} to {to} of the path", place(cut.at));
+            let [speed, depth] = words(cut.at);
             if grown > 1.0 {
-                (
-                    format!("Chatter at {at}: a disturbance grows ×{grown:.2} per tooth"),
-                    Standing::Bad,
-                )
+                let text = tr!(
+                    "Chatter at {speed} and {depth} deep, from {from} to {to} of the path: a disturbance \
+                     grows ×{grown:.2} per tooth",
+                    speed = speed,
+                    depth = depth,
+                    from = from,
+                    to = to,
+                    grown = grown,
+                );
+                (text, Standing::Bad)
             } else {
-                let text = format!(
-                    "Stable at {at}, the cut of this run nearest to chatter: a disturbance \
-                     shrinks to ×{grown:.2} per tooth"
+                let text = tr!(
+                    "Stable at {speed} and {depth} deep, from {from} to {to} of the path, the cut of this \
+                     run nearest to chatter: a disturbance shrinks to ×{grown:.2} per tooth",
+                    speed = speed,
+                    depth = depth,
+                    from = from,
+                    to = to,
+                    grown = grown,
                 );
                 (text, Standing::Good)
             }
@@ -291,34 +330,80 @@ fn verdict(ui: &mut Ui, worst: Option<(CutOfRun, f64)>, chart: &Chart) {
         let text = match any_speed_mm.is_finite() {
             true => {
                 let any = format::quantity(any_speed_mm, "mm");
-                format!("Stable at every speed up to {any}, by the lobes.")
+                tr!("Stable at every speed up to {any}, by the lobes.", any = any)
             }
-            false => "Nothing can chatter: the chip does not feel the vibration.".to_owned(),
+            false => tr("Nothing can chatter: the chip does not feel the vibration.").to_owned(),
         };
         ui.label(RichText::new(text).color(palette.weak));
     });
     *ui.spacing_mut() = spacing;
 }
 
-fn place(at: Operating) -> String {
-    let [speed, depth] =
-        [format::quantity(at.speed_rpm, "1/min"), format::quantity(at.depth_mm, "mm")];
-    format!("{speed} and {depth} deep")
+/// Speed and depth of a cut with their units.
+fn words(at: Operating) -> [String; 2] {
+    [format::quantity(at.speed_rpm, "1/min"), format::quantity(at.depth_mm, "mm")]
+}
+
+/// The speed of the chart at which the depth of the run's worst cut has most room, where it chatters at its own.
+fn quiet_speed(ui: &mut Ui, worst: Option<(CutOfRun, f64)>, chart: &Chart) {
+    let Some((cut, _)) = worst.filter(|(_, grown)| *grown > 1.0) else { return };
+    if !chart.work.is_over() {
+        return;
+    }
+    let depth_mm = cut.at.depth_mm;
+    let room = |point: &LobePoint| point.interrupted_mm.unwrap_or(f64::INFINITY);
+    let best = chart.points.iter().max_by(|a, b| room(a).total_cmp(&room(b)));
+    let depth = format::quantity(depth_mm, "mm");
+    let text = match best.filter(|point| room(point) > depth_mm) {
+        Some(point) if room(point).is_finite() => tr!(
+            "{depth} deep it is quietest near {speed}, where the limit depth is {limit}.",
+            depth = depth,
+            speed = format::quantity(point.speed_rpm, "1/min"),
+            limit = format::quantity(room(point), "mm"),
+        ),
+        Some(point) => tr!(
+            "{depth} deep it is quietest near {speed}, where no limit depth was found.",
+            depth = depth,
+            speed = format::quantity(point.speed_rpm, "1/min"),
+        ),
+        None => tr!("{depth} deep it is quiet at no speed of the chart.", depth = depth),
+    };
+    Standing::Plain.label(ui, &text, |text| text);
 }
 
 /// The cut at the playhead, below the verdict.
-fn present(ui: &mut Ui, now: Operating, grown: Option<f64>, limit: &str) {
-    let (text, standing) = match grown {
-        None => ("At the playhead: no cut.".to_owned(), Standing::Plain),
+fn present(
+    ui: &mut Ui,
+    now: Operating,
+    (grown, chatters): (Option<f64>, bool),
+    limit: Option<&str>,
+) {
+    let [speed, depth] = words(now);
+    let (mut text, standing) = match grown {
+        None => (tr("At the playhead: no cut.").to_owned(), Standing::Plain),
         Some(grown) if grown > 1.0 => {
-            let text = format!("At the playhead, {}: chatter, ×{grown:.2}.{limit}", place(now));
+            let text = tr!(
+                "At the playhead, {speed} and {depth} deep: chatter, ×{grown:.2}.",
+                speed = speed,
+                depth = depth,
+                grown = grown,
+            );
             (text, Standing::Bad)
         }
         Some(grown) => {
-            let text = format!("At the playhead, {}: no chatter, ×{grown:.2}.{limit}", place(now));
-            (text, Standing::Good)
+            let text = tr!(
+                "At the playhead, {speed} and {depth} deep: no chatter, ×{grown:.2}.",
+                speed = speed,
+                depth = depth,
+                grown = grown,
+            );
+            // Beside a run that chatters elsewhere a tick would be read as the verdict.
+            (text, if chatters { Standing::Plain } else { Standing::Good })
         }
     };
+    if let Some(limit) = limit.filter(|_| grown.is_some()) {
+        text = format!("{text} {limit}");
+    }
     standing.label(ui, &text, |text| text);
 }
 
@@ -332,24 +417,23 @@ fn figure(
     let [from_rpm, to_rpm] = SPEEDS_RPM;
     let across = [from_rpm.min(now.speed_rpm), to_rpm.max(now.speed_rpm)];
     let across = if grown.is_some() { across } else { SPEEDS_RPM };
-    let mut figure = Figure::new("Limit depth", ["1/min", "mm"], across);
-    figure.over = "speed";
+    let mut figure = Figure::new(text!("Limit depth"), ["1/min", "mm"], across);
+    figure.long_title = text!("Limit depth [mm] over the speed [1/min]: quiet below the line");
     let curve = |name, look, of: fn(&LobePoint) -> Option<f64>| {
         let points = chart.points.iter();
         let points = points.map(|point| [point.speed_rpm, of(point).unwrap_or(f64::INFINITY)]);
         PlotCurve { name, look, points: points.collect() }
     };
     figure.curves = vec![
-        curve("lobes", Look::Twin, |point| point.mean_mm),
-        curve("interrupted cut", Look::Produced, |point| point.interrupted_mm),
+        curve(text!("lobes"), Look::Twin, |point| point.mean_mm),
+        curve(text!("interrupted cut"), Look::Produced, |point| point.interrupted_mm),
     ];
     let any_speed_mm = chart.any_speed_mm;
     if any_speed_mm.is_finite() {
-        figure.levels.push(("stable at every speed", Look::Limit, any_speed_mm));
+        figure.levels.push((text!("stable at every speed"), Look::Limit, any_speed_mm));
     }
-    let found = chart.points.iter().filter_map(|point| point.interrupted_mm);
-    let [_, highest] = extent(found);
-    let highest = limit(highest, 1.2 * any_speed_mm, SHOWN * any_speed_mm);
+    // The same from the first point on: an axis that grows with the curve leaves nothing to compare it with.
+    let highest = SHOWN * any_speed_mm;
     let deepest_mm = worst.map_or(0.0, |(cut, _)| cut.at.depth_mm);
     let highest = highest.max(1.3 * now.depth_mm.max(deepest_mm));
     let highest = if highest.is_finite() { 1.05 * highest } else { 10.0 };
@@ -357,7 +441,10 @@ fn figure(
     if let Some((cut, grown)) = worst {
         let color = if grown > 1.0 { palette.bad } else { palette.good };
         figure.marks.push(Marks {
-            name: "nearest to chatter in the run",
+            name: match grown > 1.0 {
+                true => text!("furthest into chatter in the run"),
+                false => text!("nearest to chatter in the run"),
+            },
             at: vec![[cut.at.speed_rpm, cut.at.depth_mm]],
             shape: MarkerShape::Cross,
             color,
@@ -367,7 +454,7 @@ fn figure(
     if let Some(grown) = grown {
         let color = if grown > 1.0 { palette.bad } else { palette.good };
         figure.marks.push(Marks {
-            name: "the cut now",
+            name: text!("the cut now"),
             at: vec![[now.speed_rpm, now.depth_mm]],
             shape: MarkerShape::Diamond,
             color,

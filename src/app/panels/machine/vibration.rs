@@ -8,11 +8,12 @@ use super::response::ResponseView;
 use super::state::MachineState;
 use crate::app::command::Command;
 use crate::app::format;
-use crate::app::theme::Palette;
+use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
-use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::save_table::{SavedTable, TableOf, save_table};
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
+use crate::base::language::{decimal, fixed, tr};
 use crate::models::structure::parameters::NODES;
 use crate::study::export::sheet::{Entry, Sheet};
 
@@ -31,7 +32,8 @@ const HARMONICS: [u32; 3] = [1, 2, 3];
 /// See the head of this file.
 pub struct VibrationView {
     drive: Drive,
-    moving: bool,
+    /// As it was chosen; otherwise as motion is wanted at all.
+    moving: Option<bool>,
     /// Of the movement shown, turns.
     phase: f64,
     response: ResponseView,
@@ -40,7 +42,7 @@ pub struct VibrationView {
 impl Default for VibrationView {
     fn default() -> Self {
         let drive = Drive::Teeth(HARMONICS[1]);
-        Self { drive, moving: true, phase: 0.0, response: ResponseView::default() }
+        Self { drive, moving: None, phase: 0.0, response: ResponseView::default() }
     }
 }
 
@@ -49,11 +51,16 @@ const MASSES: f32 = 310.0;
 
 impl VibrationView {
     /// Moves on by `dt_s`; `true` while the masses move.
-    pub fn advance(&mut self, dt_s: f64) -> bool {
-        if self.moving {
+    pub fn advance(&mut self, ui: &Ui, dt_s: f64) -> bool {
+        let moving = self.is_moving(ui);
+        if moving {
             self.phase = (self.phase + SHOWN_HZ * dt_s).fract();
         }
-        self.moving
+        moving
+    }
+
+    fn is_moving(&self, ui: &Ui) -> bool {
+        self.moving.unwrap_or(!theme::is_still(ui.ctx()))
     }
 
     /// Draws all of it.
@@ -97,30 +104,33 @@ impl VibrationView {
         let palette = Palette::at(ui);
         let top = ui.cursor().top();
         ui.horizontal_wrapped(|ui| {
-            let (sign, name) = match self.moving {
-                true => (Icon::Pause, "Stop the masses"),
-                false => (Icon::Play, "Move the masses"),
+            let moving = self.is_moving(ui);
+            let (sign, name) = match moving {
+                true => (Icon::Pause, tr("Stop the masses")),
+                false => (Icon::Play, tr("Move the masses")),
             };
             if icon::button(ui, sign, name, name, true).clicked() {
-                self.moving = !self.moving;
+                self.moving = Some(!moving);
             }
-            let help = "The contact force at the frequency of the cursor";
-            ui.selectable_value(&mut self.drive, Drive::Frequency, "At the cursor")
+            let help = tr("The contact force at the frequency of the cursor");
+            ui.selectable_value(&mut self.drive, Drive::Frequency, tr("At the cursor"))
                 .on_hover_text(help);
             for harmonic in HARMONICS {
                 let name = match harmonic {
-                    1 => "Passing teeth".to_owned(),
+                    1 => tr("Passing teeth").to_owned(),
                     _ => format!("×{harmonic}"),
                 };
-                let help =
-                    format!("The contact force at {harmonic} times the tooth passing of now");
+                let help = tr!(
+                    "The contact force at {harmonic} times the tooth passing of now",
+                    harmonic = harmonic,
+                );
                 let drive = Drive::Teeth(harmonic);
                 let response = touch::choice(ui, self.drive == drive, name);
                 if response.clicked() {
                     self.drive = drive;
                 }
                 response.widget_info(|| {
-                    let name = format!("Passing teeth ×{harmonic}");
+                    let name = tr!("Passing teeth ×{harmonic}", harmonic = harmonic);
                     let chosen = self.drive == drive;
                     egui::WidgetInfo::selected(egui::Role::Button, true, chosen, name)
                 });
@@ -135,14 +145,16 @@ impl VibrationView {
             ui.ctx().request_repaint();
             return;
         };
-        let what = match self.drive {
-            Drive::Mode(i) => format!("Mode {}: {}", i + 1, format::fine(motion.f_hz, "Hz")),
+        let (at, slow) = (format::fine(motion.f_hz, "Hz"), decimal(SHOWN_HZ.to_string()));
+        let text = match self.drive {
+            Drive::Mode(i) => {
+                tr!("Mode {number}: {at}, shown at {slow} Hz", number = i + 1, at = at, slow = slow)
+            }
             Drive::Frequency | Drive::Teeth(_) => {
                 let force = format::quantity(force_n, "N");
-                format!("{force} at {}", format::fine(motion.f_hz, "Hz"))
+                tr!("{force} at {at}, shown at {slow} Hz", force = force, at = at, slow = slow)
             }
         };
-        let text = format!("{what}, shown at {SHOWN_HZ} Hz");
         ui.label(RichText::new(text).color(palette.weak));
         let height = (height - (ui.cursor().top() - top)).max(MASSES);
         picture::show(ui, machine, &motion, self.phase, height);
@@ -152,29 +164,30 @@ impl VibrationView {
     fn modes(&mut self, ui: &mut Ui, machine: &MachineState, commands: &mut Vec<Command>) {
         let palette = Palette::at(ui);
         ui.add_space(2.0);
-        ui.label(RichText::new("Modes").strong());
+        ui.label(RichText::new(tr("Modes")).strong());
         if machine.modes.is_empty() {
-            let text = "The eigenvalues of this machine do not converge.";
+            let text = tr("The eigenvalues of this machine do not converge.");
             Standing::Watch.label(ui, text, |text| text);
             return;
         }
         touch::low_rows(ui, 20.0);
         touch::grid(ui, "modes").num_columns(4).striped(true).spacing([14.0, 1.0]).show(ui, |ui| {
-            for title in ["mode", "Hz", "damping", "moves most"] {
+            for title in [tr("mode"), "Hz", tr("damping"), tr("moves most")] {
                 ui.label(RichText::new(title).small().color(palette.weak));
             }
             ui.end_row();
             for (i, mode) in machine.modes.iter().enumerate() {
                 let drive = Drive::Mode(i);
-                let name = format!("Mode {}", i + 1);
-                ui.selectable_value(&mut self.drive, drive, name).on_hover_text("Let it swing");
+                let name = tr!("Mode {number}", number = i + 1);
+                ui.selectable_value(&mut self.drive, drive, name).on_hover_text(tr("Let it swing"));
                 ui.label(hertz(mode.free.frequency_hz));
-                ui.label(mode.damping_ratio.map_or("-".to_owned(), |d| format!("{d:.4}")));
+                ui.label(mode.damping_ratio.map_or("-".to_owned(), |d| fixed(d, 4)));
                 ui.label(RichText::new(movers(&mode.free.shape)));
                 ui.end_row();
             }
         });
-        save_table(ui, "modes", || sheet(machine), commands);
+        let table = SavedTable { what: "modes", of: TableOf::Open, partial: None };
+        save_table(ui, &table, || sheet(machine), commands);
     }
 }
 
@@ -192,7 +205,7 @@ fn sheet(machine: &MachineState) -> Sheet {
 }
 
 fn hertz(f_hz: f64) -> String {
-    if f_hz >= 1e5 { format!("{:.2} MHz", 1e-6 * f_hz) } else { format!("{f_hz:.2}") }
+    if f_hz >= 1e5 { format!("{} MHz", fixed(1e-6 * f_hz, 2)) } else { fixed(f_hz, 2) }
 }
 
 /// The nodes that move at least a third as far as the one that moves most.
@@ -201,6 +214,8 @@ fn movers(shape: &[f64; 5]) -> String {
     let mut parts: Vec<(f64, &str)> =
         shape.iter().map(|x| x / largest).zip(NODES).filter(|(x, _)| x.abs() > 1.0 / 3.0).collect();
     parts.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
-    let parts: Vec<String> = parts.iter().map(|(x, node)| format!("{node} {x:+.2}")).collect();
-    parts.join(", ")
+    let told = |(x, node): &(f64, &str)| {
+        format!("{} {}", tr(node), format::signed(decimal(format!("{x:+.2}"))))
+    };
+    parts.iter().map(told).collect::<Vec<String>>().join(", ")
 }

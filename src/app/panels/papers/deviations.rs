@@ -1,12 +1,14 @@
 //! What a paper's own table says about its findings: final against desired values.
 
-use egui::{ScrollArea, Ui};
+use egui::Ui;
 
 use super::sheets;
 use crate::app::command::Command;
 use crate::app::format;
-use crate::app::widgets::save_table::save_table;
+use crate::app::widgets::save_table::{SavedTable, TableOf, save_table};
+use crate::app::widgets::scaffold;
 use crate::app::widgets::touch;
+use crate::base::language::{text, tr};
 use crate::study::papers::{PaperRow, PaperTable};
 use crate::study::published::PaperId;
 
@@ -14,44 +16,50 @@ fn off(is: f64, wanted: f64) -> f64 {
     100.0 * (is / wanted - 1.0)
 }
 
-/// A column: its title, and the deviation in a row in words.
+/// A column: its title in English, and the deviation in a row in words.
 type Column = (&'static str, fn(&PaperRow) -> String);
 /// The columns of a paper.
 pub type Columns = Vec<&'static Column>;
 
 const RA: [Column; 2] = [
-    ("Ra printed", |row| format::deviation(row.ra_deviation_printed_percent)),
-    ("Ra run", |row| format::deviation(row.ra_deviation_reproduced_percent)),
+    (text!("Ra printed"), |row| format::deviation(row.ra_deviation_printed_percent)),
+    (text!("Ra run"), |row| format::deviation(row.ra_deviation_reproduced_percent)),
 ];
 
 /// Final against desired force; only Table 3 of 2007 prints the desired one.
 const FORCE: [Column; 2] = [
-    ("force printed", |row| {
+    (text!("force printed"), |row| {
         let (end, wanted) = (&row.force_final_n, row.force_start_n.printed);
         let [printed, read] =
             [end.printed, end.reference].map(|is| format::deviation(off(is, wanted)));
-        if printed == read { printed } else { format!("{printed}\n(read {read})") }
+        if printed == read {
+            printed
+        } else {
+            tr!("{printed}\n({read} corrected)", printed = printed, read = read)
+        }
     }),
-    ("force run", |row| {
+    (text!("force run"), |row| {
         format::deviation(off(row.force_final_n.reproduced, row.force_start_n.reproduced))
     }),
 ];
 
-/// What the paper finds, and what the runs leave.
-fn words(paper: PaperId) -> [&'static str; 2] {
+/// What the paper finds, what its table says, and what the runs leave.
+fn words(paper: PaperId, table: &PaperTable) -> String {
     match paper {
-        PaperId::Sdnrp2007 => [
+        PaperId::Sdnrp2007 => tr!(
             "The findings speak of at most 4.1 % in Ra and 5.2 % in force. Table 3 itself, final \
-             value against desired value, says more",
-            "With the identified models the runs leave the same one.",
-        ],
-        PaperId::Strategy2013 => [
+             value against desired value, says more: {extremes}. Proportional feedback leaves a steady-state \
+             error. With the identified models the runs leave the same one.",
+            extremes = extremes(table),
+        ),
+        PaperId::Strategy2013 => tr!(
             "Section 4 makes the difference between desired and simulated Ra the criterion and \
              finds the model \"efficient at gaining the desired surface roughness\", without a \
-             figure for it. Table 1 itself gives one",
-            "With the identified models the runs leave one of the same kind: too rough in the \
+             figure for it. Table 1 itself gives one: {extremes}. Proportional feedback leaves a steady-state \
+             error. With the identified models the runs leave one of the same kind: too rough in the \
              fine cuts, too fine in the rough ones.",
-        ],
+            extremes = extremes(table),
+        ),
     }
 }
 
@@ -63,28 +71,27 @@ fn extremes(table: &PaperTable) -> String {
     else {
         return String::new();
     };
-    let told = |row: &PaperRow| {
-        format!("{} in simulation {}", format::deviation(row.ra_deviation_printed_percent), row.sim)
-    };
-    format!("Ra is off by {} to {}", told(high), told(low))
+    tr!(
+        "Ra is off by {high} in simulation {first} to {low} in simulation {second}",
+        high = format::deviation(high.ra_deviation_printed_percent),
+        first = high.sim,
+        low = format::deviation(low.ra_deviation_printed_percent),
+        second = low.sim,
+    )
 }
 
 /// The section of the screen.
 pub fn show(ui: &mut Ui, paper: PaperId, table: &PaperTable, commands: &mut Vec<Command>) {
     ui.add_space(10.0);
-    ui.heading("The paper's own deviations");
-    let [findings, runs] = words(paper);
-    ui.label(format!(
-        "{findings}: {}. Proportional feedback leaves a steady-state error. {runs}",
-        extremes(table)
-    ));
+    ui.heading(tr("The paper's own deviations"));
+    ui.label(words(paper, table));
     let force: &[Column] = if paper == PaperId::Sdnrp2007 { &FORCE } else { &[] };
     let columns: Columns = RA.iter().chain(force).collect();
     let grid = touch::grid(ui, "deviations").striped(true).min_col_width(24.0).spacing([12.0, 3.0]);
     let figures = |ui: &mut Ui| {
-        ui.strong("Sim");
+        ui.strong(tr("Sim"));
         columns.iter().for_each(|(title, _)| {
-            ui.strong(*title);
+            ui.strong(tr(title));
         });
         ui.end_row();
         for row in &table.rows {
@@ -95,9 +102,16 @@ pub fn show(ui: &mut Ui, paper: PaperId, table: &PaperTable, commands: &mut Vec<
             ui.end_row();
         }
     };
-    ScrollArea::horizontal().id_salt("deviations").show(ui, |ui| grid.show(ui, figures));
+    scaffold::across(ui, "deviations", |ui| {
+        grid.show(ui, figures);
+    });
     let what = format!("deviations-{}", paper.id());
-    save_table(ui, &what, || sheets::deviations(&columns, table), commands);
+    save_table(
+        ui,
+        &SavedTable { what: &what, of: TableOf::Nothing, partial: None },
+        || sheets::deviations(&columns, table),
+        commands,
+    );
 }
 
 #[cfg(test)]
@@ -121,7 +135,7 @@ mod tests {
         }
         assert_eq!(
             extremes(&table),
-            "Ra is off by +31.6 % in simulation 1 to -22.4 % in simulation 10"
+            "Ra is off by +31.6\u{a0}% in simulation 1 to \u{2212}22.4\u{a0}% in simulation 10"
         );
     }
 

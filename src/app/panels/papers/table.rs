@@ -1,13 +1,15 @@
 //! The table itself: a grid on a desktop, a card for every row where it is narrow.
 
-use egui::{RichText, Role, ScrollArea, TextWrapMode, Ui, WidgetInfo};
+use egui::{RichText, Role, TextWrapMode, Ui, WidgetInfo};
 
 use super::Shown;
 use crate::app::command::{Command, SessionCommand, ShellCommand};
 use crate::app::format;
 use crate::app::theme::{self, Palette};
+use crate::app::widgets::scaffold;
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
+use crate::base::language::{decimal, text, tr};
 use crate::models::genetic::Calibration;
 use crate::run::diagram::Names;
 use crate::run::edits::Edits;
@@ -18,7 +20,7 @@ use crate::study::published::PaperId;
 
 /// A column of a table.
 pub struct PaperColumn {
-    /// Its title.
+    /// Its title, in English.
     pub title: &'static str,
     /// Unit of its values.
     pub unit: &'static str,
@@ -40,14 +42,14 @@ type Read = fn(&PaperRow) -> &Cell;
 /// The columns, as in the paper.
 pub fn columns(paper: PaperId) -> [PaperColumn; 8] {
     let columns: [(&'static str, &'static str, usize, Read); 8] = [
-        ("Desired Ra", "um", 2, |row| &row.ra_desired_um),
+        (text!("Desired Ra"), "um", 2, |row| &row.ra_desired_um),
         (paper.start_force(), "N", 1, |row| &row.force_start_n),
-        ("Start feed", "mm/min", 2, |row| &row.feed_initial_mm_min),
-        ("Start speed", "1/min", 0, |row| &row.spindle_initial_rpm),
-        ("Final force", "N", 1, |row| &row.force_final_n),
-        ("Final feed", "mm/min", 2, |row| &row.feed_final_mm_min),
-        ("Final speed", "1/min", 0, |row| &row.spindle_final_rpm),
-        ("Produced Ra", "um", 2, |row| &row.ra_produced_um),
+        (text!("Start feed"), "mm/min", 2, |row| &row.feed_initial_mm_min),
+        (text!("Start speed"), "1/min", 0, |row| &row.spindle_initial_rpm),
+        (text!("Final force"), "N", 1, |row| &row.force_final_n),
+        (text!("Final feed"), "mm/min", 2, |row| &row.feed_final_mm_min),
+        (text!("Final speed"), "1/min", 0, |row| &row.spindle_final_rpm),
+        (text!("Produced Ra"), "um", 2, |row| &row.ra_produced_um),
     ];
     columns.map(|(title, unit, decimals, cell)| PaperColumn { title, unit, decimals, cell })
 }
@@ -56,9 +58,9 @@ pub fn columns(paper: PaperId) -> [PaperColumn; 8] {
 fn load(ui: &mut Ui, shown: Shown, row: &PaperRow, commands: &mut Vec<Command>) {
     let Shown { paper, calibration, force_model } = shown;
     let name = paper.preset(row.sim);
-    let button = ui.button("Load");
-    button.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Load {name}")));
-    let hint = format!("Opens the scenario {name} in the console");
+    let button = ui.button(tr("Load"));
+    button.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr!("Load {name}", name = name)));
+    let hint = tr!("Opens the scenario {name} in the console", name = name);
     if button.on_hover_text(hint).clicked() {
         let mut scenario = papers::scenario(paper, row.sim, calibration, force_model);
         let mut changed = Vec::new();
@@ -81,15 +83,18 @@ fn load(ui: &mut Ui, shown: Shown, row: &PaperRow, commands: &mut Vec<Command>) 
 /// Residual and verdict of a cell in words.
 fn verdict(cell: &Cell, column: &PaperColumn) -> String {
     let residual = if column.absolute() {
-        format!("{:+.3} {}", cell.residual, format::unit(column.unit))
+        format::beside(
+            format::signed(decimal(format!("{:+.3}", cell.residual))),
+            &format::unit(column.unit),
+        )
     } else {
-        format!("{:+.2} %", cell.residual_percent)
+        format::beside(format::signed(decimal(format!("{:+.2}", cell.residual_percent))), "%")
     };
     match cell.verdict {
-        CellVerdict::Given => "given".to_owned(),
+        CellVerdict::Given => tr("given").to_owned(),
         CellVerdict::Reported => residual,
-        CellVerdict::Met => format!("{residual} met"),
-        CellVerdict::Missed => format!("{residual} missed"),
+        CellVerdict::Met => tr!("{residual} met", residual = residual),
+        CellVerdict::Missed => tr!("{residual} missed", residual = residual),
     }
 }
 
@@ -108,12 +113,16 @@ fn verdict_line(ui: &mut Ui, cell: &Cell, column: &PaperColumn) {
 fn printed(cell: &Cell, column: &PaperColumn) -> String {
     let as_printed = |x: f64| {
         let (exact, fixed) = (format!("{x}"), format!("{x:.*}", column.decimals));
-        if exact.len() > fixed.len() { exact } else { fixed }
+        decimal(if exact.len() > fixed.len() { exact } else { fixed })
     };
     if cell.printed == cell.reference {
         as_printed(cell.printed)
     } else {
-        format!("{} (read {})", as_printed(cell.printed), as_printed(cell.reference))
+        tr!(
+            "{printed} (compared with {read})",
+            printed = as_printed(cell.printed),
+            read = as_printed(cell.reference),
+        )
     }
 }
 
@@ -125,24 +134,32 @@ fn states(shown: Shown, row: &PaperRow) -> Option<String> {
         None => id.replace('_', " "),
     };
     let words: Vec<String> = row.out_of_range.iter().map(word).collect();
-    (!words.is_empty()).then(|| format!("simulation {}: {}", row.sim, words.join(", ")))
+    (!words.is_empty()).then(|| {
+        tr!(
+            "At the end of simulation {number}: {states}.",
+            number = row.sim,
+            states = words.join(", "),
+        )
+    })
 }
 
 fn remarks(ui: &mut Ui, shown: Shown, row: &PaperRow) {
     if let Some(note) = row.note {
-        let text = format!("Simulation {}: {note}.", row.sim);
+        let text = tr!("Simulation {number}: {note}.", number = row.sim, note = tr(note));
         Standing::Watch.label(ui, &text, |text| text);
     }
     if let Some(states) = states(shown, row) {
-        Standing::Bad.label(ui, &format!("At the end of {states}."), |text| text);
+        Standing::Bad.label(ui, &states, |text| text);
     }
 }
 
 /// Why the force at the start has no verdict, where it has none.
 fn about_start(ui: &mut Ui, paper: PaperId) {
     if paper == PaperId::Strategy2013 {
-        let name = paper.start_force();
-        let text = format!("{name}: without a verdict, the paper does not say how it gets it.");
+        let text = tr!(
+            "{force}: without a verdict, the paper does not say how it gets it.",
+            force = tr(paper.start_force()),
+        );
         ui.label(RichText::new(text).weak());
     }
 }
@@ -151,16 +168,17 @@ fn about_start(ui: &mut Ui, paper: PaperId) {
 pub fn table(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<Command>) {
     let palette = Palette::at(ui);
     let columns = columns(shown.paper);
-    ui.label(RichText::new("In each cell: printed, then run; below: residual and verdict.").weak());
+    let text = tr("In each cell: printed, then run; below: residual and verdict.");
+    ui.label(RichText::new(text).weak());
     about_start(ui, shown.paper);
-    ScrollArea::horizontal().id_salt("table").show(ui, |ui| {
+    scaffold::across(ui, "table", |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
         touch::grid(ui, "rows").striped(true).spacing([20.0, 6.0]).show(ui, |ui| {
-            ui.strong("Sim");
+            ui.strong(tr("Sim"));
             ui.label("");
             for column in &columns {
                 ui.vertical(|ui| {
-                    ui.strong(column.title);
+                    ui.strong(tr(column.title));
                     let unit = format::unit(column.unit);
                     ui.label(RichText::new(unit).small().weak());
                 });
@@ -192,14 +210,14 @@ pub fn table(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<C
 fn figures(ui: &mut Ui, paper: PaperId, row: &PaperRow) {
     let columns = columns(paper);
     touch::grid(ui, ("row", row.sim)).min_col_width(20.0).spacing([7.0, 2.0]).show(ui, |ui| {
-        for title in ["", "printed", "run", "residual"] {
+        for title in ["", tr("printed"), tr("run"), tr("residual")] {
             ui.label(RichText::new(title).small().weak());
         }
         ui.end_row();
         for column in &columns {
             let cell = (column.cell)(row);
             let unit = format::unit(column.unit);
-            ui.label(RichText::new(format!("{}, {unit}", column.title)).small());
+            ui.label(RichText::new(format!("{}, {unit}", tr(column.title))).small());
             ui.label(printed(cell, column).replace(" (", "\n("));
             ui.strong(format::number(cell.reproduced, column.unit));
             verdict_line(ui, cell, column);
@@ -216,13 +234,11 @@ pub fn cards(ui: &mut Ui, shown: Shown, table: &PaperTable, commands: &mut Vec<C
         theme::card(palette).show(ui, |ui| {
             ui.set_width(ui.available_width());
             ui.horizontal(|ui| {
-                ui.strong(format!("Simulation {}", row.sim));
+                ui.strong(tr!("Simulation {number}", number = row.sim));
                 load(ui, shown, row, commands);
             });
             // A card is never wider than the window; its figures may be.
-            ScrollArea::horizontal()
-                .id_salt(("row", row.sim))
-                .show(ui, |ui| figures(ui, shown.paper, row));
+            scaffold::across(ui, ("row", row.sim), |ui| figures(ui, shown.paper, row));
             remarks(ui, shown, row);
         });
     }

@@ -8,6 +8,7 @@ use crate::app::session::Session;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::setting::{Size, setting};
 use crate::app::widgets::target::target;
+use crate::base::language::{text, tr};
 use crate::models::plan::{ForceLimit, PlanSettings};
 use crate::study::uses::Screen;
 
@@ -52,12 +53,13 @@ fn changed_in_the_cut(ui: &mut Ui, session: &Session, commands: &mut Vec<Command
         return;
     }
     let palette = Palette::at(ui);
-    let names: Vec<&str> = changed.iter().map(|(param, _)| param.spec.label).collect();
+    let names: Vec<&str> = changed.iter().map(|(param, _)| tr(param.spec.label)).collect();
     theme::card(palette).stroke(egui::Stroke::new(1.0, palette.warn)).show(ui, |ui| {
-        let text = format!("Changed during the cut, after its start: {}.", names.join(", "));
+        let text =
+            tr!("Changed during the cut, after its start: {names}.", names = names.join(", "),);
         ui.label(RichText::new(text).small());
-        let help = "Makes the values at the playhead those of the start, and plans for them";
-        if ui.button("Plan for the values now").on_hover_text(help).clicked() {
+        let help = tr("Makes the values at the playhead those of the start, and plans for them");
+        if ui.button(tr("Plan for the values now")).on_hover_text(help).clicked() {
             let values = changed.into_iter().map(|(param, value)| (param.path.clone(), value));
             commands.push(Command::Session(SessionCommand::SetUp(values.collect())));
         }
@@ -80,23 +82,28 @@ pub fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
         setting(ui, Screen::Plan, path, scenario, Size::Large, out);
     }
     ui.add_space(4.0);
-    ui.strong("What is sought");
+    ui.strong(tr("What is sought"));
     for path in WEIGHTS {
         setting(ui, Screen::Plan, path, scenario, Size::Large, out);
     }
+    let note = tr(
+        "The heavier a weight beside the others, the more the plan goes that way: a large force is one \
+                   near its limit, and takes a larger feed. A weight that stands alone changes nothing by its size.",
+    );
+    ui.label(RichText::new(note).small().color(Palette::at(ui).weak));
     let mut fold = |ui: &mut Ui, title: &str, paths: &[&str]| {
-        CollapsingHeader::new(title).id_salt(("plan", title)).show(ui, |ui| {
+        CollapsingHeader::new(tr(title)).id_salt(("plan", title)).show(ui, |ui| {
             for path in paths {
                 setting(ui, Screen::Plan, path, scenario, Size::Small, out);
             }
         });
     };
     ui.add_space(4.0);
-    fold(ui, "The cut", &CUT);
-    fold(ui, "Swarm", &SEARCH);
-    fold(ui, "Costs and times", &COSTS);
+    fold(ui, text!("The cut"), &CUT);
+    fold(ui, text!("Swarm"), &SEARCH);
+    fold(ui, text!("Costs and times"), &COSTS);
     ui.add_space(4.0);
-    let note = "A plan is made before the cut: changes here hold from its start on.";
+    let note = tr("A plan is made before the cut: changes here hold from its start on.");
     ui.label(RichText::new(note).small().color(Palette::at(ui).weak));
     commands.extend(changes.into_iter().map(|command| {
         if let Command::Session(SessionCommand::Set { path, value }) = command {

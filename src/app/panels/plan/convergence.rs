@@ -7,6 +7,7 @@ use egui_plot::{Line, PlotPoints};
 use crate::app::theme::{Look, Palette};
 use crate::app::widgets::legend;
 use crate::app::widgets::plot::still;
+use crate::base::language::{text, tr};
 use crate::base::units::percent_from_ratio;
 use crate::study::plan::swarm::Iteration;
 
@@ -15,6 +16,7 @@ const BESIDE_FROM: f32 = 480.0;
 
 /// A line of a plot.
 struct Curve {
+    /// Its name, in English.
     name: &'static str,
     look: Look,
     points: Vec<[f64; 2]>,
@@ -26,26 +28,29 @@ pub fn show(ui: &mut Ui, history: &[Iteration], height: f32) {
     let best = history.iter().filter(|one| one.best.feasible());
     let objective = [
         Curve {
-            name: "mean of all particles",
+            name: text!("mean of all particles"),
             look: Look::Setpoint,
             points: history.iter().map(|one| at(one, one.mean_value)).collect(),
         },
         Curve {
-            name: "best allowed",
+            name: text!("best allowed"),
             look: Look::Produced,
             points: best.map(|one| at(one, one.best.value)).collect(),
         },
     ];
     let fraction = [Curve {
-        name: "particles at an allowed place [%]",
+        name: text!("particles at an allowed place [%]"),
         look: Look::Reference,
         points: history.iter().map(|one| at(one, percent_from_ratio(one.feasible_share))).collect(),
     }];
     let last = history.last().map_or(0, |one| one.iteration).max(10);
     let span = [0.0, f64::from(last)];
-    let draw = |ui: &mut Ui, height: f32| plot(ui, "Objective", &objective, span, None, height);
-    let draw_share =
-        |ui: &mut Ui, height: f32| plot(ui, "Allowed", &fraction, span, Some([0.0, 100.0]), height);
+    let draw = |ui: &mut Ui, height: f32| {
+        plot(ui, text!("Objective"), &objective, span, None, height);
+    };
+    let draw_share = |ui: &mut Ui, height: f32| {
+        plot(ui, text!("Allowed"), &fraction, span, Some([0.0, 100.0]), height);
+    };
     if ui.available_width() < BESIDE_FROM {
         draw(ui, height);
         draw_share(ui, 0.7 * height);
@@ -69,9 +74,9 @@ fn plot(
     let top = ui.cursor().top();
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().interact_size.y = 14.0;
-        ui.label(RichText::new(title).strong());
+        ui.label(RichText::new(tr(title)).strong());
         for curve in curves {
-            legend::sample(ui, curve.name, curve.look);
+            legend::sample(ui, tr(curve.name), curve.look);
         }
     });
     let values = || curves.iter().flat_map(|curve| &curve.points).map(|point| point[1]);
@@ -88,7 +93,7 @@ fn plot(
             plot.set_plot_bounds_y(range[0]..=range[1]);
             for curve in curves {
                 let (stroke, style) = curve.look.line(palette);
-                let line = Line::new(curve.name, PlotPoints::from(curve.points.clone()));
+                let line = Line::new(tr(curve.name), PlotPoints::from(curve.points.clone()));
                 plot.line(line.stroke(stroke).style(style).allow_band(false));
             }
         });

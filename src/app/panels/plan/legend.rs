@@ -8,6 +8,7 @@ use super::search::Found;
 use crate::app::format;
 use crate::app::theme::{Look, Palette};
 use crate::app::widgets::legend;
+use crate::base::language::{text, tr};
 use crate::study::plan::constraints::{Checked, ORIGIN};
 use crate::study::plan::machine::Source;
 
@@ -19,13 +20,13 @@ pub fn show(ui: &mut Ui, layers: &mut Layers, found: &Found, programmed_text: &s
     let spacing = ui.spacing().clone();
     ui.spacing_mut().item_spacing = vec2(12.0, 1.0);
     ui.spacing_mut().interact_size.y = 14.0;
-    legend::row(ui, "the map", |ui| {
+    legend::row(ui, text!("the map"), |ui| {
         for (number, one) in checked.iter().enumerate() {
             let layer = MapLayer::Boundary(number);
             if boundaries(number).lines.is_empty() {
                 continue;
             }
-            let (label, look) = (one.constraint.label, Look::Constraint(number));
+            let (label, look) = (tr(one.constraint.label), Look::Constraint(number));
             let entry = legend::entry(ui, label, look, !layers.show(layer));
             entry.response.on_hover_ui(|ui| explain(ui, one));
             if entry.pressed {
@@ -38,36 +39,39 @@ pub fn show(ui: &mut Ui, layers: &mut Layers, found: &Found, programmed_text: &s
                 layers.toggle(layer);
             }
         };
-        mark(MapLayer::ForceLines, "equal force", &|painter, rect, color| {
+        mark(MapLayer::ForceLines, tr("equal force"), &|painter, rect, color| {
             let color = color.gamma_multiply(0.5);
             painter.hline(rect.x_range(), rect.center().y, Stroke::new(1.0, color));
         });
-        mark(MapLayer::Particles, "particles (full: allowed)", &|painter, rect, _| {
+        mark(MapLayer::Particles, tr("particles (full: allowed)"), &|painter, rect, _| {
             marks::particle(painter, rect.center() - vec2(4.0, 0.0), true, palette);
             marks::particle(painter, rect.center() + vec2(5.0, 0.0), false, palette);
         });
-        mark(MapLayer::OwnBests, "their own bests", &|painter, rect, _| {
+        mark(MapLayer::OwnBests, tr("their own bests"), &|painter, rect, _| {
             marks::own_best(painter, rect.center(), palette);
         });
-        mark(MapLayer::Best, "best of all", &|painter, rect, _| {
+        mark(MapLayer::Best, tr("best of all"), &|painter, rect, _| {
             marks::best(painter, rect.center(), true, palette);
         });
         mark(MapLayer::Programmed, programmed_text, &|painter, rect, _| {
             marks::programmed(painter, rect.center(), palette);
         });
         if found.fixed_speed_m_min().is_some() {
-            legend::sample(ui, "the speed searched", Look::Searched);
+            legend::sample(ui, tr("the speed searched"), Look::Searched);
         }
     });
     ui.horizontal_wrapped(|ui| {
         let absent = checked.iter().enumerate();
         let mut absent = absent.filter(|(i, _)| boundaries(*i).lines.is_empty()).peekable();
         if absent.peek().is_some() {
-            ui.label(RichText::new("Outside the map:").small().color(palette.weak));
+            ui.label(RichText::new(tr("Outside the map:")).small().color(palette.weak));
         }
         for (number, one) in absent {
-            let violated = if boundaries(number).kept_somewhere { "" } else { " (violated)" };
-            let name = format!("{}{violated}", one.constraint.label);
+            let constraint = tr(one.constraint.label);
+            let name = match boundaries(number).kept_somewhere {
+                true => constraint.to_owned(),
+                false => tr!("{constraint} (violated)", constraint = constraint),
+            };
             legend::sample(ui, &name, Look::Constraint(number)).on_hover_ui(|ui| explain(ui, one));
         }
     });
@@ -77,8 +81,8 @@ pub fn show(ui: &mut Ui, layers: &mut Layers, found: &Found, programmed_text: &s
 /// A limit without digits that say nothing.
 fn plain(value: f64) -> String {
     let text = format::fine(value, "");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    if text.contains(['.', ',']) {
+        text.trim_end_matches('0').trim_end_matches(['.', ',']).to_owned()
     } else {
         text
     }
@@ -88,10 +92,10 @@ fn plain(value: f64) -> String {
 #[must_use]
 pub fn limits(checked: &Checked) -> String {
     match (checked.low, checked.high) {
-        (Some(low), Some(high)) => format!("{} to {}", plain(low), plain(high)),
+        (Some(low), Some(high)) => tr!("{low} to {high}", low = plain(low), high = plain(high)),
         (Some(low), None) => format!("≥ {}", plain(low)),
         (None, Some(high)) => format!("≤ {}", plain(high)),
-        (None, None) => "none".to_owned(),
+        (None, None) => tr("none").to_owned(),
     }
 }
 
@@ -99,9 +103,9 @@ pub fn limits(checked: &Checked) -> String {
 #[must_use]
 pub fn source(source: Source) -> &'static str {
     match source {
-        Source::Placeholder => "placeholder: no public data of this machine were found",
-        Source::Chosen => "a chosen limit of the process",
-        Source::Given => "given by the settings or a data sheet",
+        Source::Placeholder => tr("placeholder: no public data of this machine were found"),
+        Source::Chosen => tr("a chosen limit of the process"),
+        Source::Given => tr("given by the settings or a data sheet"),
     }
 }
 
@@ -111,8 +115,13 @@ pub fn explain(ui: &mut Ui, checked: &Checked) {
     let constraint = &checked.constraint;
     ui.set_max_width(340.0);
     ui.label(RichText::new(constraint.formula).monospace());
-    ui.label(constraint.why);
-    let unit = format::unit(constraint.unit);
-    ui.label(format!("Limit: {} {unit} ({}).", limits(checked), source(checked.source)));
-    ui.label(RichText::new(format!("The constraint is {ORIGIN}.")).color(palette.weak));
+    ui.label(tr(constraint.why));
+    ui.label(tr!(
+        "Limit: {limits} {unit} ({source}).",
+        limits = limits(checked),
+        unit = format::unit(constraint.unit),
+        source = source(checked.source),
+    ));
+    let origin = tr!("The constraint is {origin}.", origin = tr(ORIGIN));
+    ui.label(RichText::new(origin).color(palette.weak));
 }

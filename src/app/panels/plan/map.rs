@@ -14,6 +14,7 @@ use crate::app::widgets::focus::pointer_only;
 use crate::app::widgets::plot::{grid, tick};
 use crate::app::widgets::touch;
 use crate::app::widgets::zoom::by_touch;
+use crate::base::language::tr;
 use crate::run::scenario::Scenario;
 use crate::study::plan::constraints::CONSTRAINTS;
 use crate::study::plan::problem::{CUTTING_SPEED_M_MIN, FEED_PER_TOOTH_MM, Problem};
@@ -55,7 +56,14 @@ pub fn on_the_map([cutting_speed_m_min, feed_per_tooth_mm]: [f64; 2]) -> bool {
 
 impl Map {
     /// Draws it `height` points high.
-    pub fn show(&mut self, ui: &mut Ui, found: &mut Found, moving: &Moving<'_>, height: f32) {
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        found: &mut Found,
+        scenario: &Scenario,
+        moving: &Moving<'_>,
+        height: f32,
+    ) {
         let palette = Palette::at(ui);
         let dark = ui.visuals().dark_mode;
         let texture = found.picture.texture(ui.ctx(), palette, dark);
@@ -79,8 +87,8 @@ impl Map {
             .x_axis_formatter(|mark, _| tick(mark))
             .y_axis_formatter(|mark, _| tick(mark))
             .grid_spacing(egui::Rangef::new(16.0, 300.0))
-            .x_axis_label("cutting speed [m/min]")
-            .y_axis_label("feed per tooth [mm]")
+            .x_axis_label(tr("cutting speed [m/min]"))
+            .y_axis_label(tr("feed per tooth [mm]"))
             .label_formatter(|_| None);
         let response = plot.show(ui, |plot| {
             match wanted {
@@ -131,24 +139,24 @@ impl Map {
         {
             self.pinned = Some(place(at)).filter(|point| on_the_map(*point));
         }
-        let problem = &found.problem;
         if let Some(point) = response.response.hover_pos().map(place).filter(|p| on_the_map(*p)) {
             let hovered = response.response.on_hover_cursor(egui::CursorIcon::Crosshair);
-            hovered.on_hover_ui_at_pointer(|ui| readout(ui, problem, point));
+            hovered.on_hover_ui_at_pointer(|ui| readout(ui, found, scenario, point));
         }
     }
 
     /// The buttons that choose what part of it is shown.
     pub fn parts(&mut self, ui: &mut Ui, found: &Found) {
         let allowed = found.picture.allowed();
-        let button = touch::small(ui, egui::Button::new("Zoom to allowed"));
+        let button = touch::small(ui, egui::Button::new(tr("Zoom to allowed")));
         let response = ui.add_enabled(allowed.is_some(), button);
-        let response = response.on_hover_text("Shows the part of the map that holds allowed cuts");
-        if response.on_disabled_hover_text("There are none on the map").clicked() {
+        let help = tr("Shows the part of the map that holds allowed cuts");
+        let response = response.on_hover_text(help);
+        if response.on_disabled_hover_text(tr("There are none on the map")).clicked() {
             self.wanted = allowed.map(Part::Ranges);
         }
-        let help = "Shows the whole map, as a double-click on it does; a drag on it zooms";
-        let button = touch::small(ui, egui::Button::new("Whole map"));
+        let help = tr("Shows the whole map, as a double-click on it does; a drag on it zooms");
+        let button = touch::small(ui, egui::Button::new(tr("Whole map")));
         if ui.add(button).on_hover_text(help).clicked() {
             self.wanted = Some(Part::All);
         }
@@ -160,18 +168,22 @@ impl Map {
         let frame = *transform.frame();
         let painter = ui.painter().with_clip_rect(frame);
         let at = |[x, y]: [f64; 2]| transform.position_from_point(&PlotPoint::new(x, y));
-        let mut taken: Vec<Rect> = Vec::new();
-        for (number, constraint) in CONSTRAINTS.iter().enumerate() {
+        let mut labels = Labels { frame, taken: Vec::new() };
+        // A small map leaves the names to the legend above it, which has them beside their colours.
+        let named = frame.width() >= NAMES_FROM;
+        for (number, constraint) in CONSTRAINTS.iter().enumerate().filter(|_| named) {
             let lines = &found.picture.boundary(number).lines;
             if self.layers.show(MapLayer::Boundary(number)) {
                 let color = palette.constraints[number];
-                label(ui, &painter, lines, &at, constraint.label, color, &mut taken);
+                let lines: Vec<Vec<Pos2>> = on_screen(lines, &at);
+                labels.write(ui, &painter, &lines, tr(constraint.label), color);
             }
         }
         if self.layers.show(MapLayer::ForceLines) {
             for (force_n, lines) in found.picture.force_lines() {
-                let text = format::quantity(*force_n, "N").replace(".0 ", " ");
-                label(ui, &painter, lines, &at, &text, palette.weak, &mut taken);
+                let text = format::round_quantity(*force_n, "N");
+                let lines = on_screen(lines, &at);
+                labels.write(ui, &painter, &lines, &text, palette.weak);
             }
         }
         marks::all(&painter, palette, found, &self.layers, moving, &at);
@@ -190,40 +202,109 @@ fn quiet(line: &Polyline, stroke: Stroke) -> Line<'static> {
         .allow_band(false)
 }
 
-/// Writes a label on the longest visible line, where no other one stands.
-fn label(
-    ui: &Ui,
-    painter: &egui::Painter,
-    lines: &[Polyline],
-    at: &dyn Fn([f64; 2]) -> Pos2,
-    text: &str,
-    color: Color32,
-    taken: &mut Vec<Rect>,
-) {
-    let palette = Palette::at(ui);
-    let font = egui::TextStyle::Small.resolve(ui.style());
-    let galley = painter.layout_no_wrap(text.to_owned(), font, color);
-    let inside = painter.clip_rect().shrink2(0.5 * galley.size() + vec2(4.0, 3.0));
-    // Near the right end first: the allowed cuts lie at the left mostly.
-    for point in lines.iter().flat_map(|line| line.iter().rev().step_by(3)) {
-        let place = Rect::from_center_size(at(*point), galley.size()).expand2(vec2(3.0, 1.0));
-        if !inside.contains(place.center()) || taken.iter().any(|other| other.intersects(place)) {
-            continue;
+/// Width of the map's frame from which on the boundaries have their names on it, points.
+const NAMES_FROM: f32 = 360.0;
+/// Room around a label that no other one stands in, points.
+const GAP: egui::Vec2 = vec2(6.0, 4.0);
+
+/// Lines where they are drawn, each from the end that lies further to the right and up: the allowed cuts, and the
+/// swarm with them, lie to the left and below mostly.
+fn on_screen(lines: &[Polyline], at: &dyn Fn([f64; 2]) -> Pos2) -> Vec<Vec<Pos2>> {
+    let placed = lines.iter().map(|line| {
+        let mut line: Vec<Pos2> = line.iter().map(|point| at(*point)).collect();
+        let far = |end: Option<&Pos2>| end.map_or(0.0, |end| end.x - end.y);
+        if far(line.last()) > far(line.first()) {
+            line.reverse();
         }
-        painter.rect_filled(place, 3.0, palette.card);
-        painter.galley(place.min + vec2(3.0, 1.0), galley, color);
-        taken.push(place);
-        return;
+        line
+    });
+    placed.collect()
+}
+
+/// Labels on lines, none over another one.
+struct Labels {
+    /// What they stay inside of.
+    frame: Rect,
+    taken: Vec<Rect>,
+}
+
+impl Labels {
+    /// The first place on the lines for a label of a size, where no other one stands; none where there is none.
+    fn place(&mut self, lines: &[Vec<Pos2>], size: egui::Vec2) -> Option<Rect> {
+        let inside = self.frame.shrink2(vec2(4.0, 3.0));
+        let places = lines.iter().flatten().map(|point| Rect::from_center_size(*point, size));
+        let free = |place: &Rect| {
+            let room = place.expand2(GAP);
+            inside.contains_rect(*place) && !self.taken.iter().any(|other| other.intersects(room))
+        };
+        let place = places.into_iter().find(free)?;
+        self.taken.push(place);
+        Some(place)
+    }
+
+    fn write(
+        &mut self,
+        ui: &Ui,
+        painter: &egui::Painter,
+        lines: &[Vec<Pos2>],
+        text: &str,
+        color: Color32,
+    ) {
+        let font = egui::TextStyle::Small.resolve(ui.style());
+        let galley = painter.layout_no_wrap(text.to_owned(), font, color);
+        if let Some(place) = self.place(lines, galley.size() + vec2(6.0, 2.0)) {
+            painter.rect_filled(place, 3.0, Palette::at(ui).card);
+            painter.galley(place.min + vec2(3.0, 1.0), galley, color);
+        }
     }
 }
 
 /// What a screen reader says of the map.
 fn name(found: &Found) -> String {
     let optimum = found.optimum();
-    let best = if found.stage().counts.done { "optimum" } else { "best so far" };
-    format!(
-        "Force over cutting speed and feed per tooth; {best} at {} and {}",
-        format::quantity(optimum.cutting_speed_m_min, "m/min"),
-        format::fine(optimum.feed_per_tooth_mm, "mm"),
-    )
+    let speed = format::quantity(optimum.cutting_speed_m_min, "m/min");
+    let feed = format::fine(optimum.feed_per_tooth_mm, "mm");
+    match found.stage().counts.done {
+        true => tr!(
+            "Force over cutting speed and feed per tooth; optimum at {speed} and {feed}",
+            speed = speed,
+            feed = feed,
+        ),
+        false => tr!(
+            "Force over cutting speed and feed per tooth; best so far at {speed} and {feed}",
+            speed = speed,
+            feed = feed,
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::pos2;
+
+    /// On a phone's map too, no label lies over another or beyond the frame; a line without room has none.
+    #[test]
+    fn labels_keep_apart_and_inside() {
+        let frame = Rect::from_min_size(pos2(70.0, 340.0), vec2(290.0, 200.0));
+        let mut labels = Labels { frame, taken: Vec::new() };
+        let mut places = Vec::new();
+        // Lines of equal force, ever nearer to each other.
+        let heights = [530.0, 515.0, 498.0, 480.0, 440.0, 400.0, 341.0];
+        for height in heights {
+            let line = (0..60).map(|k| [f64::from(k) * 5.0 + 70.0, height]).collect::<Vec<_>>();
+            let line = on_screen(&[line], &|[x, y]| pos2(x as f32, y as f32));
+            places.push(labels.place(&line, vec2(40.0, 14.0)));
+        }
+        assert_eq!(places.last(), Some(&None), "half of it would lie outside");
+        let found: Vec<Rect> = places.into_iter().flatten().collect();
+        assert!(found.len() >= 5, "{found:?}");
+        for (i, one) in found.iter().enumerate() {
+            assert!(frame.contains_rect(*one), "{one:?}");
+            for other in &found[..i] {
+                assert!(!one.intersects(other.expand2(GAP - vec2(0.1, 0.1))), "{one:?} {other:?}");
+            }
+        }
+        assert!(found[0].right() > frame.right() - 12.0, "at the right end first: {:?}", found[0]);
+    }
 }

@@ -7,6 +7,7 @@ use crate::app::command::{Command, SessionCommand};
 use crate::app::format;
 use crate::app::theme::Palette;
 use crate::app::widgets::standing::Standing;
+use crate::base::language::tr;
 use crate::base::settings::Value;
 use crate::run::scenario::Scenario;
 use crate::study::recommend::table::{NOTE as TABLE_NOTE, Table};
@@ -24,7 +25,7 @@ pub struct RecommendedCard {
 impl RecommendedCard {
     /// Folded away until it is opened.
     pub fn show(&mut self, ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
-        let header = CollapsingHeader::new("Recommended conditions");
+        let header = CollapsingHeader::new(tr("Recommended conditions"));
         header.id_salt(("plan", "recommended")).show(ui, |ui| {
             let tool = &scenario.tool;
             let radial_mm = scenario.workpiece.radial_depth_mm;
@@ -43,19 +44,19 @@ impl RecommendedCard {
     }
 
     fn choose(&mut self, ui: &mut Ui, by_depth: EngagementCode) {
-        let auto = format!("by R_D: {}", by_depth.label());
-        let shown = self.engagement.map_or(auto.clone(), |one| one.label().to_owned());
+        let auto = tr!("by R_D: {engagement}", engagement = tr(by_depth.label()));
+        let shown = self.engagement.map_or(auto.clone(), |one| tr(one.label()).to_owned());
         let response = ComboBox::from_id_salt("engagement")
             .selected_text(shown)
             .show_ui(ui, |ui| {
                 ui.selectable_value(&mut self.engagement, None, auto);
                 for one in EngagementCode::ALL {
-                    ui.selectable_value(&mut self.engagement, Some(*one), one.label());
+                    ui.selectable_value(&mut self.engagement, Some(*one), tr(one.label()));
                 }
             })
             .response;
-        response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Engagement"));
-        response.on_hover_text("Engagement: how the cutter stands in the material");
+        response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr("Engagement")));
+        response.on_hover_text(tr("Engagement: how the cutter stands in the material"));
     }
 }
 
@@ -67,32 +68,33 @@ fn answer(
 ) {
     let palette = Palette::at(ui);
     let (speed, feed) = (&found.cutting_speed_m_min, &found.feed_per_tooth_mm);
-    let asked = format!(
-        "For {:.0} HB, a cutter of {}, {}:",
-        found.hardness_hb,
-        format::quantity(found.diameter_mm, "mm"),
-        engagement.label()
+    let asked = tr!(
+        "For {hardness:.0} HB, a cutter of {diameter}, {engagement}:",
+        hardness = found.hardness_hb,
+        diameter = format::quantity(found.diameter_mm, "mm"),
+        engagement = tr(engagement.label()),
     );
     ui.label(RichText::new(asked).small().color(palette.weak));
-    let values = format!(
-        "{}, {} a tooth",
-        format::quantity(speed.value, "m/min"),
-        format::fine(feed.value, "mm")
+    let values = tr!(
+        "{speed}, {feed} a tooth",
+        speed = format::quantity(speed.value, "m/min"),
+        feed = format::fine(feed.value, "mm"),
     );
     ui.strong(values);
     let (feed, rpm) = (found.feed_mm_min, found.speed_rpm);
     ui.label(format!("{}, {}", format::quantity(rpm, "1/min"), format::quantity(feed, "mm/min")));
     let (text, standing) = match found.inside_table() {
-        true => ("inside the table", Standing::Good),
-        false => ("outside the table: its edge answers", Standing::Watch),
+        true => (tr("inside the table"), Standing::Good),
+        false => (tr("outside the table: its edge answers"), Standing::Watch),
     };
     standing.label(ui, text, RichText::small);
-    let help = "Programs these values, as a start for the plan and the cut. One step of undo.";
-    if ui.button("Start from it").on_hover_text(help).clicked() {
+    let help = tr("Programs these values, as a start for the plan and the cut. One step of undo.");
+    if ui.button(tr("Start from it")).on_hover_text(help).clicked() {
         let changes = [("program.feed_mm_min", feed), ("program.spindle_rpm", rpm)];
         let changes = changes.map(|(path, value)| (path.to_owned(), Value::Float(value)));
         commands.push(Command::Session(SessionCommand::SetUp(changes.to_vec())));
     }
-    let note = format!("{NOTE} The table: {TABLE_NOTE}.");
+    let table = tr!("The table: {note}.", note = tr(TABLE_NOTE));
+    let note = format!("{} {table}", tr(NOTE));
     ui.label(RichText::new(note).small().color(palette.weak));
 }

@@ -17,6 +17,7 @@ use crate::app::scene::mesh::Mesh;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::touch;
 use crate::app::widgets::zoom::by_touch;
+use crate::base::language::{decimal, fixed, tr};
 use crate::study::plan::constraints::CONSTRAINTS;
 use crate::study::plan::problem::{CUTTING_SPEED_M_MIN, FEED_PER_TOOTH_MM};
 
@@ -48,8 +49,9 @@ impl Default for Relief {
 impl Relief {
     /// The buttons that turn it.
     pub fn buttons(&mut self, ui: &mut Ui) {
-        let help = "Turns the surface; so does a drag with the mouse";
-        for (name, by) in [("Turn left", -TURN_PER_PRESS), ("Turn right", TURN_PER_PRESS)] {
+        let help = tr("Turns the surface; so does a drag with the mouse");
+        let buttons = [(tr("Turn left"), -TURN_PER_PRESS), (tr("Turn right"), TURN_PER_PRESS)];
+        for (name, by) in buttons {
             if ui.add(touch::small(ui, Button::new(name))).on_hover_text(help).clicked() {
                 self.camera.turn_rad += by;
             }
@@ -71,8 +73,11 @@ impl Relief {
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), sense);
         response.widget_info(|| {
             let [turn, tilt] = [-self.camera.turn_rad, self.camera.tilt_rad].map(f32::to_degrees);
-            let name =
-                format!("Force surface in space, turned by {turn:.0}°, seen {tilt:.0}° from above");
+            let name = tr!(
+                "Force surface in space, turned by {turn:.0}°, seen {tilt:.0}° from above",
+                turn = turn,
+                tilt = tilt,
+            );
             WidgetInfo::labeled(egui::Role::Figure, true, name)
         });
         self.camera.orbit(response.drag_delta());
@@ -167,7 +172,7 @@ fn scales(painter: &Painter, space: &Space, palette: &Palette, top_n: f64) {
     if let Some(left) = left {
         painter.line_segment([space.at(left, 0.0), space.at(left, top_n)], stroke);
         for force_n in steps([0.0, top_n], 4.0) {
-            let text = format::quantity(force_n, "N").replace(".0 ", " ");
+            let text = format::round_quantity(force_n, "N");
             write(space.at(left, force_n) - vec2(5.0, 0.0), Align2::RIGHT_CENTER, &text);
         }
     }
@@ -185,14 +190,14 @@ fn scales(painter: &Painter, space: &Space, palette: &Palette, top_n: f64) {
     };
     for speed in steps(x, 3.0) {
         let at = space.at([speed, y_near], 0.0);
-        write(at + vec2(0.0, 3.0), Align2::CENTER_TOP, &format!("{speed}"));
+        write(at + vec2(0.0, 3.0), Align2::CENTER_TOP, &decimal(speed.to_string()));
     }
     for feed in steps(y, 3.0) {
         let at = space.at([x_near, feed], 0.0);
-        write(at + vec2(0.0, 3.0), Align2::CENTER_TOP, &format!("{feed:.2}"));
+        write(at + vec2(0.0, 3.0), Align2::CENTER_TOP, &fixed(feed, 2));
     }
-    title(space.at([0.5 * (x[0] + x[1]), y_near], 0.0), "cutting speed [m/min]");
-    title(space.at([x_near, 0.5 * (y[0] + y[1])], 0.0), "feed per tooth [mm]");
+    title(space.at([0.5 * (x[0] + x[1]), y_near], 0.0), tr("cutting speed [m/min]"));
+    title(space.at([x_near, 0.5 * (y[0] + y[1])], 0.0), tr("feed per tooth [mm]"));
 }
 
 /// Round values in a range, about `count` of them.

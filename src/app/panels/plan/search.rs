@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use crate::app::jobs::{Jobs, Work};
 use crate::app::playback::Speed;
+use crate::base::language::text;
 use crate::base::settings::SettingError;
 use crate::blocks::control::Belief;
 use crate::blocks::cutting::process::PlantSettings;
@@ -16,7 +17,9 @@ use crate::models::tool::Tool;
 use crate::run::scenario::Scenario;
 use crate::study::plan::PlanJob;
 use crate::study::plan::flight::{Flight, Flown, Stage};
+use crate::study::plan::machine::MachineLimits;
 use crate::study::plan::optimum::Optimum;
+use crate::study::plan::over_depths::{CutInRun, OverDepths};
 use crate::study::plan::problem::Problem;
 use crate::study::plan::swarm::Iteration;
 
@@ -24,6 +27,8 @@ use super::picture::Picture;
 
 /// Real time of one iteration of the swarm at natural speed, s: slow enough to be watched.
 const ITERATION_S: f64 = 0.06;
+/// Places of the map that are kept as the run cuts them: the one under the pointer and the pinned one.
+const PLACES: usize = 2;
 /// Iterations in the first slice of the search.
 const FIRST: u64 = 8;
 /// The speeds on offer.
@@ -80,15 +85,29 @@ pub struct Found {
     at: usize,
     /// The best cut at that stage.
     optimum: Optimum,
+    /// It at all depths of the part, and of which scenario that is, once the search is over.
+    over: Option<(Scenario, OverDepths)>,
+    /// Places of the map as the run cuts them, those asked for last, and of which scenario they are.
+    in_run: Vec<(Scenario, [f64; 2], Option<CutInRun>)>,
 }
 
 impl Found {
     fn new(plan: PlanJob, old: Option<Picture>, jobs: &Jobs) -> Self {
         let problem = plan.problem().clone();
         let optimum = plan.optimum();
-        let work = jobs.begin("Plan: search of the swarm", Flight::new(plan), FIRST);
+        let work = jobs.begin(text!("Plan: search of the swarm"), Flight::new(plan), FIRST);
         let picture = old.unwrap_or_else(|| Picture::new(&problem));
-        Self { latest: work.partial(), running: true, problem, picture, work, at: 0, optimum }
+        Self {
+            latest: work.partial(),
+            running: true,
+            problem,
+            picture,
+            work,
+            at: 0,
+            optimum,
+            over: None,
+            in_run: Vec::new(),
+        }
     }
 
     /// The cutting speed in m/min where it is not searched.
@@ -108,6 +127,36 @@ impl Found {
     #[must_use]
     pub fn optimum(&self) -> &Optimum {
         &self.optimum
+    }
+
+    /// It at all depths of the part, once the search is over.
+    #[must_use]
+    pub fn over_depths(&self) -> Option<&OverDepths> {
+        self.over.as_ref().map(|(_, over)| over)
+    }
+
+    /// Finds that, once for each answer and scenario: it takes short cuts.
+    fn judge_depths(&mut self, scenario: &Scenario) {
+        if !self.stage().counts.done {
+            self.over = None;
+        } else if self.over.as_ref().is_none_or(|(of, _)| of != scenario) {
+            let machine = MachineLimits::heller_bea_01();
+            let over = OverDepths::of(scenario, &machine, &self.optimum);
+            self.over = Some((scenario.clone(), over));
+        }
+    }
+
+    /// The cut at a place of the map, cutting speed in m/min and feed per tooth in mm, as the run makes it; found
+    /// once for each place that stays under the pointer or pinned: it takes a short cut.
+    pub fn in_run(&mut self, scenario: &Scenario, point: [f64; 2]) -> Option<CutInRun> {
+        let known = self.in_run.iter().find(|(of, place, _)| *place == point && of == scenario);
+        if let Some((_, _, cut)) = known {
+            return *cut;
+        }
+        let cut = CutInRun::at(scenario, &self.problem, point);
+        self.in_run.truncate(PLACES - 1);
+        self.in_run.insert(0, (scenario.clone(), point, cut));
+        cut
     }
 
     /// Convergence up to there.
@@ -191,6 +240,7 @@ impl Search {
             // In this order: at rest nothing comes after what is read then.
             found.running = found.work.is_running();
             found.latest = found.work.partial();
+            found.judge_depths(scenario);
         }
     }
 

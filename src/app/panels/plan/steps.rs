@@ -6,6 +6,7 @@ use super::search::Found;
 use crate::app::format;
 use crate::app::panels::View;
 use crate::app::theme::Palette;
+use crate::base::language::tr;
 use crate::base::units::percent_from_ratio;
 use crate::run::signals::flag;
 
@@ -28,57 +29,62 @@ fn steps(view: &View<'_>, found: Option<&Found>) -> [Step; 8] {
     };
     let optimum = found.map(|found| (found.optimum(), found.stage().counts));
     let answer = match &optimum {
-        None => "no plan".to_owned(),
+        None => tr("no plan").to_owned(),
         Some((optimum, progress)) => {
-            let state = match (progress.done, optimum.feasible) {
-                (_, false) => "nothing feasible",
-                (true, true) => "found",
-                (false, true) => "best so far",
-            };
-            format!(
-                "{state}: {}, {}",
+            let values = format!(
+                "{}, {}",
                 feed_speed(optimum.feed_mm_min, optimum.speed_rpm),
                 format::quantity(optimum.force_n, "N")
-            )
+            );
+            match (progress.done, optimum.feasible) {
+                (_, false) => tr!("nothing feasible: {values}", values = values),
+                (true, true) => tr!("found: {values}", values = values),
+                (false, true) => tr!("best so far: {values}", values = values),
+            }
         }
     };
     let program = &session.scenario().program;
     let ended = optimum.filter(|(optimum, progress)| progress.done && optimum.feasible);
-    let compared = ended.map_or("", |(optimum, _)| {
+    let is_optimum = ended.map(|(optimum, _)| {
         let same = |a: f64, b: f64| (a - b).abs() <= SAME * b;
-        let is = same(program.feed_mm_min, optimum.feed_mm_min)
-            && same(program.spindle_rpm, optimum.speed_rpm);
-        if is { ", the optimum" } else { ", not the optimum" }
+        same(program.feed_mm_min, optimum.feed_mm_min)
+            && same(program.spindle_rpm, optimum.speed_rpm)
     });
+    let values = feed_speed(program.feed_mm_min, program.spindle_rpm);
+    let programmed = match is_optimum {
+        None => values,
+        Some(true) => tr!("{values}, the optimum", values = values),
+        Some(false) => tr!("{values}, not the optimum", values = values),
+    };
     let air = row.has(flag::AIR);
     let deviation = percent_from_ratio(row.force_measured_n / row.force_ref_n - 1.0);
     let measured = format::quantity(row.force_measured_n, "N");
     let samples = |time_s: f64| (time_s / now.control_period_s() + 1e-6).floor();
     [
-        step("The optimal cutting conditions are found by PSO-NN", answer),
+        step(tr("The optimal cutting conditions are found by PSO-NN"), answer),
+        step(tr("They are programmed"), programmed),
+        step(tr("The desired roughness is set"), format::quantity(row.ra_target_um, "um")),
         step(
-            "They are programmed",
-            feed_speed(program.feed_mm_min, program.spindle_rpm) + compared,
-        ),
-        step("The desired roughness is set", format::quantity(row.ra_target_um, "um")),
-        step(
-            &format!("The reference force follows from {letter}1"),
+            &tr!("The reference force follows from {letter}1", letter = letter),
             format::quantity(row.force_ref_n, "N"),
         ),
         step(
-            &format!("Feed and speed are commanded ({})", now.controller.kind.label()),
+            &tr!(
+                "Feed and speed are commanded ({controller})",
+                controller = tr(now.controller.kind.label()),
+            ),
             feed_speed(row.feed_command_mm_min, row.spindle_command_rpm),
         ),
         step(
-            "The measured force is compared with the reference",
+            tr("The measured force is compared with the reference"),
             if air {
-                "in the air".to_owned()
+                tr("in the air").to_owned()
             } else {
                 format!("{measured}, {}", format::deviation(deviation))
             },
         ),
         step(
-            "The overrides go back to the machine",
+            tr("The overrides go back to the machine"),
             format!(
                 "DNCFRO {}, DNCSPO {}",
                 format::override_percent(row.feed_override_percent, now.cnc.override_quantised),
@@ -86,11 +92,11 @@ fn steps(view: &View<'_>, found: Option<&Found>) -> [Step; 8] {
             ),
         ),
         step(
-            "Steps 5 to 7 are repeated to the end",
-            format!(
-                "control sample {:.0} of {:.0}",
-                samples(session.playback().playhead_s),
-                samples(session.length_s())
+            tr("Steps 5 to 7 are repeated to the end"),
+            tr!(
+                "control sample {number:.0} of {all:.0}",
+                number = samples(session.playback().playhead_s),
+                all = samples(session.length_s()),
             ),
         ),
     ]
@@ -99,8 +105,8 @@ fn steps(view: &View<'_>, found: Option<&Found>) -> [Step; 8] {
 /// The list.
 pub fn show(ui: &mut Ui, view: &View<'_>, found: Option<&Found>) {
     let palette = Palette::at(ui);
-    ui.label(RichText::new("The strategy in eight steps").strong());
-    let note = "Control strategy 2013, section 2; values at the playhead of the run.";
+    ui.label(RichText::new(tr("The strategy in eight steps")).strong());
+    let note = tr("Control strategy 2013, section 2; values at the playhead of the run.");
     ui.label(RichText::new(note).small().color(palette.weak));
     for (number, step) in (1..).zip(steps(view, found)) {
         ui.horizontal_top(|ui| {

@@ -8,6 +8,7 @@ use crate::app::format;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
+use crate::base::language::tr;
 use crate::study::export::sheet::Sheet;
 use crate::study::plan::constraints::{Checked, ORIGIN};
 use crate::study::plan::machine::Source;
@@ -19,10 +20,13 @@ const NAME_WIDTHS: [f32; 2] = [96.0, 172.0];
 const BESIDE: f32 = 236.0;
 
 /// The table; `open` is the number of the constraint that is explained below it.
-pub fn show(ui: &mut Ui, checked: &[Checked; 7], open: &mut Option<usize>) {
-    let palette = Palette::at(ui);
-    ui.label(RichText::new("The seven constraints there").strong());
-    ui.label(RichText::new(format!("The list is {ORIGIN}.")).small().color(palette.weak));
+pub fn show(ui: &mut Ui, optimum: &Optimum, open: &mut Option<usize>) {
+    let (palette, checked) = (Palette::at(ui), &optimum.constraints);
+    let depth = format::quantity(optimum.axial_depth_mm, "mm");
+    let title = tr!("The seven constraints there, at {depth} depth", depth = depth);
+    ui.label(RichText::new(title).strong());
+    let origin = tr!("The list is {origin}.", origin = tr(ORIGIN));
+    ui.label(RichText::new(origin).small().color(palette.weak));
     let name_width = (ui.available_width() - BESIDE).clamp(NAME_WIDTHS[0], NAME_WIDTHS[1]);
     ui.scope(|ui| {
         ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
@@ -31,7 +35,7 @@ pub fn show(ui: &mut Ui, checked: &[Checked; 7], open: &mut Option<usize>) {
         touch::grid(ui, "constraints").num_columns(4).striped(true).spacing([7.0, 3.0]).show(
             ui,
             |ui| {
-                for title in ["Constraint", "Value", "Limit", "Margin"] {
+                for title in [tr("Constraint"), tr("Value"), tr("Limit"), tr("Margin")] {
                     ui.label(RichText::new(title).small().color(palette.weak));
                 }
                 ui.end_row();
@@ -44,14 +48,15 @@ pub fn show(ui: &mut Ui, checked: &[Checked; 7], open: &mut Option<usize>) {
     });
     if let Some(number) = *open {
         theme::card(palette).show(ui, |ui| {
-            ui.label(RichText::new(checked[number].constraint.label).strong());
+            ui.label(RichText::new(tr(checked[number].constraint.label)).strong());
             explain(ui, &checked[number]);
         });
     }
     let placeholders = checked.iter().filter(|one| one.source == Source::Placeholder).count();
     if placeholders > 0 {
-        let text = format!(
-            "* {placeholders} limits of the machine are placeholders: no public data were found."
+        let text = tr!(
+            "* {n} limits of the machine are placeholders: no public data were found.",
+            n = placeholders,
         );
         Standing::Watch.label(ui, &text, RichText::small);
     }
@@ -70,14 +75,15 @@ fn row(ui: &mut Ui, number: usize, one: &Checked, name_width: f32, open: &mut Op
     let constraint = &one.constraint;
     let (stroke, _) = Look::Constraint(number).line(palette);
     let is_open = *open == Some(number);
-    let text = RichText::new(constraint.label).small().color(stroke.color);
+    let text = RichText::new(tr(constraint.label)).small().color(stroke.color);
     let button = Button::new(text).frame_when_inactive(false).selected(is_open);
-    let button = button.min_size(touch::least(ui)).truncate();
+    let button = button.min_size(touch::least(ui)).wrap();
     let left = egui::Layout::left_to_right(egui::Align::Center);
     let size = egui::vec2(name_width, ui.spacing().interact_size.y);
     let response = ui.allocate_ui_with_layout(size, left, |ui| ui.add(button)).inner;
     response.widget_info(|| {
-        WidgetInfo::selected(Role::Button, true, is_open, format!("Explain {}", constraint.label))
+        let name = tr!("Explain {constraint}", constraint = tr(constraint.label));
+        WidgetInfo::selected(Role::Button, true, is_open, name)
     });
     if response.on_hover_ui(|ui| explain(ui, one)).clicked() {
         *open = (!is_open).then_some(number);
@@ -85,10 +91,10 @@ fn row(ui: &mut Ui, number: usize, one: &Checked, name_width: f32, open: &mut Op
     ui.label(RichText::new(format::fine(one.value, constraint.unit)).small());
     let limit = limits(one) + mark(one.source);
     ui.label(RichText::new(limit).small().color(palette.weak));
-    let margin = format!("{:+.0} %", one.margin_percent);
+    let margin = format::beside(format::signed(format!("{:+.0}", one.margin_percent)), "%");
     let (text, standing) = match (one.violation > 0.0, one.binding) {
         (true, _) => (margin, Standing::Bad),
-        (false, true) => ("binding".to_owned(), Standing::Good),
+        (false, true) => (tr("binding").to_owned(), Standing::Good),
         (false, false) => (margin, Standing::Good),
     };
     standing.label(ui, &text, RichText::small);
@@ -99,13 +105,15 @@ pub fn sheet(optimum: &Optimum) -> Sheet {
     let mut sheet =
         Sheet::new(["Name", "Value", "Unit", "Least", "Largest", "Margin [%]", "Limit from"]);
     for (name, value, unit) in [
+        ("Axial depth", optimum.axial_depth_mm, "mm"),
+        ("Radial depth", optimum.radial_depth_mm, "mm"),
         ("Feed", optimum.feed_mm_min, "mm/min"),
         ("Speed", optimum.speed_rpm, "1/min"),
         ("Feed per tooth", optimum.feed_per_tooth_mm, "mm"),
         ("Cutting speed", optimum.cutting_speed_m_min, "m/min"),
         ("Force", optimum.force_n, "N"),
         ("Removal", optimum.removal_rate_cm3_min, "cm3/min"),
-        ("Time of cut", optimum.time_s, "s"),
+        ("Time at this feed", optimum.time_s, "s"),
         ("Time with tool changes", optimum.production_time_s, "s"),
         ("Cost of cut", optimum.cost, ""),
         ("Objective", optimum.score.value, ""),

@@ -7,6 +7,7 @@ use crate::app::command::{Command, SessionCommand};
 use crate::app::playback::Speed;
 use crate::app::theme::Palette;
 use crate::app::widgets::icon::{self, Icon};
+use crate::base::language::tr;
 use crate::base::settings::Value;
 use crate::run::scenario::Scenario;
 
@@ -18,33 +19,33 @@ pub fn show(ui: &mut Ui, search: &mut Search, scenario: &Scenario, commands: &mu
     };
     let done = progress.is_none_or(|progress| progress.done);
     ui.horizontal_wrapped(|ui| {
-        let help = "Again from the same random start";
-        if icon::button(ui, Icon::Restart, "Search again", help, progress.is_some()).clicked() {
+        let help = tr("Again from the same random start");
+        if icon::button(ui, Icon::Restart, tr("Search again"), help, progress.is_some()).clicked() {
             search.again();
         }
         if search.is_playing() && !done {
-            let help = "The swarm stands still";
-            if icon::button(ui, Icon::Pause, "Pause the swarm", help, true).clicked() {
+            let help = tr("The swarm stands still");
+            if icon::button(ui, Icon::Pause, tr("Pause the swarm"), help, true).clicked() {
                 search.pause();
             }
         } else {
-            let help = "The swarm moves on; at its end: again from the start";
+            let help = tr("The swarm moves on; at its end: again from the start");
             let enabled = progress.is_some();
-            if icon::button(ui, Icon::Play, "Move the swarm", help, enabled).clicked() {
+            if icon::button(ui, Icon::Play, tr("Move the swarm"), help, enabled).clicked() {
                 search.play();
             }
         }
-        let help = "One iteration of the swarm";
-        if icon::button(ui, Icon::Step, "One iteration", help, has_more).clicked() {
+        let help = tr("One iteration of the swarm");
+        if icon::button(ui, Icon::Step, tr("One iteration"), help, has_more).clicked() {
             search.step();
         }
-        let help = "To the end of the search";
-        if icon::button(ui, Icon::End, "To the end", help, !done).clicked() {
+        let help = tr("To the end of the search");
+        if icon::button(ui, Icon::End, tr("To the end"), help, !done).clicked() {
             search.rush();
         }
         speed(ui, &mut search.speed);
-        let help = "Another seed: another random start, and nearly the same optimum";
-        if ui.button("Other seed").on_hover_text(help).clicked() {
+        let help = tr("Another seed: another random start, and nearly the same optimum");
+        if ui.button(tr("Other seed")).on_hover_text(help).clicked() {
             let seed = i64::from(scenario.plan.seed.wrapping_add(1));
             commands.push(Command::Session(SessionCommand::SetUp(vec![(
                 "plan.seed".to_owned(),
@@ -52,14 +53,25 @@ pub fn show(ui: &mut Ui, search: &mut Search, scenario: &Scenario, commands: &mu
             )])));
         }
         if let Some(progress) = progress {
-            let state = match (progress.done, stopped) {
-                (true, _) => "done",
-                (false, true) => "stopped",
-                (false, false) => "searching",
-            };
             let (iteration, most) = (progress.iteration, progress.iterations);
-            let text = format!("{state}: iteration {iteration} of at most {most}");
-            let help = format!("{} evaluations of the force surface", progress.evaluations);
+            let text = match (progress.done, stopped) {
+                (true, _) => tr!(
+                    "done: iteration {iteration} of at most {most}",
+                    iteration = iteration,
+                    most = most,
+                ),
+                (false, true) => tr!(
+                    "stopped: iteration {iteration} of at most {most}",
+                    iteration = iteration,
+                    most = most,
+                ),
+                (false, false) => tr!(
+                    "searching: iteration {iteration} of at most {most}",
+                    iteration = iteration,
+                    most = most,
+                ),
+            };
+            let help = tr!("{n} evaluations of the force surface", n = progress.evaluations);
             let text = RichText::new(text).color(Palette::at(ui).weak);
             // In one piece where the line wraps.
             ui.add(Label::new(text).extend()).on_hover_text(help);
@@ -69,7 +81,7 @@ pub fn show(ui: &mut Ui, search: &mut Search, scenario: &Scenario, commands: &mu
 
 fn speed(ui: &mut Ui, now: &mut Speed) {
     let short = |speed: Speed| match speed {
-        Speed::Max => "at once".to_owned(),
+        Speed::Max => tr("at once").to_owned(),
         times => times.label(),
     };
     let response = ComboBox::from_id_salt("swarm speed")
@@ -81,6 +93,6 @@ fn speed(ui: &mut Ui, now: &mut Speed) {
             }
         })
         .response;
-    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Speed of the swarm"));
-    response.on_hover_text("Speed of the swarm");
+    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr("Speed of the swarm")));
+    response.on_hover_text(tr("Speed of the swarm"));
 }

@@ -3,10 +3,11 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Color32, Rect, Sense, Ui, WidgetInfo, vec2};
+use egui::{Align2, Color32, CursorIcon, Pos2, Rect, Sense, Ui, WidgetInfo, vec2};
 
 use super::part::{self, Part};
-use super::{Marked, WorkpiecePanel, cutter, judged, under_tool};
+use super::{Marked, WorkpiecePanel, cutter, judged, placed, under_tool};
+use crate::app::command::Command;
 use crate::app::format;
 use crate::app::scene;
 use crate::app::scene::camera::Camera;
@@ -14,6 +15,7 @@ use crate::app::scene::mesh::Mesh;
 use crate::app::session::Session;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::zoom::by_touch;
+use crate::base::language::{decimal, tr};
 use crate::study::profilometer::ProfileLine;
 
 /// Factor by which the drawn cutter turns slower: its true turns could not be seen.
@@ -40,7 +42,13 @@ pub struct Kept(Option<(Made, Arc<Mesh>)>);
 
 impl WorkpiecePanel {
     /// Draws it over the width of `ui`, `height` points high; `pages`: fingers scroll the page.
-    pub(super) fn picture(&mut self, ui: &mut Ui, session: &Session, height: f32, pages: bool) {
+    pub(super) fn picture(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        (height, pages): (f32, bool),
+        commands: &mut Vec<Command>,
+    ) {
         let palette = Palette::at(ui);
         let Some(marked) = &self.marks else { return };
         let Marked { changes, marks, .. } = marked;
@@ -50,7 +58,12 @@ impl WorkpiecePanel {
         let (under, x_mm) = path.cut_at(session.row().position_mm);
         let draws = self.profilometer.open && !self.profilometer.turns;
         let scrolls = pages && by_touch(ui) && !self.looking.by_touch && !draws;
-        let sense = if scrolls { Sense::hover() } else { Sense::drag() };
+        let sense = match (self.placing.is_some(), scrolls) {
+            (true, true) => Sense::click(),
+            (true, false) => Sense::click_and_drag(),
+            (false, true) => Sense::hover(),
+            (false, false) => Sense::drag(),
+        };
         let size = vec2(ui.available_width(), height);
         let (rect, response) = ui.allocate_exact_size(size, sense);
         if !ui.is_rect_visible(rect) {
@@ -61,6 +74,14 @@ impl WorkpiecePanel {
         let camera = self.looking.camera;
         if draws {
             self.profilometer.draw(&response, &camera, &marked.measured(&path));
+        }
+        let told = self.placing.map(placed::armed);
+        if told.is_some() && response.hovered() {
+            ui.set_cursor_icon(CursorIcon::Crosshair);
+        }
+        if let Some(at) = response.interact_pointer_pos().filter(|_| response.clicked()) {
+            let along = placed::along(&camera, rect, at, under, x_mm);
+            placed::press(ui, &mut self.placing, along, cut.begins_mm, commands);
         }
         let by_teeth = session.current().plant.force_model.tooth_by_tooth();
         let ra_um = if by_teeth { FEED_MARKS_UM } else { session.row().ra_target_um };
@@ -97,6 +118,7 @@ impl WorkpiecePanel {
             };
             let mut mesh = Mesh::default();
             part.draw(&mut mesh);
+            placed::mark(&mut mesh, session, cut.begins_mm, bounds, palette.warn);
             if made.line.is_some() {
                 self.profilometer.ribbon(&mut mesh, &part, camera.distance, palette);
             }
@@ -114,8 +136,16 @@ impl WorkpiecePanel {
         let at = place(x_mm, under.length_mm(), [number, marks.cuts().len()]);
         let backdrop = ui.visuals().panel_fill.gamma_multiply(0.85);
         captions(&painter, rect, [palette.text, backdrop], &at, times);
+        if let Some(told) = told {
+            let corner = rect.left_top() + vec2(10.0, 8.0);
+            caption(&painter, Align2::LEFT_TOP, corner, &told, [palette.accent, backdrop]);
+        }
         response.widget_info(|| {
-            let said = format!("Part in space, {at}, heights drawn {times} times larger");
+            let said = tr!(
+                "Part in space, {place}, heights drawn {times} times larger",
+                place = at,
+                times = decimal(times.to_string()),
+            );
             WidgetInfo::labeled(egui::Role::Figure, true, said)
         });
     }
@@ -123,14 +153,16 @@ impl WorkpiecePanel {
 
 /// Where the tool is, in words.
 fn place(x_mm: f64, length_mm: f64, [number, count]: [usize; 2]) -> String {
-    let cut = if count > 1 { format!("cut {} of {count}, ", number + 1) } else { String::new() };
     let tool = if x_mm < 0.0 {
-        format!("tool {} before the part", format::quantity(-x_mm, "mm"))
+        tr!("tool {length} before the part", length = format::quantity(-x_mm, "mm"))
     } else {
         let [x, length] = [x_mm.min(length_mm), length_mm].map(|x| format::number(x, "mm"));
-        format!("tool at {x} of {length} mm")
+        tr!("tool at {place} of {length} mm", place = x, length = length)
     };
-    cut + &tool
+    match count {
+        0 | 1 => tool,
+        _ => tr!("cut {number} of {all}, {tool}", number = number + 1, all = count, tool = tool),
+    }
 }
 
 /// What the picture says, readable on whatever is behind it.
@@ -141,18 +173,28 @@ fn captions(
     at: &str,
     times: f32,
 ) {
-    let heights = format!("heights ×{times}");
+    let heights = format!("{}{}", tr("heights ×"), decimal(times.to_string()));
     let sides = [
         (Align2::LEFT_BOTTOM, rect.left_bottom() + vec2(10.0, -8.0), heights.as_str()),
         (Align2::RIGHT_BOTTOM, rect.right_bottom() + vec2(-10.0, -8.0), at),
     ];
     for (anchor, corner, text) in sides {
-        let font = theme::note(painter.ctx());
-        let galley = painter.layout_no_wrap(text.to_owned(), font, ink);
-        let place = anchor.anchor_size(corner, galley.size());
-        painter.rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, backdrop);
-        painter.galley(place.min, galley, ink);
+        caption(painter, anchor, corner, text, [ink, backdrop]);
     }
+}
+
+fn caption(
+    painter: &egui::Painter,
+    anchor: Align2,
+    corner: Pos2,
+    text: &str,
+    [ink, backdrop]: [Color32; 2],
+) {
+    let font = theme::note(painter.ctx());
+    let galley = painter.layout_no_wrap(text.to_owned(), font, ink);
+    let place = anchor.anchor_size(corner, galley.size());
+    painter.rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, backdrop);
+    painter.galley(place.min, galley, ink);
 }
 
 #[cfg(test)]
@@ -161,7 +203,7 @@ mod tests {
 
     #[test]
     fn the_place_is_told_before_within_and_at_the_end_of_a_cut() {
-        assert_eq!(place(-3.888, 90.0, [0, 5]), "cut 1 of 5, tool 3.89 mm before the part");
+        assert_eq!(place(-3.888, 90.0, [0, 5]), "cut 1 of 5, tool 3.89\u{a0}mm before the part");
         assert_eq!(place(45.0, 200.0, [0, 1]), "tool at 45.00 of 200.00 mm");
         assert_eq!(place(90.02, 90.0, [4, 5]), "cut 5 of 5, tool at 90.00 of 90.00 mm");
     }

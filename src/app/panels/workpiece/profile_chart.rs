@@ -8,6 +8,7 @@ use crate::app::theme::{Look, Palette};
 use crate::app::widgets::focus::pointer_only;
 use crate::app::widgets::legend;
 use crate::app::widgets::plot::{grid, near, still, tick};
+use crate::base::language::{text, tr};
 use crate::base::math::extent;
 use crate::base::stats;
 use crate::study::profilometer::Measurement;
@@ -17,7 +18,7 @@ const PIECES: usize = 480;
 const HEIGHT: f32 = 148.0;
 /// Names and looks of the two profiles.
 const LINES: [(&str, Look); 2] =
-    [("as the teeth left it", Look::Dynamics), ("roughness profile", Look::Produced)];
+    [(text!("as the teeth left it"), Look::Dynamics), (text!("roughness profile"), Look::Produced)];
 
 /// The profiles as they are drawn: mm along the line, um about their mean.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,9 +65,9 @@ impl Curves {
 pub fn show(ui: &mut Ui, curves: &Curves) {
     let palette = Palette::at(ui);
     ui.horizontal_wrapped(|ui| {
-        ui.label(RichText::new("Profile [µm]").strong());
+        ui.label(RichText::new(tr("Profile [µm]")).strong());
         for (name, look) in LINES {
-            legend::sample(ui, name, look);
+            legend::sample(ui, tr(name), look);
         }
     });
     let heights = curves.points.iter().flatten().map(|point| point[1]);
@@ -78,7 +79,12 @@ pub fn show(ui: &mut Ui, curves: &Curves) {
         let (name, position) = near(hover)?;
         let [height, along] =
             [(position.y, "um"), (position.x, "mm")].map(|(x, u)| format::quantity(x, u));
-        Some(format!("{name}: {height}\n{along} along the line"))
+        Some(tr!(
+            "{name}: {height}\n{along} along the line",
+            name = name,
+            height = height,
+            along = along,
+        ))
     };
     let response = still("profile", palette, [width, HEIGHT])
         .sense(pointer_only(false))
@@ -92,13 +98,13 @@ pub fn show(ui: &mut Ui, curves: &Curves) {
             plot.set_plot_bounds_y(low - margin..=high + margin);
             for ((name, look), points) in LINES.iter().zip(&curves.points) {
                 let (stroke, style) = look.line(palette);
-                let line = Line::new(*name, PlotPoints::from(points.clone()));
+                let line = Line::new(tr(name), PlotPoints::from(points.clone()));
                 plot.line(line.stroke(stroke).style(style).width(1.2).allow_band(false));
             }
         });
     response.response.widget_info(|| {
         let [from, to] = [from, to].map(|x| format::quantity(x, "mm"));
-        let label = format!("Profile from {from} to {to} along the line");
+        let label = tr!("Profile from {from} to {to} along the line", from = from, to = to);
         WidgetInfo::labeled(Role::Figure, true, label)
     });
 }

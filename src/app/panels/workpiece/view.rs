@@ -6,6 +6,7 @@ use super::cutter::SHANK_MM;
 use crate::app::format::round_step;
 use crate::app::scene::camera::{Camera, Point};
 use crate::app::widgets::touch;
+use crate::base::language::tr;
 
 /// Distance of the eye and how far behind the tool it looks, mm: at the tool, and close up.
 const AT_TOOL_MM: [f32; 2] = [96.0, 9.0];
@@ -148,33 +149,38 @@ impl Looking {
             ui.spacing_mut().button_padding.x = 7.0;
         }
         ui.horizontal_wrapped(|ui| {
-            if ui.button("Whole part").on_hover_text("All of the present cut").clicked() {
+            if ui.button(tr("Whole part")).on_hover_text(tr("All of the present cut")).clicked() {
                 self.follows = Follows::Part;
                 self.cutter = true;
             }
-            if ui.button("At the tool").on_hover_text("Goes along with the tool").clicked() {
+            if ui.button(tr("At the tool")).on_hover_text(tr("Goes along with the tool")).clicked()
+            {
                 self.at_tool(AT_TOOL_MM, HEIGHT_MM[0], true);
             }
-            let help = "The surface right behind the tool, near enough to see each tooth's mark";
-            if ui.button("Close up").on_hover_text(help).clicked() {
+            let help =
+                tr("The surface right behind the tool, near enough to see each tooth's mark");
+            if ui.button(tr("Close up")).on_hover_text(help).clicked() {
                 self.at_tool(CLOSE_MM, HEIGHT_MM[1], false);
             }
-            for (sign, name, factor) in [("+", "Nearer", ZOOM), ("-", "Farther", 1.0 / ZOOM)] {
+            for (sign, name, help, factor) in [
+                ("+", tr("Nearer"), tr("Nearer; so does the wheel"), ZOOM),
+                ("-", tr("Farther"), tr("Farther; so does the wheel"), 1.0 / ZOOM),
+            ] {
                 let least = touch::least(ui);
                 let button = ui.add(Button::new(sign).min_size(least));
                 button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
-                if button.on_hover_text(format!("{name}; so does the wheel")).clicked() {
+                if button.on_hover_text(help).clicked() {
                     self.zoom(factor);
                 }
             }
         });
         ui.horizontal_wrapped(|ui| {
-            let help = "Turns the picture; so does a drag over it";
+            let help = tr("Turns the picture; so does a drag over it");
             for (name, x, y) in [
-                ("Turn left", -PUSH, 0.0),
-                ("Turn right", PUSH, 0.0),
-                ("Higher", 0.0, PUSH),
-                ("Lower", 0.0, -PUSH),
+                (tr("Turn left"), -PUSH, 0.0),
+                (tr("Turn right"), PUSH, 0.0),
+                (tr("Higher"), 0.0, PUSH),
+                (tr("Lower"), 0.0, -PUSH),
             ] {
                 if ui.button(name).on_hover_text(help).clicked() {
                     self.camera.orbit(Vec2::new(x, y));
@@ -182,27 +188,28 @@ impl Looking {
             }
         });
         ui.horizontal_wrapped(|ui| {
-            ui.checkbox(&mut self.cutter, "Cutter");
+            ui.checkbox(&mut self.cutter, tr("Cutter"));
             let mut along = matches!(self.follows, Follows::Tool(_));
-            if ui.checkbox(&mut along, "Follow the tool").changed() {
+            if ui.checkbox(&mut along, tr("Follow the tool")).changed() {
                 let behind = if self.cutter { AT_TOOL_MM[1] } else { CLOSE_MM[1] };
                 self.follows = if along { Follows::Tool(behind) } else { Follows::Nothing };
             }
             let mut own = self.chosen.is_some();
-            let help = "A factor of your own; otherwise as the distance wants it";
-            let switch = ui.checkbox(&mut own, "Own factor").on_hover_text(help);
+            let help = tr("A factor of your own; otherwise as the distance wants it");
+            let switch = ui.checkbox(&mut own, tr("Own factor")).on_hover_text(help);
             if switch.changed() {
                 self.chosen = own.then_some(self.shown);
             }
             if let Some(times) = &mut self.chosen {
                 let before = *times;
                 let slider = Slider::new(times, TIMES[0]..=TIMES[1]).logarithmic(true);
-                let slider = ui.add(slider.prefix("heights ×").max_decimals(0));
+                let slider = ui.add(slider.prefix(tr("heights ×")).max_decimals(0));
                 touch::only_across(ui, &slider.labelled_by(switch.id), times, before);
             }
             if pages {
-                let help = "Fingers on the picture turn the part; otherwise they scroll the page";
-                ui.checkbox(&mut self.by_touch, "Turn by touch").on_hover_text(help);
+                let help =
+                    tr("Fingers on the picture turn the part; otherwise they scroll the page");
+                ui.checkbox(&mut self.by_touch, tr("Turn by touch")).on_hover_text(help);
             }
         });
     }

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::app::session::Session;
+use crate::app::session::{Session, TwinStand};
 use crate::app::theme::{self, Look};
+use crate::base::language::{text, tr};
 use crate::run::signals::SIGNALS;
 
 /// One signal in a chart.
@@ -36,6 +37,19 @@ pub struct Chart<'a> {
     pub write: fn(f64, &str) -> String,
 }
 
+impl ChartCurve {
+    /// Whether the run before the last change and what is to come are drawn with it: with vibration as well, where the
+    /// machine vibrates in the cut.
+    pub(super) fn has_ghost(&self, session: &Session) -> bool {
+        self.compared || self.look == Look::Dynamics && session.current().machine.coupled
+    }
+
+    /// Whether the last cut that was driven by hand is drawn with it: what it turned is its override.
+    pub(super) fn has_hand(&self) -> bool {
+        self.compared || self.signal == "feed_override_percent"
+    }
+}
+
 impl<'a> Chart<'a> {
     /// The curves that it is about: those compared with the twin, or else all.
     pub(super) fn foremost(&self) -> impl Iterator<Item = &'a ChartCurve> {
@@ -57,21 +71,61 @@ pub struct Axes {
 
 /// Stands for the chart where an entry is one of all charts.
 pub(super) const ALL: &str = "all";
-/// The legend's name of the twin.
+/// The twin's name for the program: people read which one it is.
 pub(super) const TWIN: &str = "constant feed";
+/// How the twin's line is drawn, where it is hovered.
+const TWIN_DRAWN: &str = text!(
+    "It is drawn at the same place of the part: its steps and changes come where those of the cut do. It moves at \
+     another feed, so it took another time to get there. Which constant feed it is stands in More settings, under \
+     what to compare with."
+);
+
 /// What the twin's line is, where it is hovered.
-pub(super) const TWIN_HELP: &str = "The same part cut at the programmed feed, without a controller, drawn at \
-    the same place of the part: its steps and changes come where those of the cut do. It moves at another \
-    feed, so it took another time to get there.";
+pub(super) fn twin_help(session: &Session) -> String {
+    let without = if session.current().machine.coupled { TWIN_WITHOUT } else { "" };
+    let what = match session.twin_stand() {
+        TwinStand::Programmed => {
+            tr("The same part cut at the programmed feed, without a controller: what the papers call conventional, and what \
+                the controller Conventional (constant feed) cuts at 100 %.").to_owned()
+        }
+        TwinStand::Safe(_) => tr("The same part cut without a controller, at the largest constant feed that is nowhere \
+            above the tolerance: who must keep it everywhere chooses the feed by the deepest, hardest place. Found by \
+            cutting the part at many feeds. The controller Conventional (constant feed) cuts at the programmed feed \
+            instead, as the papers' conventional milling does.")
+            .to_owned(),
+        TwinStand::Finding(_) => tr("The largest constant feed that is nowhere above the tolerance is being found: the \
+            part is cut at many feeds.")
+            .to_owned(),
+        TwinStand::NoneSafe(why) => {
+            tr!("The same part cut at the programmed feed, without a controller: {why}.", why = why)
+        }
+    };
+    format!("{what} {}{}{}", tr(TWIN_DRAWN), if without.is_empty() { "" } else { " " }, tr(without))
+}
+/// What is said of its line where the machine vibrates in the cut.
+const TWIN_WITHOUT: &str = text!("Ra and force are drawn without dynamics.");
 /// The legend's name of the run before the last change.
-pub(super) const GHOST: &str = "before";
+pub(super) const GHOST: &str = text!("before");
 /// What that line is, where it is hovered.
-pub(super) const GHOST_HELP: &str = "The run as it went on before the last change.";
+pub(super) fn ghost_help(session: &Session) -> String {
+    let what = tr("The run as it went on before the last change.");
+    match session.current().machine.coupled {
+        true => format!("{what} {}", tr(GHOST_WITH)),
+        false => what.to_owned(),
+    }
+}
+/// What is said of its lines where the machine vibrates in the cut.
+const GHOST_WITH: &str = text!("Its thin line is that with dynamics, of Ra and of the force.");
+/// The legend's name of the last cut that was driven by hand.
+pub(super) const BY_HAND: &str = text!("your hand");
+/// What that line is, where it is hovered.
+pub(super) const BY_HAND_HELP: &str =
+    text!("The same part as you cut it last by hand, drawn at the same places of the part.");
 /// The legend's name of the run after the last change.
-pub(super) const FUTURE: &str = "from now on";
+pub(super) const FUTURE: &str = text!("from now on");
 /// What that line is, where it is hovered.
 pub(super) const FUTURE_HELP: &str =
-    "What the run does after the last change, ahead of the playhead.";
+    text!("What the run does after the last change, ahead of the playhead.");
 
 impl Axes {
     /// The range of time in the picture.
@@ -82,7 +136,8 @@ impl Axes {
         }
         let playback = session.playback();
         let length_s = session.length_s();
-        if !playback.follow || length_s <= theme::FOLLOW_S {
+        // A cut that is over is looked at as a whole.
+        if !playback.follow || length_s <= theme::FOLLOW_S || session.finished().is_some() {
             return [0.0, length_s];
         }
         // The playhead stands near the right edge, with some room for what is to come.

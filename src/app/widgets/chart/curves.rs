@@ -2,20 +2,22 @@
 
 use egui_plot::FilledArea;
 
-use super::content::{ALL, Axes, Chart, FUTURE, GHOST, TWIN, index};
+use super::content::{ALL, Axes, BY_HAND, Chart, FUTURE, GHOST, TWIN, index};
 use super::envelope::Curve;
 use super::places::Places;
 use crate::app::cut::Cut;
 use crate::app::session::Session;
 use crate::app::theme::{Look, Palette};
 use crate::app::widgets::plot::pieces;
+use crate::base::language::tr;
 use crate::run::signals::SIGNALS;
 
 /// The range of values: of all of the run and its twin, so that it does not jump while playing; or
-/// of what was zoomed to.
-pub(super) fn fit_values(chart: &Chart, session: &Session, zoomed: Option<[f64; 2]>) -> [f64; 2] {
+/// of what was zoomed to. The run before the last change stays in the picture as long as it is drawn.
+pub(super) fn fit_values(chart: &Chart, session: &Session, axes: &Axes) -> [f64; 2] {
     /// Enough to keep every extreme, few enough for every frame.
     const BUCKETS: usize = 16;
+    let zoomed = axes.zoomed;
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     let mut join = |value: f64| range = [range[0].min(value), range[1].max(value)];
     let times = zoomed.unwrap_or([0.0, f64::INFINITY]);
@@ -26,9 +28,26 @@ pub(super) fn fit_values(chart: &Chart, session: &Session, zoomed: Option<[f64; 
     };
     for curve in chart.curves {
         of(session.chosen(), curve.signal, times);
-        if curve.compared {
+        if curve.compared && session.twin_stand().is_drawn() {
             let places = Places::of(session);
             of(session.twin(), curve.signal, times.map(|time_s| places.of_twin(time_s)));
+        }
+    }
+    if let Some(ghost) = session.ghost().filter(|_| !axes.hidden.contains(&(ALL, GHOST))) {
+        let times = [times[0].max(ghost.from_s), times[1]];
+        for curve in chart.curves.iter().filter(|curve| curve.has_ghost(session)) {
+            let signal = index(curve.signal);
+            let points = ghost.traces.points(signal, times, usize::MAX, BUCKETS, None);
+            points.iter().for_each(|[_, value]| join(*value));
+        }
+    }
+    if let Some(hand) = session.hand_trace().filter(|_| !axes.hidden.contains(&(ALL, BY_HAND))) {
+        let places = Places::beside(session, &hand.recording);
+        let there = times.map(|time_s| places.of_twin(time_s));
+        for curve in chart.curves.iter().filter(|curve| curve.has_hand()) {
+            let rows = Some(hand.recording.rows());
+            let points = hand.traces.points(index(curve.signal), there, usize::MAX, BUCKETS, rows);
+            points.iter().for_each(|[_, value]| join(*value));
         }
     }
     if zoomed.is_none() {
@@ -122,33 +141,50 @@ pub(super) fn lines(
     for curve in chart.curves {
         let label = SIGNALS[index(curve.signal)].label;
         let chosen = session.chosen();
-        if curve.compared && compared(TWIN) {
+        if curve.compared && compared(TWIN) && session.twin_stand().is_drawn() {
             let places = Places::of(session);
             let end = places.rows_of_twin(playhead_s);
             let there = range.map(|time_s| places.of_twin(time_s));
             let points = visible(session.twin(), curve.signal, there, end, width);
             // Levels, as feed and speed of the twin are, have few points to look the places up of.
             let points = places.at_the_cut(without_flats(points, span));
-            lines.extend(line(&format!("{label}, {TWIN}"), Look::Twin, points));
+            lines.extend(line(
+                &format!("{}, {}", tr(label), tr(session.twin_stand().name())),
+                Look::Twin,
+                points,
+            ));
         }
-        if curve.compared
+        if curve.has_hand()
+            && compared(BY_HAND)
+            && let Some(hand) = session.hand_trace()
+        {
+            let places = Places::beside(session, &hand.recording);
+            let there = range.map(|time_s| places.of_twin(time_s));
+            let (signal, rows) = (index(curve.signal), Some(hand.recording.rows()));
+            let points = hand.traces.points(signal, there, usize::MAX, buckets(width), rows);
+            let points = places.at_the_cut(without_flats(points, span));
+            lines.extend(line(&format!("{}, {}", tr(label), tr(BY_HAND)), Look::Hand, points));
+        }
+        if curve.has_ghost(session)
             && compared(GHOST)
             && let Some(ghost) = session.ghost()
         {
             let from = [range[0].max(ghost.from_s), range[1]];
             let signal = index(curve.signal);
             let points = ghost.traces.points(signal, from, usize::MAX, buckets(width), None);
-            lines.extend(line(&format!("{label}, {GHOST}"), Look::Ghost, points));
+            let look = if curve.compared { Look::Ghost } else { Look::GhostDynamics };
+            lines.extend(line(&format!("{}, {}", tr(label), tr(GHOST)), look, points));
         }
         if shown(label) {
             // While it stands still after a change, what is to come is shown as well.
-            if curve.compared && compared(FUTURE) && future_is_shown(session) {
+            if curve.has_ghost(session) && compared(FUTURE) && future_is_shown(session) {
                 let from = [range[0].max(playhead_s), range[1]];
                 let points = visible(chosen, curve.signal, from, usize::MAX, width);
-                lines.extend(line(&format!("{label}, {FUTURE}"), Look::Future, points));
+                let look = if curve.compared { Look::Future } else { Look::FutureDynamics };
+                lines.extend(line(&format!("{}, {}", tr(label), tr(FUTURE)), look, points));
             }
             let points = visible(chosen, curve.signal, range, revealed, width);
-            lines.extend(line(label, curve.look, points));
+            lines.extend(line(tr(label), curve.look, points));
         }
     }
     lines
@@ -156,7 +192,56 @@ pub(super) fn lines(
 
 #[cfg(test)]
 mod tests {
-    use super::without_flats;
+    use egui_plot::PlotItem as _;
+
+    use super::super::content::ChartCurve;
+    use super::*;
+    use crate::app::command::{PlaybackCommand, SessionCommand};
+    use crate::base::settings::Value;
+    use crate::run::edits::Edits;
+    use crate::run::presets;
+
+    /// What was before the change has the curves that the cut has: with vibration where the machine vibrates.
+    #[test]
+    fn the_run_before_a_change_has_its_curves_with_vibration_too() {
+        for (preset, vibrates) in [("chatter", true), ("depth-step", false)] {
+            let mut session = Session::new(presets::load(preset).unwrap(), Edits::none());
+            (0..40).for_each(|_| session.advance(0.02));
+            session.play(PlaybackCommand::TogglePlay);
+            session.play(PlaybackCommand::SeekTo(2.0));
+            let (path, value) = ("target.ra_um".to_owned(), Value::Float(0.7));
+            session.execute(SessionCommand::Set { path, value });
+            let signal = |signal, look, compared| ChartCurve { signal, look, compared };
+            let pair = |with, without| {
+                [signal(with, Look::Dynamics, false), signal(without, Look::Produced, true)]
+            };
+            let charts = [
+                (pair("ra_dyn_um", "ra_um"), ["Ra with dynamics", "Ra"]),
+                (pair("force_dyn_n", "force_n"), ["Force with dynamics", "Maximum force"]),
+            ];
+            for (curves, names) in charts {
+                let chart = Chart {
+                    id: "a",
+                    title: "A",
+                    curves: &curves,
+                    band: None,
+                    levels: Vec::new(),
+                    include: &[],
+                    write: |_, _| String::new(),
+                };
+                let ranges = [[0.0, 10.0], [0.0, 500.0]];
+                let palette = Palette::of(egui::Theme::Light);
+                let drawn = lines(&chart, &session, &Axes::default(), ranges, 400.0, palette);
+                let has = |name: &str, of: &str| {
+                    drawn.iter().any(|line| line.name() == format!("{name}, {of}"))
+                };
+                for of in [GHOST, FUTURE] {
+                    assert_eq!(has(names[0], of), vibrates, "{preset}: {}, {of}", names[0]);
+                }
+                assert!(has(names[1], FUTURE), "{preset}: {}", names[1]);
+            }
+        }
+    }
 
     #[test]
     fn a_value_that_settles_is_one_level_and_a_step_stays() {

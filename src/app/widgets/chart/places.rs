@@ -1,11 +1,11 @@
-//! The twin drawn by place: at the time when the cut is at the same place of the part, as everything else on
-//! the screen compares them.
+//! The twin, and a cut driven by hand, drawn by place: at the time when the cut is at the same place of the part, as
+//! everything else on the screen compares them.
 
 use crate::app::session::Session;
 use crate::run::recording::Recording;
 use crate::run::signals::Row;
 
-/// The ways of the cut and of its twin.
+/// The ways of the cut and of its twin, or of another cut in the twin's place.
 pub(super) struct Places<'a> {
     cut: &'a Recording,
     twin: &'a Recording,
@@ -26,6 +26,11 @@ impl<'a> Places<'a> {
     pub fn of(session: &'a Session) -> Self {
         let [cut, twin] = [session.chosen(), session.twin()].map(|cut| cut.run().recording());
         Self { cut, twin }
+    }
+
+    /// Those of a session's cut and another one of the same part.
+    pub fn beside(session: &'a Session, other: &'a Recording) -> Self {
+        Self { cut: session.chosen().run().recording(), twin: other }
     }
 
     /// When the twin is where the cut is at a time, s; its end where it never comes there.

@@ -10,12 +10,16 @@ use crate::app::format;
 use crate::app::theme::Palette;
 use crate::base::equation::number;
 use crate::base::formula::{Formula, Interval};
+use crate::base::language::{decimal, text, tr};
 use crate::base::settings::{FormulaShape, Value};
 use crate::models::formula_model::{FormulaInput, FormulaModel};
 use crate::run::scenario::Param;
 
 /// Most characters of a formula that is typed.
 const MOST_CHARS: usize = 2000;
+
+/// Where a formula that was typed comes from, as files of models say it.
+const TYPED: &str = text!("typed in the console");
 
 /// A formula being written.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,8 +33,9 @@ struct Draft {
 
 impl Draft {
     fn of(model: FormulaModel) -> Self {
-        let ends =
-            |input: &FormulaInput| [input.range.low, input.range.high].map(|x| x.to_string());
+        let ends = |input: &FormulaInput| {
+            [input.range.low, input.range.high].map(|x| decimal(x.to_string()))
+        };
         let ranges = model.inputs().iter().map(ends).collect();
         Self { text: model.formula().to_string(), ranges, like: model }
     }
@@ -45,17 +50,28 @@ impl Draft {
         for (input, [low, high]) in self.like.inputs().iter().zip(&self.ranges) {
             let end = |text: &String| {
                 let number = super::super::number::parse(text, &input.unit.to_string());
-                number.ok_or_else(|| format!("range of {}: `{text}` is not a number", input.name))
+                number.ok_or_else(|| {
+                    tr!(
+                        "range of {input}: `{text}` is not a number",
+                        input = input.name,
+                        text = text
+                    )
+                })
             };
             let (low, high) = (end(low)?, end(high)?);
             if low >= high {
-                return Err(format!("range of {}: {low} is not below {high}", input.name));
+                return Err(tr!(
+                    "range of {input}: {low} is not below {high}",
+                    input = input.name,
+                    low = low,
+                    high = high
+                ));
             }
             inputs.push(FormulaInput { range: Interval::new(low, high), ..input.clone() });
         }
         // What was said of the formula before does not hold of another one.
         let same = self.text == self.like.formula().to_string();
-        let source = if same { self.like.source() } else { "typed in the console" };
+        let source = if same { self.like.source() } else { TYPED };
         FormulaModel::new(formula, inputs, self.like.output().clone(), source.to_owned())
     }
 }
@@ -69,11 +85,11 @@ pub(super) fn edit(
     change: &mut dyn FnMut(Value),
     commands: &mut Vec<Command>,
 ) -> Response {
-    let Value::Text(text) = now else { return ui.label(param.spec.label) };
+    let Value::Text(text) = now else { return ui.label(tr(param.spec.label)) };
     let own = FormulaModel::parse(text).ok();
     let id = ui.scope_id().with("formula");
     let draft = ui.data(|data| data.get_temp::<Draft>(id));
-    let label = ui.label(param.spec.label);
+    let label = ui.label(tr(param.spec.label));
     if let Some(mut draft) = draft {
         let mut open = true;
         write(ui, param, shape, &mut draft, &mut open, change);
@@ -90,18 +106,19 @@ pub(super) fn edit(
         shown(ui, shape, model);
     }
     ui.horizontal_wrapped(|ui| {
-        let what = if own.is_some() { "Change" } else { "Type" };
-        if button(ui, param, what, "Write the formula and the ranges of its inputs", true) {
+        let what = if own.is_some() { tr("Change") } else { tr("Type") };
+        let help = tr("Write the formula and the ranges of its inputs");
+        if button(ui, param, what, help, true) {
             let begun = own.clone().or_else(|| FormulaModel::parse(shape.example).ok());
             if let Some(model) = begun {
                 ui.data_mut(|data| data.insert_temp(id, Draft::of(model)));
             }
         }
-        let help = "A file of a formula's model, as `steadycut formula --save` writes it";
-        if button(ui, param, "Open", help, true) {
+        let help = tr("A file of a formula's model, as `steadycut formula --save` writes it");
+        if button(ui, param, tr("Open"), help, true) {
             commands.push(Command::File(FileCommand::OpenFormula(param.path.clone())));
         }
-        if own.is_some() && button(ui, param, "Remove", "The built-in model again", true) {
+        if own.is_some() && button(ui, param, tr("Remove"), tr("The built-in model again"), true) {
             change(param.spec.default.clone());
         }
     });
@@ -112,14 +129,14 @@ pub(super) fn edit(
 fn button(ui: &mut Ui, param: &Param, what: &str, help: &str, enabled: bool) -> bool {
     let least = touch::least(ui);
     let response = ui.add_enabled(enabled, Button::new(what).min_size(least)).on_hover_text(help);
-    let name = format!("{what}: {}", param.spec.label);
+    let name = format!("{what}: {}", tr(param.spec.label));
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name.clone()));
     response.clicked()
 }
 
 /// A unit as it is shown.
 fn unit(text: &str) -> String {
-    if text.is_empty() { "a number".to_owned() } else { format::unit(text) }
+    if text.is_empty() { tr("a number").to_owned() } else { format::unit(text) }
 }
 
 /// What is used now, with its ranges.
@@ -133,15 +150,22 @@ fn shown(ui: &mut Ui, shape: &FormulaShape, model: &FormulaModel) {
         .map(|input| {
             let Interval { low, high } = input.range;
             let unit = format::unit(&input.unit.to_string());
-            format!("{} {} to {} {unit}", input.name, number(low), number(high))
-                .trim_end()
-                .to_owned()
+            let [low, high] = [low, high].map(|end| decimal(number(end)));
+            tr!(
+                "{input} {low} to {high} {unit}",
+                input = input.name,
+                low = low,
+                high = high,
+                unit = unit
+            )
+            .trim_end()
+            .to_owned()
         })
         .collect();
     let told = format!("{}: {}", unit(shape.output), ranges.join(", "));
     ui.label(RichText::new(told).small().color(palette.weak));
     if !model.source().is_empty() {
-        ui.label(RichText::new(model.source()).small().color(palette.weak));
+        ui.label(RichText::new(tr(model.source())).small().color(palette.weak));
     }
 }
 
@@ -155,9 +179,9 @@ fn write(
     change: &mut dyn FnMut(Value),
 ) {
     let palette = Palette::at(ui);
-    let wanted = format!("{} of {}", unit(shape.output), shape.meaning);
+    let wanted = tr!("{unit} of {meaning}", unit = unit(shape.output), meaning = tr(shape.meaning));
     ui.label(RichText::new(wanted).small().color(palette.weak));
-    let name = format!("Formula: {}", param.spec.label);
+    let name = tr!("Formula: {setting}", setting = tr(param.spec.label));
     let field = TextEdit::multiline(&mut draft.text)
         .char_limit(MOST_CHARS)
         .desired_rows(2)
@@ -171,9 +195,9 @@ fn write(
     for (input, ends) in draft.like.inputs().iter().zip(&mut draft.ranges) {
         ui.horizontal_wrapped(|ui| {
             ui.label(&input.name);
-            for (text, end) in ends.iter_mut().zip(["from", "to"]) {
+            for (text, end) in ends.iter_mut().zip([tr("from"), tr("to")]) {
                 ui.label(end);
-                let name = format!("{} {end}: {}", input.name, param.spec.label);
+                let name = format!("{} {end}: {}", input.name, tr(param.spec.label));
                 let least = touch::least(ui);
                 let field = TextEdit::singleline(text).char_limit(30).desired_width(64.0);
                 let response = ui.add(field.min_size(least));
@@ -190,7 +214,9 @@ fn write(
         Ok(model) => {
             let Interval { low, high } = model.bounds();
             let unit = format::unit(shape.output);
-            let text = format!("gives {} to {} {unit} there", number(low), number(high));
+            let [low, high] = [low, high].map(|end| decimal(number(end)));
+            let text =
+                tr!("gives {low} to {high} {unit} there", low = low, high = high, unit = unit);
             Standing::Good.label(ui, text.trim_end(), RichText::small);
         }
         Err(problem) => {
@@ -204,13 +230,13 @@ fn write(
         }
     }
     ui.horizontal_wrapped(|ui| {
-        if button(ui, param, "Use", "From now on, in the running cut too", written.is_ok())
+        if button(ui, param, tr("Use"), tr("From now on, in the running cut too"), written.is_ok())
             && let Ok(model) = &written
         {
             change(Value::Text(model.write_line()));
             *open = false;
         }
-        *open &= !button(ui, param, "Cancel", "As it was before", true);
+        *open &= !button(ui, param, tr("Cancel"), tr("As it was before"), true);
     });
     if !*open {
         // Another widget may have the place of the field that was written in, and its id: without this the keys

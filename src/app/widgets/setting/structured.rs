@@ -7,6 +7,7 @@ use super::super::number::NumberField;
 use super::labelled;
 use crate::app::command::Command;
 use crate::app::format;
+use crate::base::language::tr;
 use crate::base::settings::{Editor, Numbers, Rows, Value};
 use crate::run::scenario::Param;
 
@@ -25,6 +26,7 @@ pub(super) fn edit(
         Editor::Numbers(shown) => numbers(ui, param, shown, now, change, said),
         Editor::Count(what) => count(ui, param, what, now),
         Editor::Presence => presence(ui, param, now, change),
+        Editor::Script => super::script::edit(ui, param, now, change),
         Editor::Formula(shape) => super::formula::edit(ui, param, shape, now, change, commands),
     }
 }
@@ -33,10 +35,11 @@ pub(super) fn edit(
 fn presence(ui: &mut Ui, param: &Param, now: &Value, change: &mut dyn FnMut(Value)) -> Response {
     let (label, _) = labelled(ui, param, |ui| {
         if *now == param.spec.default {
-            return ui.label("none");
+            return ui.label(tr("none"));
         }
-        let response = ui.button("Remove").on_hover_text("Begin with those of the start again");
-        let name = format!("Remove: {}", param.spec.label);
+        let response = ui.button(tr("Remove"));
+        let response = response.on_hover_text(tr("Begin with those of the start again"));
+        let name = tr!("Remove: {setting}", setting = tr(param.spec.label));
         response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, name.clone()));
         if response.clicked() {
             change(param.spec.default.clone());
@@ -56,10 +59,11 @@ fn rows(
     said: &mut Option<String>,
 ) -> Response {
     let Rows { row, columns, most, gap, next } = shown;
+    let row = tr(row);
     let rows: Option<Vec<Vec<f64>>> =
         now.list().and_then(|list| list.iter().map(Value::numbers).collect());
     let mut rows = rows.unwrap_or_default();
-    let response = ui.label(param.spec.label);
+    let response = ui.label(tr(param.spec.label));
     let mut removed = None;
     let mut touched = false;
     for i in 0..rows.len() {
@@ -69,14 +73,20 @@ fn rows(
         let high = rows.get(i + 1).map_or(largest, |next| next[0] - gap);
         ui.horizontal(|ui| {
             for (c, (value, column)) in rows[i].iter_mut().zip(columns).enumerate() {
-                let name = format!("{} of {row} {}", column.name, i + 1);
+                let name = tr!(
+                    "{column} of {row} {number}",
+                    column = tr(column.name),
+                    row = row,
+                    number = i + 1
+                );
                 let field = NumberField {
                     name: &name,
                     unit: param.spec.unit,
                     range: if c == 0 { [low, high] } else { column.range },
                     speed: column.speed,
                     decimals: 3,
-                    suffix: column.suffix,
+                    least: 0,
+                    suffix: tr(column.suffix),
                 };
                 let response = field.show(ui, value, said);
                 response.widget_info(|| WidgetInfo {
@@ -85,7 +95,7 @@ fn rows(
                 });
                 touched |= response.changed();
             }
-            let name = format!("Remove {row} {}", i + 1);
+            let name = tr!("Remove {row} {number}", row = row, number = i + 1);
             if icon::button(ui, Icon::Close, &name, &name, true).clicked() {
                 removed = Some(i);
             }
@@ -98,7 +108,7 @@ fn rows(
     let mut new = next.clone();
     new[0] += rows.last().map_or(columns[0].range[0], |row| row[0]);
     let room = rows.len() < *most && new[0] <= columns[0].range[1];
-    if ui.add_enabled(room, egui::Button::new(format!("Add a {row}"))).clicked() {
+    if ui.add_enabled(room, egui::Button::new(tr!("Add a {row}", row = row))).clicked() {
         rows.push(new);
         touched = true;
     }
@@ -118,23 +128,25 @@ fn numbers(
     said: &mut Option<String>,
 ) -> Response {
     let Numbers { each, range, most } = shown;
+    let each = tr(each);
     let mut list = now.numbers().unwrap_or_default();
     let before = list.clone();
     let unit = format::unit(param.spec.unit);
-    let response = ui.label(param.spec.label);
+    let response = ui.label(tr(param.spec.label));
     if list.is_empty() {
-        ui.weak(format!("the same for every {each}"));
+        ui.weak(tr!("the same for every {each}", each = each));
     }
     let mut removed = None;
     for (i, value) in list.iter_mut().enumerate() {
         ui.horizontal(|ui| {
-            let name = format!("{} {}: {}", each, i + 1, param.spec.label);
+            let name = format!("{} {}: {}", each, i + 1, tr(param.spec.label));
             let field = NumberField {
                 name: &name,
                 unit: param.spec.unit,
                 range: *range,
                 speed: (range[1] - range[0]) * 2e-4,
                 decimals: 2,
+                least: 0,
                 suffix: &format!(" {unit}"),
             };
             ui.label(format!("{each} {}", i + 1));
@@ -143,7 +155,12 @@ fn numbers(
                 label: Some(name.clone()),
                 ..WidgetInfo::drag_value(true, *value)
             });
-            let name = format!("Remove {} of {each} {}", param.spec.label, i + 1);
+            let name = tr!(
+                "Remove {setting} of {each} {number}",
+                setting = tr(param.spec.label),
+                each = each,
+                number = i + 1
+            );
             if icon::button(ui, Icon::Close, &name, &name, true).clicked() {
                 removed = Some(i);
             }
@@ -153,7 +170,8 @@ fn numbers(
         list.remove(i);
     }
     let room = list.len() < *most;
-    let button = egui::Button::new(format!("Add one for {each} {}", list.len() + 1));
+    let add = tr!("Add one for {each} {number}", each = each, number = list.len() + 1);
+    let button = egui::Button::new(add);
     if ui.add_enabled(room, button).clicked() {
         list.push(list.last().copied().unwrap_or(middle(*range)));
     }
@@ -170,10 +188,11 @@ fn middle([least, largest]: [f64; 2]) -> f64 {
 
 /// How many there are.
 fn count(ui: &mut Ui, param: &Param, what: &str, now: &Value) -> Response {
-    let text = match now.list().map_or(0, <[Value]>::len) {
-        0 => "none".to_owned(),
-        1 => format!("1 {what}"),
-        n => format!("{n} {what}s"),
+    let text = match (now.list().map_or(0, <[Value]>::len), what) {
+        (0, _) => tr("none").to_owned(),
+        (1, "cut") => tr("1 cut").to_owned(),
+        (n, "cut") => tr!("{n} cuts", n = n),
+        (n, _) => format!("{}: {n}", tr(what)),
     };
     labelled(ui, param, |ui| ui.label(text)).0
 }

@@ -7,13 +7,14 @@ use egui_plot::{
     VLine,
 };
 
-use super::{Axis, LINES, RevolutionWindow};
+use super::{Axis, DESIRED, LINES, RevolutionWindow};
 use crate::app::format;
 use crate::app::panels::View;
 use crate::app::theme::{self, Look, Palette};
 use crate::app::widgets::focus::pointer_only;
 use crate::app::widgets::plot::{grid, near, still, tick};
 use crate::app::widgets::zoom::{by_touch, zoom};
+use crate::base::language::tr;
 use crate::base::units::ms_from_s;
 use crate::run::revolution::{Revolution, RevolutionSample};
 
@@ -83,16 +84,19 @@ impl RevolutionWindow {
                 .collect();
             (low, high) = points.iter().fold((low, high), |(l, h), [_, y]| (l.min(*y), h.max(*y)));
             let (stroke, style) = LINES[i].1.line(palette);
-            let line = Line::new(LINES[i].0, PlotPoints::from(points));
+            let line = Line::new(tr(LINES[i].0), PlotPoints::from(points));
             lines.push(line.stroke(stroke).style(style).allow_band(false));
         }
         let margin = 0.08 * (high - low).max(1.0);
         let (low, high) = (low - margin, high + margin);
         let range = self.zoomed.unwrap_or([from, to]);
         let old = self.repeat.as_ref().is_none_or(|(of, _)| *of != view.session.changes());
-        let state =
-            if old { " Before the last change; the new picture is being made." } else { "" };
-        ui.label(RichText::new(summary(shown) + state).small().color(palette.weak));
+        let mut text = summary(shown);
+        if old {
+            text.push(' ');
+            text.push_str(tr("Before the last change; the new picture is being made."));
+        }
+        ui.label(RichText::new(text).small().color(palette.weak));
         let window = shown.window_from.and_then(|i| places.get(i)).map(|x| {
             let corners = vec![[*x, low], [to, low], [to, high], [*x, high]];
             let fill = palette.accent.gamma_multiply(0.10);
@@ -101,7 +105,7 @@ impl RevolutionWindow {
         });
         let peak = shown.peak.map(|i| {
             let at = vec![[places[i], shown.samples[i].fxy_n()]];
-            let marker = Points::new("Peak of the control period", PlotPoints::from(at));
+            let marker = Points::new(tr("Peak of the control period"), PlotPoints::from(at));
             marker.shape(MarkerShape::Diamond).radius(6.0).color(palette.bad)
         });
         let label = move |hover: &HoverPosition<'_>| {
@@ -130,7 +134,7 @@ impl RevolutionWindow {
                 plot.set_plot_bounds_y(low..=high);
                 window.into_iter().for_each(|window| plot.polygon(window));
                 let (stroke, style) = Look::Reference.line(palette);
-                plot.hline(HLine::new("Desired force", reference_n).stroke(stroke).style(style));
+                plot.hline(HLine::new(tr(DESIRED), reference_n).stroke(stroke).style(style));
                 lines.into_iter().for_each(|line| plot.line(line));
                 peak.into_iter().for_each(|peak| plot.points(peak));
                 let now = VLine::new("", to).allow_hover(false);
@@ -138,7 +142,7 @@ impl RevolutionWindow {
             });
         response.response.widget_info(|| {
             let [from, to] = range.map(|place| format::quantity(place, unit));
-            let label = format!("Forces from {from} to {to}");
+            let label = tr!("Forces from {from} to {to}", from = from, to = to);
             WidgetInfo::labeled(Role::Figure, true, label)
         });
         if let Some(range) = zoom(ui, &response, range, &mut self.drag) {
@@ -152,16 +156,19 @@ impl RevolutionWindow {
 /// What is seen, in words.
 fn summary(shown: &Revolution) -> String {
     let Some(last) = shown.samples.last() else { return String::new() };
-    let until = format!("up to {:.3} s", last.time_s);
+    let n = shown.samples.len();
     let Some(peak) = shown.peak.map(|i| &shown.samples[i]) else {
-        return format!("{} samples {until}", shown.samples.len());
+        return tr!("{n} samples up to {time:.3} s", n = n, time = last.time_s);
     };
     let force = format::quantity(peak.fxy_n(), "N");
     let angle = format::quantity(peak.angle_deg, "deg");
-    format!(
-        "{} samples {until}. Peak of the last control period (shaded): {force} at {angle}; with \
+    tr!(
+        "{n} samples up to {time:.3} s. Peak of the last control period (shaded): {force} at {angle}; with \
          the sensor's noise it is what the controller sees.",
-        shown.samples.len()
+        n = n,
+        time = last.time_s,
+        force = force,
+        angle = angle
     )
 }
 

@@ -2,11 +2,14 @@
 //! its place across. The mouse takes an edge at once; a finger, which may want to scroll, first chooses it by a
 //! tap and then drags the handle that comes up.
 
-use egui::{CursorIcon, Id, Pos2, Rect, Response, Sense, Stroke, Ui, Vec2, vec2};
+use egui::{CursorIcon, Id, Pos2, Rect, Response, RichText, Sense, Stroke, Ui, Vec2, vec2};
 
+use super::table::limits;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::focus::pointer_only;
+use crate::app::widgets::number::NumberField;
 use crate::app::widgets::zoom::by_touch;
+use crate::base::language::tr;
 
 /// What an edge stands for, with the number of its section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +46,11 @@ pub struct Moved {
 
 /// How near the mouse has to be to an edge, points.
 const REACH: f32 = 7.0;
+/// Way of a finger for a change of a depth or wall by one millimetre, and of a length, points, where the picture is
+/// smaller: a finger cannot be moved by less than a point or two.
+const FINGER_PER_MM: [f32; 2] = [40.0, 6.0];
+/// The same of a mouse, which can be moved by a point: each step can be met.
+const MOUSE_PER_MM: [f32; 2] = [20.0, 2.0];
 /// Steps of depths and walls, and of lengths, mm: the tables take any number.
 const STEPS_MM: [f64; 2] = [0.05, 0.5];
 
@@ -62,6 +70,16 @@ impl Edge {
             EdgeKind::Depth(_) | EdgeKind::Wall(_) => CursorIcon::ResizeVertical,
             EdgeKind::End(_) => CursorIcon::ResizeHorizontal,
         }
+    }
+
+    /// The way that counts where a finger or the mouse has gone this one, with so many points at least for a
+    /// millimetre of depth and of length.
+    fn slowed(&self, way: Vec2, per_mm: [f32; 2]) -> Vec2 {
+        let least = match self.kind {
+            EdgeKind::Depth(_) | EdgeKind::Wall(_) => per_mm[0],
+            EdgeKind::End(_) => per_mm[1],
+        };
+        way * (self.per_mm.length() / least).min(1.0)
     }
 
     /// Its value after a way of the pointer, on whole steps.
@@ -87,6 +105,8 @@ pub struct Hand {
     /// The edge as it was when the drag began, and where that was.
     held: Option<(Edge, Pos2)>,
     chosen: Option<EdgeKind>,
+    /// What the chosen edge shows, mm.
+    shows_mm: f64,
 }
 
 impl Hand {
@@ -98,9 +118,9 @@ impl Hand {
     /// What to do with the mouse, or with a finger.
     pub fn help(ui: &Ui, what: &str) -> String {
         if theme::fingers(ui.ctx()) {
-            format!("Tap {what}, then drag its dot.")
+            tr!("Tap {what}, then drag its dot.", what = what)
         } else {
-            format!("Drag {what}.")
+            tr!("Drag {what}.", what = what)
         }
     }
 
@@ -130,7 +150,8 @@ impl Hand {
             mark(ui, edge, 3.5);
         }
         let (edge, from) = held.filter(|_| response.dragged())?;
-        let moved = moved(&edge, response.interact_pointer_pos()? - from);
+        let way = edge.slowed(response.interact_pointer_pos()? - from, MOUSE_PER_MM);
+        let moved = moved(&edge, way);
         moved.filter(|moved| shown.is_none_or(|now| now.value_mm != moved.to_mm))
     }
 
@@ -142,6 +163,7 @@ impl Hand {
         }
         let chosen = self.chosen?;
         let edge = edges.iter().find(|edge| edge.kind == chosen)?;
+        self.shows_mm = edge.value_mm;
         mark(ui, edge, 8.0);
         let area = Rect::from_center_size(edge.middle(), vec2(theme::FINGER, theme::FINGER));
         let handle = ui.interact(area, Id::unique(("handle", response.id)), Sense::drag());
@@ -150,8 +172,50 @@ impl Hand {
             self.held = from.map(|from| (*edge, from));
         }
         let (held, from) = self.held.filter(|_| handle.dragged())?;
-        let moved = moved(&held, handle.interact_pointer_pos()? - from);
-        moved.filter(|moved| moved.to_mm != edge.value_mm)
+        let way = held.slowed(handle.interact_pointer_pos()? - from, FINGER_PER_MM);
+        moved(&held, way).filter(|moved| moved.to_mm != edge.value_mm)
+    }
+
+    /// For fingers, a field with the number of the edge that is chosen.
+    pub fn field(&self, ui: &mut Ui, said: &mut Option<String>) -> Option<Moved> {
+        if !theme::fingers(ui.ctx()) {
+            return None;
+        }
+        let (longest_mm, deepest_mm) = limits();
+        let mut to_mm = self.shows_mm;
+        ui.horizontal(|ui| {
+            let (name, range) = match self.chosen {
+                None => {
+                    ui.label(RichText::new(tr("Nothing chosen")).color(Palette::at(ui).weak));
+                    // Its place is kept: nothing moves when one is.
+                    ui.allocate_space(vec2(0.0, theme::FINGER));
+                    return None;
+                }
+                Some(EdgeKind::Depth(i)) => {
+                    (tr!("Depth {number}", number = i + 1), [0.0, deepest_mm])
+                }
+                Some(EdgeKind::End(i)) => {
+                    (tr!("End of {number}", number = i + 1), [0.0, longest_mm])
+                }
+                Some(EdgeKind::Wall(i)) => {
+                    (tr!("Wall {number}", number = i + 1), [-deepest_mm, deepest_mm])
+                }
+            };
+            let label = ui.label(&name).id;
+            let speed = if matches!(self.chosen, Some(EdgeKind::End(_))) { 0.25 } else { 0.01 };
+            let field = NumberField {
+                name: &name,
+                unit: "mm",
+                range,
+                speed,
+                decimals: 3,
+                least: 0,
+                suffix: " mm",
+            };
+            field.show(ui, &mut to_mm, said).labelled_by(label);
+            self.chosen.filter(|_| to_mm != self.shows_mm).map(|kind| Moved { kind, to_mm })
+        })
+        .inner
     }
 }
 
@@ -188,6 +252,27 @@ mod tests {
         // A value between two steps is kept until it is moved.
         assert_eq!(edge(2.013).after(vec2(0.0, 0.1)), 2.013);
         assert!((edge(2.013).after(vec2(0.0, 2.0)) - 2.1).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_finger_moves_a_depth_by_less_than_its_own_way() {
+        let small = Edge { per_mm: vec2(0.0, 4.0), ..edge(2.0) };
+        let moved = |way: f32| small.after(small.slowed(vec2(0.0, way), FINGER_PER_MM));
+        assert!((moved(20.0) - 2.5).abs() < 1e-12, "{}", moved(20.0));
+        assert!((moved(2.0) - 2.05).abs() < 1e-12, "{}", moved(2.0));
+        // Where the picture is large enough, the edge goes with the finger.
+        let large = Edge { per_mm: vec2(0.0, 50.0), ..edge(2.0) };
+        assert_eq!(large.after(large.slowed(vec2(0.0, 50.0), FINGER_PER_MM)), 3.0);
+    }
+
+    #[test]
+    fn a_mouse_meets_each_step_of_a_small_picture() {
+        let small = Edge { per_mm: vec2(0.0, 4.0), ..edge(2.0) };
+        for points in 0..20 {
+            let way = small.slowed(vec2(0.0, points as f32), MOUSE_PER_MM);
+            let expected = 2.0 + 0.05 * f64::from(points);
+            assert!((small.after(way) - expected).abs() < 1e-9, "{points}");
+        }
     }
 
     #[test]

@@ -6,6 +6,7 @@ use egui::{Align2, Rect, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, p
 use super::picture::PictureMap;
 use crate::app::format;
 use crate::app::theme::Palette;
+use crate::base::language::tr;
 use crate::base::units::percent_from_ratio;
 use crate::blocks::cutting::field::MaterialField;
 use crate::run::scenario::Scenario;
@@ -71,8 +72,9 @@ impl MaterialPicture {
             place_mm,
         };
         if source.deviation <= 0.0 {
-            let text =
-                "Material: even. `Noise` and `Inhomogeneity` above 0 make it uneven, by the seed.";
+            let text = tr(
+                "Material: even. “Noise” and “Inhomogeneity” above 0 make it uneven, by the seed.",
+            );
             ui.label(weak(text.to_owned()));
             return;
         }
@@ -82,11 +84,11 @@ impl MaterialPicture {
         let Some((_, line)) = &self.made else { return };
         let values = || line.iter().map(|point| point[1]);
         let (low, high) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
-        let said = format!(
-            "Material under seed {}: force {} to {} along this cut",
-            source.seed,
-            format::deviation(low),
-            format::deviation(high)
+        let said = tr!(
+            "Material under seed {seed}: force {low} to {high} along this cut",
+            seed = source.seed.to_string(),
+            low = format::deviation(low),
+            high = format::deviation(high)
         );
         ui.label(weak(said.clone()));
         let (rect, response) = ui.allocate_exact_size(vec2(map.x.span(), HEIGHT), Sense::hover());
@@ -109,7 +111,7 @@ impl MaterialPicture {
             let ends = [(most, Align2::LEFT_TOP), (-most, Align2::LEFT_BOTTOM)];
             for (percent, align) in ends {
                 let at = pos2(strip.right() + 3.0, y(percent));
-                let text = format!("{percent:+.0} %");
+                let text = format::beside(format::signed(format!("{percent:+.0}")), "%");
                 painter.text(at, align, text, font.clone(), palette.weak);
             }
         }
@@ -118,8 +120,11 @@ impl MaterialPicture {
                 .iter()
                 .min_by(|a, b| (map.at(a[0]) - at.x).abs().total_cmp(&(map.at(b[0]) - at.x).abs()));
             if let Some([x_mm, percent]) = near {
-                let text =
-                    format!("{} at {}", format::deviation(*percent), format::quantity(*x_mm, "mm"));
+                let text = tr!(
+                    "{change} at {place}",
+                    change = format::deviation(*percent),
+                    place = format::quantity(*x_mm, "mm")
+                );
                 response.on_hover_text(text);
             }
         }

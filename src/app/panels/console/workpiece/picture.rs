@@ -9,6 +9,7 @@ use egui::{RichText, pos2, vec2};
 use super::hand::{Edge, EdgeKind, Hand, Moved};
 use crate::app::format;
 use crate::app::theme::Palette;
+use crate::base::language::tr;
 use crate::base::math::{PI, cos, sin};
 use crate::blocks::cutting::tool_path::radial_depth_mm;
 use crate::models::part::Section;
@@ -113,29 +114,30 @@ pub fn show(ui: &mut Ui, part: &PicturePart, hand: &mut Hand) -> (PictureMap, Op
     let map = PictureMap::new(ui, part, length_mm);
     let rise = map.scale.max(SCALE[1]);
     let scale = if rise > 1.05 * map.scale {
-        format!("depths drawn {:.1} times larger than lengths", rise / map.scale)
+        tr!("depths drawn {times:.1} times larger than lengths", times = rise / map.scale)
     } else {
-        "to scale".to_owned()
+        tr("to scale").to_owned()
     };
     let title = |ui: &mut Ui, text: String| {
         ui.label(RichText::new(text).small().color(palette.weak));
     };
     title(
         ui,
-        format!(
-            "From the side, axial depths in mm, {scale}. {}",
-            Hand::help(ui, "a floor or an end")
+        tr!(
+            "From the side, axial depths in mm, {scale}. {help}",
+            scale = scale,
+            help = Hand::help(ui, tr("a floor or an end"))
         ),
     );
-    let said = format!("Cut from the side: {}", listed(part, |section| section[1]));
+    let said = tr!("Cut from the side: {depths}", depths = listed(part, |section| section[1]));
     let height_mm = [ABOVE_MM, depth_mm + BELOW_MM];
     let (response, sheet) = sheet(ui, &map, rise, height_mm, said);
     side(&sheet, part, depth_mm + BELOW_MM);
     let in_side = hand.over(ui, &response, &side_edges(&sheet, part));
-    let walls = if part.walls { Hand::help(ui, "a wall") } else { String::new() };
-    title(ui, format!("From above, radial depths in mm. {walls}"));
+    let walls = if part.walls { Hand::help(ui, tr("a wall")) } else { String::new() };
+    title(ui, tr!("From above, radial depths in mm. {help}", help = walls));
     let radial = listed(part, |section| radial_depth_mm(&part.outline, section[1], section[2]));
-    let said = format!("Cut from above: {radial}");
+    let said = tr!("Cut from above: {depths}", depths = radial);
     let (response, sheet) = self::sheet(ui, &map, rise, [ACROSS_MM; 2], said);
     above(&sheet, part);
     let edges = if part.walls { wall_edges(&sheet, part) } else { Vec::new() };

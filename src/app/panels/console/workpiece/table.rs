@@ -10,6 +10,7 @@ use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::number::NumberField;
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
+use crate::base::language::{fixed, text, tr};
 use crate::base::settings::{Kind, Value};
 use crate::blocks::cutting::tool_path::{radial_depth_mm, wall_mm};
 use crate::blocks::cutting::workpiece::Workpiece;
@@ -22,8 +23,10 @@ const AXIAL: &str = "workpiece.axial_depth_mm";
 const LENGTH: &str = "workpiece.length_mm";
 /// Least distance between two steps of the profile, mm.
 const STEP_GAP_MM: f64 = 0.01;
+/// Most digits behind the point of a length.
+const MOST_DIGITS: usize = 3;
 /// Title of the column of numbers.
-const NUMBER: &str = "No.";
+const NUMBER: &str = text!("No.");
 /// Width below which a table is drawn closer, points.
 const NARROW: f32 = 380.0;
 /// Distance behind the last step of the profile at which one is added, mm.
@@ -40,17 +43,24 @@ fn bound(path: &str, name: &str) -> f64 {
     bound.expect("the settings of the part have these bounds")
 }
 
-/// A cell with a number; whether it was changed.
+/// Digits behind the point of a column: two, or three where one of its values has a third.
+fn digits(column: impl IntoIterator<Item = f64>) -> usize {
+    let third = |value: f64| ((1e3 * value).round() / 10.0).fract().abs() > 1e-6;
+    if column.into_iter().any(third) { MOST_DIGITS } else { 2 }
+}
+
+/// A cell with a number of so many digits behind the point at least; whether it was changed.
 fn cell(
     ui: &mut Ui,
     name: &str,
     value: &mut f64,
-    range: [f64; 2],
+    (range, least): ([f64; 2], usize),
     said: &mut Option<String>,
 ) -> bool {
     // Some 400 points of dragging go over a usual depth or length.
     let speed = if range[1] > 100.0 { 0.25 } else { 0.01 };
-    let field = NumberField { name, unit: "mm", range, speed, decimals: 3, suffix: "" };
+    let decimals = MOST_DIGITS;
+    let field = NumberField { name, unit: "mm", range, speed, decimals, least, suffix: "" };
     let mut now = None;
     let response = field.show(ui, value, &mut now);
     response.widget_info(|| WidgetInfo {
@@ -63,7 +73,7 @@ fn cell(
     response.changed()
 }
 
-/// A table with these titles.
+/// A table with these titles, in English.
 fn table(ui: &mut Ui, id: &str, titles: &[&str], rows: impl FnOnce(&mut Ui)) {
     let palette = Palette::at(ui);
     // On a phone the buttons at the end of a row fit beside its numbers, all of one unit.
@@ -81,8 +91,8 @@ fn table(ui: &mut Ui, id: &str, titles: &[&str], rows: impl FnOnce(&mut Ui)) {
                 for title in titles {
                     let title = match (*title, narrow) {
                         (NUMBER, true) => "mm",
-                        (title, true) => title.trim_end_matches(" mm"),
-                        (title, false) => title,
+                        (title, true) => tr(title).trim_end_matches(" mm"),
+                        (title, false) => tr(title),
                     };
                     ui.label(RichText::new(title).small().color(palette.weak));
                 }
@@ -92,9 +102,10 @@ fn table(ui: &mut Ui, id: &str, titles: &[&str], rows: impl FnOnce(&mut Ui)) {
     });
 }
 
-/// Two buttons at the end of a row: duplicate and remove.
-fn row_buttons(ui: &mut Ui, what: &str, can_copy: bool, can_remove: bool) -> [bool; 2] {
-    let [copy, remove] = [format!("Duplicate {what}"), format!("Remove {what}")];
+/// Two buttons at the end of a row of a section: duplicate and remove.
+fn row_buttons(ui: &mut Ui, number: usize, can_copy: bool, can_remove: bool) -> [bool; 2] {
+    let copy = tr!("Duplicate section {number}", number = number);
+    let remove = tr!("Remove section {number}", number = number);
     [
         icon::button(ui, Icon::Copy, &copy, &copy, can_copy).clicked(),
         icon::button(ui, Icon::Close, &remove, &remove, can_remove).clicked(),
@@ -112,17 +123,22 @@ pub fn sections(
     let (length_mm, depth_mm) = limits();
     let room = sections.len() < MAX_SECTIONS;
     let mut act = None;
-    let titles = [NUMBER, "Length mm", "Axial mm", "Wall mm", "R_D mm"];
+    let titles = [NUMBER, text!("Length mm"), text!("Axial mm"), text!("Wall mm"), text!("R_D mm")];
     table(ui, "sections", &titles, |ui| {
         let several = sections.len() > 1;
+        let [lengths, depths, walls] =
+            [0, 1, 2].map(|k: usize| digits(sections.iter().map(|section| section[k])));
         for (i, [length, axial, wall]) in sections.iter_mut().enumerate() {
             let n = i + 1;
             ui.label(n.to_string());
-            cell(ui, &format!("Length of section {n}"), length, [MIN_SECTION_MM, length_mm], said);
-            cell(ui, &format!("Axial depth of section {n}"), axial, [0.0, depth_mm], said);
-            cell(ui, &format!("Wall of section {n}"), wall, [-depth_mm, depth_mm], said);
+            let name = tr!("Length of section {number}", number = n);
+            cell(ui, &name, length, ([MIN_SECTION_MM, length_mm], lengths), said);
+            let name = tr!("Axial depth of section {number}", number = n);
+            cell(ui, &name, axial, ([0.0, depth_mm], depths), said);
+            let name = tr!("Wall of section {number}", number = n);
+            cell(ui, &name, wall, ([-depth_mm, depth_mm], walls), said);
             radial(ui, *axial, radial_depth_mm(outline, *axial, *wall));
-            let [copy, remove] = row_buttons(ui, &format!("section {n}"), room, several);
+            let [copy, remove] = row_buttons(ui, n, room, several);
             if copy || remove {
                 act = Some((i, copy));
             }
@@ -134,15 +150,17 @@ pub fn sections(
         Some((i, false)) => drop(sections.remove(i)),
         None => {}
     }
-    let add = ui.add_enabled(room, egui::Button::new("Add a section"));
-    let full = format!("At most {MAX_SECTIONS} sections in a cut");
+    let add = ui.add_enabled(room, egui::Button::new(tr("Add a section")));
+    let full = tr!("At most {n} sections in a cut", n = MAX_SECTIONS);
     if add.on_disabled_hover_text(full).clicked()
         && let Some(last) = sections.last().copied()
     {
         sections.push(last);
     }
-    let text = "Wall: place of the side wall across the cut, from the tool's axis. R_D: from the wall \
-                to where the cutter meets the surface at that depth.";
+    let text = tr(
+        "Wall: place of the side wall across the cut, from the tool's axis. R_D: from the wall to where the cutter \
+         meets the surface at that depth.",
+    );
     ui.label(RichText::new(text).small().color(Palette::at(ui).weak));
 }
 
@@ -151,8 +169,8 @@ fn radial(ui: &mut Ui, axial_mm: f64, radial_mm: f64) {
     if axial_mm > 0.0 && radial_mm > 0.0 {
         ui.label(format::number(radial_mm, "mm"));
     } else {
-        let label = Standing::Watch.label(ui, "air", |text| text);
-        label.on_hover_text("The tool meets no material here");
+        let label = Standing::Watch.label(ui, tr("air"), |text| text);
+        label.on_hover_text(tr("The tool meets no material here"));
     }
 }
 
@@ -180,7 +198,8 @@ pub fn move_stretch(
     if let EdgeKind::Depth(i) = moved.kind
         && is_cut(&workpiece.depth_steps, i, cut_to_mm)
     {
-        return commands.push(Command::notify(format!("Stretch {}: {IS_CUT}.", i + 1)));
+        let said = tr!("Stretch {number}: {why}.", number = i + 1, why = tr(IS_CUT));
+        return commands.push(Command::notify(said));
     }
     let mut set = |path: &str, value| commands.push(Command::set(path, value));
     let deepest_mm = bound(STEPS, "max_depth_mm");
@@ -212,11 +231,17 @@ pub fn move_stretch(
 
 /// What is said of a stretch that the tool has left behind.
 const IS_CUT: &str =
-    "it is cut, and its depth stays; a change of it would act where the tool is now";
+    text!("it is cut, and its depth stays; a change of it would act where the tool is now");
 
 /// Whether stretch number `i`, from 0, is cut by a tool that has come to a place of the path.
 fn is_cut(steps: &[DepthStep], i: usize, cut_to_mm: f64) -> bool {
     steps.get(i).is_some_and(|next| next[0] <= cut_to_mm)
+}
+
+/// Whether a stretch cannot be changed any more by a tool that has come to a place of the path.
+#[must_use]
+pub fn any_is_cut(workpiece: &Workpiece, cut_to_mm: f64) -> bool {
+    is_cut(&workpiece.depth_steps, 0, cut_to_mm)
 }
 
 /// The depth profile of the one path: its first row is the axial depth at the start. What the tool has left behind by
@@ -248,16 +273,20 @@ pub fn profile(
         steps.len() < MAX_STEPS && last_mm + NEXT_STEP_MM <= most_mm
     };
     let mut act = None;
-    table(ui, "profile", &[NUMBER, "From mm", "Axial mm", "R_D mm"], |ui| {
+    let titles = [NUMBER, text!("From mm"), text!("Axial mm"), text!("R_D mm")];
+    table(ui, "profile", &titles, |ui| {
+        let places = digits(steps.iter().map(|step| step[0]));
+        let depths = digits(steps.iter().map(|step| step[1]).chain([first_mm]));
         ui.label("1");
-        ui.label("0");
+        ui.label(fixed(0.0, places));
         let set = steps.clone();
         let still = |ui: &mut Ui, i: usize, add: &mut dyn FnMut(&mut Ui)| {
             let part = ui.add_enabled_ui(!is_cut(&set, i, cut_to_mm), add);
-            part.response.on_disabled_hover_text(IS_CUT);
+            part.response.on_disabled_hover_text(tr(IS_CUT));
         };
         still(ui, 0, &mut |ui| {
-            cell(ui, "Axial depth of stretch 1", &mut first_mm, [0.0, deepest_mm], said);
+            let name = tr!("Axial depth of stretch {number}", number = 1_usize);
+            cell(ui, &name, &mut first_mm, ([0.0, deepest_mm], depths), said);
         });
         radial(ui, first_mm, radial_at(first_mm));
         ui.end_row();
@@ -269,13 +298,15 @@ pub fn profile(
             let [from, axial] = &mut steps[i];
             ui.label(n.to_string());
             still(ui, i + 1, &mut |ui| {
-                cell(ui, &format!("Start of stretch {n}"), from, [low, high], said);
+                let name = tr!("Start of stretch {number}", number = n);
+                cell(ui, &name, from, ([low, high], places), said);
             });
             still(ui, i + 1, &mut |ui| {
-                cell(ui, &format!("Axial depth of stretch {n}"), axial, [0.0, deepest_mm], said);
+                let name = tr!("Axial depth of stretch {number}", number = n);
+                cell(ui, &name, axial, ([0.0, deepest_mm], depths), said);
             });
             radial(ui, *axial, radial_at(*axial));
-            let name = format!("Remove stretch {n}");
+            let name = tr!("Remove stretch {number}", number = n);
             let left = !is_cut(&set, i + 1, cut_to_mm);
             if icon::button(ui, Icon::Close, &name, &name, left).clicked() {
                 act = Some(i);
@@ -286,7 +317,7 @@ pub fn profile(
     if let Some(i) = act {
         steps.remove(i);
     }
-    if ui.add_enabled(room(&steps), egui::Button::new("Add a stretch")).clicked() {
+    if ui.add_enabled(room(&steps), egui::Button::new(tr("Add a stretch"))).clicked() {
         let [last_mm, depth_mm] = steps.last().copied().unwrap_or([0.0, first_mm]);
         steps.push([last_mm + NEXT_STEP_MM, depth_mm]);
     }

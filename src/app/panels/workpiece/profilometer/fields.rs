@@ -12,6 +12,7 @@ use crate::app::widgets::number::NumberField;
 use crate::app::widgets::setting::{Size, setting};
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
+use crate::base::language::tr;
 use crate::study::profilometer::{Measurement, ProfileLine};
 use crate::study::uses::Screen;
 
@@ -22,12 +23,12 @@ impl Profilometer {
     /// Line, figures and profile.
     pub fn show(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         ui.horizontal_wrapped(|ui| {
-            ui.label("A drag");
-            ui.radio_value(&mut self.turns, false, "draws the line");
-            ui.radio_value(&mut self.turns, true, "turns the part");
+            ui.label(tr("A drag"));
+            ui.radio_value(&mut self.turns, false, tr("draws the line"));
+            ui.radio_value(&mut self.turns, true, tr("turns the part"));
         });
         let Some(line) = self.shown else {
-            ui.label("No tooth has been in this cut yet: there is no surface to measure.");
+            ui.label(tr("No tooth has been in this cut yet: there is no surface to measure."));
             return;
         };
         self.ends(ui, line, commands);
@@ -40,9 +41,7 @@ impl Profilometer {
                 profile_chart::show(ui, curves);
             }
             Some(Err(error)) => {
-                let mut text = error.clone();
-                text[..1].make_ascii_uppercase();
-                Standing::Bad.label(ui, &format::unit(&format!("{text}.")), |text| text);
+                Standing::Bad.label(ui, &format::unit(&format::sentence(error)), |text| text);
             }
             None => {}
         }
@@ -53,15 +52,17 @@ impl Profilometer {
         let mut ends = [line.from_mm, line.to_mm];
         let mut said = None;
         touch::grid(ui, "line").num_columns(4).show(ui, |ui| {
-            for (names, end) in [["From x", "From y"], ["To x", "To y"]].iter().zip(&mut ends) {
-                for (name, (value, range)) in names.iter().zip(end.iter_mut().zip(FIELDS)) {
-                    let label = ui.label(*name);
+            let all = [[tr("From x"), tr("From y")], [tr("To x"), tr("To y")]];
+            for (names, end) in all.into_iter().zip(&mut ends) {
+                for (name, (value, range)) in names.into_iter().zip(end.iter_mut().zip(FIELDS)) {
+                    let label = ui.label(name);
                     let field = NumberField {
                         name,
                         unit: "mm",
                         range,
                         speed: 0.02,
                         decimals: 3,
+                        least: 0,
                         suffix: " mm",
                     };
                     field.show(ui, value, &mut said).labelled_by(label.id);
@@ -76,14 +77,14 @@ impl Profilometer {
             ui.request_repaint();
         }
         ui.horizontal_wrapped(|ui| {
-            let help = "Five sampling lengths along the feed, as the tool goes on";
-            let button = egui::Button::selectable(self.own.is_none(), "Behind the tool");
+            let help = tr("Five sampling lengths along the feed, as the tool goes on");
+            let button = egui::Button::selectable(self.own.is_none(), tr("Behind the tool"));
             if ui.add(button).on_hover_text(help).clicked() {
                 self.own = None;
                 ui.request_repaint();
             }
             let length = format::quantity(line.length_mm(), "mm");
-            ui.label(format!("{length} long"));
+            ui.label(tr!("{length} long", length = length));
         });
     }
 }
@@ -103,17 +104,19 @@ fn figures(ui: &mut Ui, found: &Measurement, long_mm: f64) {
     });
     let long = format::fine(long_mm, "mm");
     let lengths = match found.lengths {
-        1 => format!("Over one sampling length of {long}; the standard takes five. "),
-        n if n < 5 => format!("Over {n} sampling lengths of {long}; the standard takes five. "),
-        n => format!("Over {n} sampling lengths of {long}. "),
+        1 => tr!("Over one sampling length of {long}; the standard takes five.", long = long),
+        n if n < 5 => {
+            tr!("Over {n} sampling lengths of {long}; the standard takes five.", n = n, long = long,)
+        }
+        n => tr!("Over {n} sampling lengths of {long}.", n = n, long = long),
     };
     let run = match found.run_ra_um {
         Some(ra_um) => {
             let ra = format::quantity(ra_um, "um");
-            format!("The run's Ra with dynamics is {ra} along the line on average.")
+            tr!("The run's Ra with dynamics is {ra} along the line on average.", ra = ra)
         }
-        None => "Simulated tooth by tooth, K5 gives no Ra here: feed marks and run-out alone."
+        None => tr("Simulated tooth by tooth, K5 gives no Ra here: feed marks and run-out alone.")
             .to_owned(),
     };
-    ui.label(RichText::new(lengths + &run).small().color(palette.weak));
+    ui.label(RichText::new(format!("{lengths} {run}")).small().color(palette.weak));
 }

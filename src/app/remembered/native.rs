@@ -1,0 +1,43 @@
+//! On the desktop: a file in the folder that the system has for such.
+
+use std::path::PathBuf;
+
+use super::Keeper;
+
+/// Name of the file.
+const NAME: &str = "remembered.json";
+
+/// The user's folder for data of programs.
+pub struct Folder(Option<PathBuf>);
+
+impl Folder {
+    /// That of this user, if the system names one.
+    #[must_use]
+    pub fn of_user() -> Self {
+        let var = |name: &str| {
+            let value = std::env::var_os(name).map(PathBuf::from);
+            value.filter(|path| path.is_absolute())
+        };
+        let base = if cfg!(target_os = "windows") {
+            var("APPDATA")
+        } else if cfg!(target_os = "macos") {
+            var("HOME").map(|home| home.join("Library/Application Support"))
+        } else {
+            var("XDG_DATA_HOME").or_else(|| var("HOME").map(|home| home.join(".local/share")))
+        };
+        Self(base.map(|base| base.join("steadycut")))
+    }
+}
+
+impl Keeper for Folder {
+    fn kept(&self) -> Option<String> {
+        crate::disk::read_text(&self.0.as_ref()?.join(NAME)).ok()
+    }
+
+    fn keep(&self, text: &str) -> bool {
+        self.0.as_ref().is_some_and(|folder| {
+            crate::disk::make_folder(folder).is_ok()
+                && crate::disk::write(&folder.join(NAME), text.as_bytes()).is_ok()
+        })
+    }
+}
