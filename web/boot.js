@@ -4,6 +4,9 @@
 // web/build fills in @BUILD@ (the name of this build); index.html carries the program's size.
 
 const BUILD = "@BUILD@";
+// Without them the page speaks English.
+const english = { say: (text, values = {}) => text.replace(/\{(\w+)\}/g, (place, name) => values[name] ?? place) };
+const { say, tenths = (number) => number.toFixed(1) } = await import(`./texts.js?v=${BUILD}`).catch(() => english);
 const ADAPTER_PATIENCE_MS = 3000;
 // Graphics that are lost again and again are not worth another try.
 const MOST_LOSSES = 3;
@@ -16,8 +19,9 @@ let failed = false; // the first failure is shown; what follows from it is not
 
 // --- the error page ---------------------------------------------------------------------------
 
-const OTHER_BROWSER =
-  "If that does not help, try another browser: current versions of Chrome, Edge, Firefox and Safari can run SteadyCut.";
+const OTHER_BROWSER = say(
+  "If that does not help, try another browser: current versions of Chrome, Edge, Firefox and Safari can run SteadyCut.",
+);
 
 function fail(title, advice, detail) {
   if (failed) return;
@@ -33,8 +37,8 @@ function fail(title, advice, detail) {
 
 function crashed(detail) {
   fail(
-    "SteadyCut has stopped",
-    `This is a fault in the program. The settings are kept in the page's address: reload the page to go on. ${OTHER_BROWSER}`,
+    say("SteadyCut has stopped"),
+    `${say("This is a fault in the program. The settings are kept in the page's address: reload the page to go on.")} ${OTHER_BROWSER}`,
     detail,
   );
 }
@@ -47,8 +51,10 @@ byId("reload-webgl").onclick = () => {
 };
 
 // A link pasted into the open page changes only what stands after #; the program itself writes
-// there without this event.
-window.addEventListener("hashchange", () => location.reload());
+// there without this event. Where settings are locked, the program stays and writes its own again.
+window.addEventListener("hashchange", () => {
+  if (!window.steadycut?.keeps_address()) location.reload();
+});
 
 // Rust's panic hook calls this.
 window.steadycutPanic = crashed;
@@ -104,16 +110,16 @@ async function hasAdapter() {
 
 // --- the download -----------------------------------------------------------------------------
 
-const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
+const megabytes = (bytes) => tenths(bytes / 1e6);
 
 function showProgress(bytes, total) {
   const bar = byId("progress");
   if (total) {
     bar.value = Math.min(bytes / total, 1);
-    byId("phase").textContent = `Loading: ${megabytes(bytes)} of ${megabytes(total)} MB`;
+    byId("phase").textContent = say("Loading: {done} of {all} MB", { done: megabytes(bytes), all: megabytes(total) });
   } else {
     bar.removeAttribute("value"); // a bar that only moves
-    byId("phase").textContent = `Loading: ${megabytes(bytes)} MB`;
+    byId("phase").textContent = say("Loading: {done} MB", { done: megabytes(bytes) });
   }
 }
 
@@ -146,10 +152,52 @@ async function download(address) {
 
 function showStarting() {
   byId("progress").removeAttribute("value");
-  byId("phase").textContent = "Starting…";
+  byId("phase").textContent = say("Starting…");
 }
 
 const nextFrame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+
+// --- for screen readers -----------------------------------------------------------------------
+
+// The elements of mirror.js cost a little in every frame, and no page can see whether somebody listens: a switch at
+// the head of the page makes them. It is remembered.
+const REMEMBERED = "steadycut-mirror";
+function remembered() {
+  try {
+    return localStorage.getItem(REMEMBERED) === "on";
+  } catch {
+    return false; // a page without storage
+  }
+}
+
+async function offerMirror(program) {
+  const [toggle, root] = ["mirror-switch", "mirror"].map(byId);
+  let mirror = null;
+  const set = async (on) => {
+    if (on && !mirror) {
+      const { Mirror } = await import(`./mirror.js?v=${BUILD}`);
+      mirror = new Mirror(program, root, byId("mirror-said"), PROGRAMS_WITH_CTRL);
+      // Later, when the program has returned: what happens here calls it again.
+      window.steadycutMirror = (changes) => queueMicrotask(() => mirror.take(JSON.parse(changes)));
+    }
+    if (!on) mirror?.clear();
+    program.mirror(on);
+    root.hidden = !on;
+    toggle.setAttribute("aria-pressed", String(on));
+    // The canvas says nothing that the elements do not say.
+    byId("canvas").setAttribute("aria-hidden", String(on));
+    byId("canvas").tabIndex = on ? -1 : 0;
+    try {
+      if (on) localStorage.setItem(REMEMBERED, "on");
+      else localStorage.removeItem(REMEMBERED);
+    } catch {
+      // It is switched on again in the next visit.
+    }
+  };
+  toggle.onclick = () => set(toggle.getAttribute("aria-pressed") !== "true");
+  toggle.hidden = false;
+  if (remembered()) await set(true);
+}
 
 // --- start ------------------------------------------------------------------------------------
 
@@ -171,7 +219,7 @@ async function draw(program) {
   await nextFrame(); // the first picture
   await nextFrame();
   // The hidden field through which eframe gets typed text.
-  document.querySelector("body > input")?.setAttribute("aria-label", "Text typed into SteadyCut");
+  document.querySelector("body > input")?.setAttribute("aria-label", say("Text typed into SteadyCut"));
   canvas.focus();
 }
 
@@ -182,17 +230,19 @@ async function graphicsLost(program) {
   if (failed) return;
   losses.push(performance.now());
   const recent = losses.filter((at) => performance.now() - at < LOSSES_WITHIN_MS);
-  const advice =
-    "The browser or the graphics driver has taken the graphics away. Scenario and changes are kept in the page's address: reload the page to go on. " +
-    OTHER_BROWSER;
-  if (recent.length > MOST_LOSSES) return fail("The graphics were lost", advice, `${recent.length} times within a minute`);
+  const taken = say(
+    "The browser or the graphics driver has taken the graphics away. Scenario and changes are kept in the page's address: reload the page to go on.",
+  );
+  const advice = `${taken} ${OTHER_BROWSER}`;
+  const often = say("{n} times within a minute", { n: recent.length });
+  if (recent.length > MOST_LOSSES) return fail(say("The graphics were lost"), advice, often);
   try {
     program.stop();
     const canvas = byId("canvas");
     canvas.replaceWith(canvas.cloneNode(true));
     await draw(program);
   } catch (error) {
-    fail("The graphics were lost", advice, error);
+    fail(say("The graphics were lost"), advice, error);
   }
 }
 
@@ -204,9 +254,10 @@ async function boot() {
   graphics = await findGraphics();
   if (!graphics) {
     return fail(
-      "SteadyCut can't draw here",
-      "This browser offers neither WebGPU nor WebGL 2. Turn on hardware acceleration in the browser's settings, update the browser, " +
-        "or open the page in another one: current versions of Chrome, Edge, Firefox and Safari can run SteadyCut.",
+      say("SteadyCut can't draw here"),
+      say(
+        "This browser offers neither WebGPU nor WebGL 2. Turn on hardware acceleration in the browser's settings, update the browser, or open the page in another one: current versions of Chrome, Edge, Firefox and Safari can run SteadyCut.",
+      ),
     );
   }
 
@@ -215,25 +266,27 @@ async function boot() {
     program = await loading;
   } catch (error) {
     const advice = navigator.onLine
-      ? `A part of the program did not arrive or could not be read. Check the connection and reload the page. ${OTHER_BROWSER}`
-      : "There is no connection to the network. Reload the page when there is one.";
-    return fail("SteadyCut could not be loaded", advice, error);
+      ? `${say("A part of the program did not arrive or could not be read. Check the connection and reload the page.")} ${OTHER_BROWSER}`
+      : say("There is no connection to the network. Reload the page when there is one.");
+    return fail(say("SteadyCut could not be loaded"), advice, error);
   }
 
   try {
     window.steadycutGraphicsLost = () => graphicsLost(program); // WebGPU has no event for it
     await draw(program);
   } catch (error) {
-    return fail("SteadyCut could not start", `Drawing with ${graphics} failed. Reload the page. ${OTHER_BROWSER}`, error);
+    const advice = `${say("Drawing with {graphics} failed. Reload the page.", { graphics })} ${OTHER_BROWSER}`;
+    return fail(say("SteadyCut could not start"), advice, error);
   }
   if (failed) return;
   started = true;
   window.steadycut = program;
   byId("loading").hidden = true;
   byId("canvas").focus();
+  await offerMirror(program);
 
   // For use without a network, once this page is up. Secure pages only (https, localhost).
   navigator.serviceWorker?.register("sw.js").catch((error) => console.warn("SteadyCut works on line only:", error));
 }
 
-boot().catch((error) => fail("SteadyCut could not start", `Reload the page. ${OTHER_BROWSER}`, error));
+boot().catch((error) => fail(say("SteadyCut could not start"), `${say("Reload the page.")} ${OTHER_BROWSER}`, error));

@@ -6,9 +6,13 @@
 // install the new worker, which fills its own cache and deletes the others.
 
 const BUILD = "@BUILD@";
-const PREFIX = "steadycut-";
+// `steadycut mission pack` puts in what it adds: its name, the page's, and files. Packs lie beside each other on a
+// platform: none removes the cache of another, nor that of a page on the same host.
+const PACK = null;
+const PREFIX = PACK ? `packed-steadycut-${PACK.name}-` : "steadycut-";
 const CACHE = PREFIX + BUILD;
-const FILES = ["./", `boot.js?v=${BUILD}`, `steadycut.js?v=${BUILD}`, `steadycut_bg.wasm?v=${BUILD}`, "icon.svg"];
+const PAGE = PACK ? PACK.page : "./";
+const FILES = [PAGE, ...(PACK ? PACK.files : []), `boot.js?v=${BUILD}`, `texts.js?v=${BUILD}`, `mirror.js?v=${BUILD}`, `steadycut.js?v=${BUILD}`, `steadycut_bg.wasm?v=${BUILD}`, "icon.svg"];
 const PATIENCE_MS = 4000; // a network that hangs is no network
 
 self.addEventListener("install", (event) => {
@@ -18,7 +22,7 @@ self.addEventListener("install", (event) => {
       // no-cache: ask the server, so that no older file gets in; an unchanged one is not sent again.
       await cache.addAll(FILES.map((file) => new Request(file, { cache: "no-cache" })));
       // Published anew in this very moment? Then this is a mixture: give up, the new worker comes.
-      const page = await cache.match("./");
+      const page = await cache.match(PAGE);
       if (!(await page.text()).includes(BUILD)) {
         await caches.delete(CACHE);
         throw new Error("the page is of another build");
@@ -52,7 +56,7 @@ async function page(request) {
   } catch {
     // no network
   }
-  return (await (await caches.open(CACHE)).match("./")) ?? Response.error();
+  return (await (await caches.open(CACHE)).match(PAGE)) ?? Response.error();
 }
 
 async function file(request) {

@@ -16,7 +16,17 @@ const SIZES: [Vec2; 2] = [vec2(1280.0, 2400.0), vec2(390.0, 4200.0)];
 /// The screen on a scenario of two seconds.
 fn open<'a>(size: Vec2) -> Screen<'a> {
     let changes = [("run.duration_s", Value::Float(2.0))];
-    screen::open("table3-5-noise", size, "Compare", &changes)
+    let mut screen = screen::open("table3-5-noise", size, "Compare", &changes);
+    unfold(&mut screen);
+    screen
+}
+
+/// The settings of the comparison, which a phone folds away.
+fn unfold(screen: &mut Screen) {
+    if screen.query_by_label("Settings of the comparison").is_some() {
+        click(screen, "Settings of the comparison");
+        screen.run_steps(6);
+    }
 }
 
 fn console<'a>(screen: &'a Screen<'_>) -> &'a Console {
@@ -28,22 +38,33 @@ fn click(screen: &mut Screen, name: &str) {
     screen.run_steps(2);
 }
 
+/// Everybody but these is taken out of what is compared.
+fn leave(screen: &mut Screen, names: &[&str]) {
+    let all = ["Conventional", "Division", "P", "Adjustable PI", "MRAC", "UNKS"];
+    let all = all.into_iter().chain(["P, Smith predictor", "MRAC, one gain", "Preview"]);
+    for name in all.chain(["SDNRP", "Tracking", "AFC"]).filter(|name| !names.contains(name)) {
+        if screen.query_by_label(&format!("Load {name}")).is_some() {
+            screen.get_by_role_and_label(Role::Button, name).click();
+            screen.run_steps(2);
+        }
+    }
+}
+
 /// To the end of the comparison.
 fn finish(screen: &mut Screen) {
     click(screen, "Run the comparison");
-    for _ in 0..400 {
+    let done = crate::screen::in_time(|| {
         screen.run_steps(1);
-        if texts(screen).contains("\ndone") {
-            return;
-        }
-    }
-    panic!("{}", texts(screen));
+        texts(screen).contains("\ndone")
+    });
+    assert!(done, "{}", texts(screen));
 }
 
 #[test]
-fn it_opens_on_table_1_with_what_was_chosen_in_view_of_it() {
+fn table_1_stands_with_what_was_chosen_in_view_of_it() {
     for size in SIZES {
-        let screen = open(size);
+        let mut screen = open(size);
+        click(&mut screen, "Part: Experiment 2");
         let shown = texts(&screen);
         assert!(shown.contains("printed 0.35") && shown.contains("printed 115"), "{shown}");
         for line in DISCLOSED.iter().chain(NOT_REACHED) {
@@ -53,6 +74,11 @@ fn it_opens_on_table_1_with_what_was_chosen_in_view_of_it() {
         assert!(shown.contains("From a section of 493 N into one of 772 N"), "{shown}");
         assert!(shown.contains("0 of 180 runs done"), "{shown}");
         assert!(shown.contains("judged when the six methods of the table have run"));
+        // Why two are off here.
+        assert!(
+            shown.contains("its Table 1 does not know them. Off until they are chosen."),
+            "{shown}"
+        );
     }
 }
 
@@ -60,8 +86,8 @@ fn it_opens_on_table_1_with_what_was_chosen_in_view_of_it() {
 fn the_open_scenario_is_compared_and_the_table_fills() {
     for size in SIZES {
         let mut screen = open(size);
-        click(&mut screen, "Part: Open scenario");
         let shown = texts(&screen);
+        assert!(shown.contains("(table3-5-noise), from its start, with the settings"), "{shown}");
         assert!(!shown.contains("printed 0.35"), "Table 1 does not belong to it");
         assert!(shown.contains("No values yet"));
         screen.get_by_role_and_label(Role::SpinButton, "Seeds").set_value_accesskit(2.0);
@@ -72,36 +98,31 @@ fn the_open_scenario_is_compared_and_the_table_fills() {
         assert!(shown.contains('±') && !shown.contains("No values yet"), "{shown}");
         // A time or a low force is no victory outside the tolerance.
         assert!(shown.contains("the tolerance on 90 % of the length"), "{shown}");
-        assert!(shown.contains("Box plots of Nsn, 18 of 18 runs"), "{shown}");
-        click(&mut screen, "Spread of Largest force");
+        assert!(shown.contains("Box plots of Nsn, 24 of 24 runs"), "{shown}");
+        // Below the table of everybody it may be out of sight.
+        screen.get_by_label("Spread of Largest force").click_accesskit();
+        screen.run_steps(2);
         assert!(texts(&screen).contains("Box plots of Largest force [kN]"));
         // What was done is kept, and more seeds go on from there.
         click(&mut screen, "Dead time: 0 ms");
-        assert!(texts(&screen).contains("0 of 18 runs done"));
+        assert!(texts(&screen).contains("0 of 24 runs done"));
         click(&mut screen, "Dead time: as it is");
         screen.get_by_role_and_label(Role::SpinButton, "Seeds").set_value_accesskit(3.0);
         screen.run_steps(2);
-        assert!(texts(&screen).contains("18 of 27 runs done"), "{}", texts(&screen));
+        assert!(texts(&screen).contains("24 of 36 runs done"), "{}", texts(&screen));
     }
 }
 
 #[test]
 fn who_takes_part_can_be_chosen_and_a_run_loaded() {
     let mut screen = open(SIZES[0]);
-    click(&mut screen, "Part: Open scenario");
-    let all =
-        ["Conventional", "Division", "P", "MRAC", "UNKS", "P, Smith predictor", "MRAC, one gain"];
-    for name in all {
-        screen.get_by_role_and_label(Role::Button, name).click();
-        screen.run_steps(2);
-    }
-    assert!(screen.query_by_label("Load UNKS").is_none());
-    // The two of the first screen can take part.
+    // The two of the first screen take part in its cut.
     for name in ["SDNRP", "Tracking"] {
-        assert!(screen.query_by_label(&format!("Load {name}")).is_none());
-        screen.get_by_role_and_label(Role::Button, name).click();
-        screen.run_steps(2);
         assert!(screen.query_by_label(&format!("Load {name}")).is_some(), "{name}");
+    }
+    leave(&mut screen, &["Adjustable PI", "Preview"]);
+    for name in ["SDNRP", "UNKS"] {
+        assert!(screen.query_by_label(&format!("Load {name}")).is_none(), "{name}");
     }
     click(&mut screen, "Load Adjustable PI");
     let session = console(&screen).session();
@@ -112,11 +133,7 @@ fn who_takes_part_can_be_chosen_and_a_run_loaded() {
 #[test]
 fn nobody_is_said_so() {
     let mut screen = open(SIZES[0]);
-    let all = ["Conventional", "Division", "P", "Adjustable PI", "MRAC", "UNKS"];
-    for name in all.into_iter().chain(["P, Smith predictor", "MRAC, one gain", "Preview"]) {
-        screen.get_by_role_and_label(Role::Button, name).click();
-        screen.run_steps(2);
-    }
+    leave(&mut screen, &[]);
     assert!(texts(&screen).contains("Nobody takes part"));
 }
 
@@ -124,11 +141,9 @@ fn nobody_is_said_so() {
 #[test]
 fn the_results_of_the_2005_part_fit_a_phone() {
     let mut screen = screen::open("table3-5-noise", SIZES[1], "Compare", &[]);
-    let away = ["Division", "Adjustable PI", "MRAC", "UNKS", "P, Smith predictor"];
-    for name in away.into_iter().chain(["MRAC, one gain", "Preview"]) {
-        screen.get_by_role_and_label(Role::Button, name).click();
-        screen.run_steps(2);
-    }
+    unfold(&mut screen);
+    click(&mut screen, "Part: Experiment 2");
+    leave(&mut screen, &["Conventional", "P"]);
     screen.get_by_role_and_label(Role::SpinButton, "Seeds").set_value_accesskit(2.0);
     screen.run_steps(2);
     click(&mut screen, "Run the comparison");
@@ -157,15 +172,112 @@ fn the_results_of_the_2005_part_fit_a_phone() {
     assert!(seen > 20, "{seen} figures");
 }
 
-/// Changes in the running cut are not compared, and that is said.
+/// With which settings? Those that the console shows: what was changed in the running cut holds from the start.
 #[test]
-fn the_open_scenario_s_edits_are_said_to_be_left_out() {
-    let later = [(1.0, "target.ra_um", Value::Float(0.7))];
-    for (later, left_out) in [(&later[..], true), (&[][..], false)] {
-        let mut screen = screen::edited("first-cut", SIZES[0], "Compare", &[], later);
-        assert!(!texts(&screen).contains("left out, since"));
-        click(&mut screen, "Part: Open scenario");
+fn the_console_s_cut_is_compared_with_the_settings_of_now() {
+    let later =
+        [(0.02, "target.ra_um", Value::Float(0.7)), (40.0, "noise.level", Value::Float(2.0))];
+    for (later, changed) in [(&later[..], true), (&[][..], false)] {
+        let mut screen = screen::edited("first-cut", SIZES[0], "Console", &[], later);
+        screen.run_steps(10);
+        screen::show(&mut screen, "Compare");
         let shown = texts(&screen);
-        assert_eq!(shown.contains("1 change in its running cut left out"), left_out, "{shown}");
+        let said =
+            "Not repeated at their times: Target Ra (last at 0.02 s), Noise (last at 40.00 s).";
+        assert_eq!(shown.contains(said), changed, "{shown}");
+        click(&mut screen, "Load SDNRP");
+        let opened = console(&screen).session().scenario();
+        let now = if changed { 0.7 } else { 0.81 };
+        assert_eq!((opened.target.ra_um, opened.noise.level), (now, 0.5));
+        assert!(console(&screen).session().edits().list().is_empty());
+    }
+}
+
+/// Who won? It stands above the table, and while runs are missing it says of how many it is, as the saved file does.
+#[test]
+fn what_it_comes_to_stands_above_the_table_and_says_of_how_many_runs() {
+    for size in SIZES {
+        let mut screen = open(size);
+        leave(&mut screen, &["SDNRP", "Tracking"]);
+        screen.get_by_role_and_label(Role::SpinButton, "Seeds").set_value_accesskit(500.0);
+        screen.run_steps(2);
+        click(&mut screen, "Run the comparison");
+        crate::screen::in_time(|| {
+            screen.run_steps(1);
+            texts(&screen).contains("So far, ")
+        });
+        // A row as soon as its first run is done, and the time that is left.
+        let shown = texts(&screen);
+        assert!(shown.contains("So far, ") && shown.contains(" of 1000 runs done: "), "{shown}");
+        assert!(shown.contains(" left"), "{shown}");
+        let summary = screen.get_by_label_contains("So far, ").rect();
+        assert!(summary.bottom() <= screen.get_by_label("Load SDNRP").rect().top());
+        click(&mut screen, "Pause the comparison");
+        screen.get_by_label("Save comparison as CSV").hover();
+        screen.run_steps(30);
+        assert!(
+            texts(&screen).contains("Save comparison as CSV, not whole yet: "),
+            "{}",
+            texts(&screen)
+        );
+    }
+}
+
+/// Is Conventional the constant feed of the console? It says so, where it is chosen and under its own name there.
+#[test]
+fn conventional_says_what_it_is_on_the_console() {
+    let mut screen = open(SIZES[0]);
+    screen.get_by_role_and_label(Role::Button, "Conventional").hover();
+    screen.run_steps(30);
+    let shown = texts(&screen);
+    for told in
+        ["Conventional (constant feed): ", "the papers call conventional", "safe constant feed"]
+    {
+        assert!(shown.contains(told), "{told} in {shown}");
+    }
+}
+
+/// Is it unstable? As the console says it: no error "at rest", nothing put down to noise where there is none, and no
+/// spread over seeds that change nothing.
+#[test]
+fn an_unstable_loop_is_called_so_and_equal_seeds_have_no_spread() {
+    for size in SIZES {
+        let changes = [
+            ("run.duration_s", Value::Float(20.0)),
+            ("noise.level", Value::Float(0.0)),
+            ("controller.sdnrp.kp", Value::Float(4.0)),
+            ("cnc.dead_time_s", Value::Float(0.3)),
+        ];
+        let mut screen = screen::open("first-cut", size, "Compare", &changes);
+        unfold(&mut screen);
+        leave(&mut screen, &["Conventional", "SDNRP"]);
+        screen.get_by_role_and_label(Role::SpinButton, "Seeds").set_value_accesskit(2.0);
+        screen.run_steps(2);
+        finish(&mut screen);
+        click(&mut screen, "Why not all hold the tolerance");
+        screen.run_steps(8);
+        let shown = texts(&screen);
+        assert!(shown.contains("2 of 2 unstable"), "{shown}");
+        assert!(shown.contains("it is unstable, feed and force swing"), "{shown}");
+        assert!(!shown.contains("at rest") && !shown.contains("noise moves it"), "{shown}");
+        assert!(shown.contains("Every seed gave the same run") && !shown.contains('±'), "{shown}");
+    }
+}
+
+/// Where is the table? On the first screen, before a run and after it.
+#[test]
+fn the_table_is_in_sight_at_once() {
+    for size in [vec2(1280.0, 800.0), vec2(390.0, 844.0)] {
+        let changes = [("run.duration_s", Value::Float(2.0))];
+        let mut screen = screen::open("first-cut", size, "Compare", &changes);
+        for ran in [false, true] {
+            let first = screen.get_by_label("Load Conventional").rect();
+            assert!(first.bottom() < 0.62 * size.y, "{first:?} of {size:?}, ran: {ran}");
+            if !ran {
+                screen.get_by_role_and_label(Role::SpinButton, "Seeds").set_value_accesskit(1.0);
+                screen.run_steps(2);
+                finish(&mut screen);
+            }
+        }
     }
 }

@@ -3,7 +3,7 @@
 
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Vec2, pos2, vec2};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use steadycut::base::settings::Value;
 use steadycut::run::glossary::{GLOSSARY, terms_in};
 use steadycut::run::scenario::Scenario;
@@ -34,6 +34,76 @@ fn find(screen: &mut Screen<'_>, words: &str) {
     screen.run_steps(3);
 }
 
+/// A setting that nothing uses as things stand is found with the reason, in the words of the screen, and with what
+/// would use it.
+#[test]
+fn what_is_not_used_is_found_with_the_way_to_use_it() {
+    for size in [DESKTOP, PHONE] {
+        let tracking = [("controller.kind", Value::Text("tracking".to_owned()))];
+        let mut screen = open("first-cut", size, "Console", &tracking);
+        find(&mut screen, "controller.sdnrp.kp");
+        let said = texts(&screen);
+        assert!(said.contains("Not used now: “Controller” is another one."), "{said}");
+        assert!(!said.contains('`'), "{said}");
+        screen.get_by_role_and_label(Role::Button, "Control by SDNRP").click();
+        screen.run_steps(3);
+        assert_eq!(current(&screen).controller.kind.id(), "sdnrp");
+        assert!(!texts(&screen).contains("Not used now"), "{}", texts(&screen));
+        // Any other reason: the setting that decides it stands below.
+        find(&mut screen, "cnc.force_stop_n");
+        let said = texts(&screen);
+        assert!(said.contains("Not used now: "), "{said}");
+        let decides = current(&screen).cnc.force_stop;
+        assert!(!decides);
+        screen.get_by_role_and_label(Role::CheckBox, "Stop on overload").click();
+        screen.run_steps(3);
+        assert!(current(&screen).cnc.force_stop);
+        assert!(!texts(&screen).contains("Not used now"), "{}", texts(&screen));
+    }
+}
+
+/// A slow machine puts the key that opens the search and the words typed after it into one frame: no letter of them
+/// is a key of the console, and the key's own sign is no word.
+#[test]
+fn what_is_typed_in_the_frame_that_opens_the_search_is_looked_for() {
+    let mut screen = open("first-cut", DESKTOP, "Console", &[]);
+    screen.run_steps(3);
+    let edits =
+        |screen: &Screen<'_>| screen.state().as_ref().unwrap().session().edits().list().len();
+    let before = edits(&screen);
+    let strike = |key: Key, text: &str| {
+        let key = |pressed| Event::Key {
+            key,
+            physical_key: None,
+            pressed,
+            repeat: false,
+            modifiers: Modifiers::NONE,
+        };
+        [key(true), Event::Text(text.to_owned()), key(false)]
+    };
+    // H would drop a hard spot.
+    for (key, text) in [(Key::Slash, "/"), (Key::H, "h"), (Key::O, "o"), (Key::S, "s")] {
+        for event in strike(key, text) {
+            screen.input_mut().events.push(event);
+        }
+    }
+    screen.run_steps(4);
+    let field = screen.get_by_role(Role::TextInput).accesskit_node();
+    assert_eq!(field.value().as_deref(), Some("hos"));
+    assert_eq!(edits(&screen), before);
+    // What was looked for last is replaced by what is typed then.
+    screen.key_press(Key::Escape);
+    screen.run_steps(3);
+    for (key, text) in [(Key::Slash, "/"), (Key::K, "k")] {
+        for event in strike(key, text) {
+            screen.input_mut().events.push(event);
+        }
+    }
+    screen.run_steps(4);
+    let field = screen.get_by_role(Role::TextInput).accesskit_node();
+    assert_eq!(field.value().as_deref(), Some("k"));
+}
+
 #[test]
 fn a_word_finds_a_setting_which_is_set_there_and_then() {
     for size in [DESKTOP, PHONE] {
@@ -42,10 +112,7 @@ fn a_word_finds_a_setting_which_is_set_there_and_then() {
         assert!(texts(&screen).contains("Nothing has these words"), "{}", texts(&screen));
         screen.key_press(Key::Escape);
         screen.run_steps(3);
-        assert!(
-            screen.query_by_role_and_label(Role::TextInput, "Find").is_none(),
-            "Escape closes it"
-        );
+        assert!(screen.query_by_role_and_label(Role::Window, "Find").is_none(), "Escape closes it");
         find(&mut screen, "dead time");
         screen.run_steps(20);
         // The glossary's own result, if it is among those in sight; nothing lies over the results.
@@ -73,9 +140,26 @@ fn a_word_finds_a_setting_which_is_set_there_and_then() {
 }
 
 #[test]
+fn what_was_looked_for_last_stands_there_to_be_used_again_or_replaced() {
+    for size in [DESKTOP, PHONE] {
+        let mut screen = open("first-cut", size, "Console", &[]);
+        let typed =
+            |screen: &Screen<'_>| screen.get_by_role(Role::TextInput).accesskit_node().value();
+        find(&mut screen, "dead time");
+        screen.key_press(Key::Escape);
+        screen.run_steps(3);
+        find(&mut screen, "");
+        assert_eq!(typed(&screen).as_deref(), Some("dead time"));
+        screen.event(Event::Text("noise".to_owned()));
+        screen.run_steps(3);
+        assert_eq!(typed(&screen).as_deref(), Some("noise"), "all of it was selected");
+    }
+}
+
+#[test]
 fn scenarios_screens_and_words_are_found_too() {
     let mut screen = open("first-cut", DESKTOP, "Compare", &[]);
-    find(&mut screen, "chatter");
+    find(&mut screen, "brings chatter");
     screen.key_press(Key::Enter);
     screen.run_steps(3);
     assert_eq!(current(&screen).info.name, "chatter", "Enter takes the best");
@@ -83,7 +167,7 @@ fn scenarios_screens_and_words_are_found_too() {
     screen.get_by_role_and_label(Role::Button, "screen: Workpiece").click();
     screen.run_steps(3);
     assert_eq!(shown(&screen), "workpiece");
-    assert!(screen.query_by_role_and_label(Role::TextInput, "Find").is_none(), "it is closed");
+    assert!(screen.query_by_role_and_label(Role::Window, "Find").is_none(), "it is closed");
     find(&mut screen, "nsn");
     assert!(
         texts(&screen).contains("Normalised standard error of the force"),
@@ -104,6 +188,7 @@ fn what_has_another_name_here_is_found_by_the_words_that_people_type() {
         ("data", "command: Export all signals as CSV"),
         ("help", "command: Keys and gestures"),
         ("dark", "command: Dark colours"),
+        ("rerun", "command: Apply from the start"),
         ("lobes", "screen: Machine"),
     ] {
         find(&mut screen, words);
@@ -112,6 +197,13 @@ fn what_has_another_name_here_is_found_by_the_words_that_people_type() {
         screen.key_press(Key::Escape);
         screen.run_steps(3);
     }
+    // A short word is not looked for inside of others, and what it means is told with what has it.
+    find(&mut screen, "Kp");
+    assert!(texts(&screen).contains("Gain Kp"), "{}", texts(&screen));
+    let inside = screen.query_by_role_and_label(Role::Button, "screen: Workpiece");
+    assert!(inside.is_none(), "{}", texts(&screen));
+    screen.key_press(Key::Escape);
+    screen.run_steps(3);
     find(&mut screen, "own data");
     screen.get_by_role_and_label(Role::Button, "screen: Identify").click();
     screen.run_steps(3);
@@ -189,7 +281,8 @@ fn a_pointer_that_rests_on_a_word_is_told_what_it_means() {
     screen.event(Event::PointerMoved(place));
     screen.run_steps(4);
     assert!(!explained(&screen, "in tolerance"), "not at once: it would be in the way");
-    screen.run_steps(16);
+    // After the tooltip of the card that it stands on, to those who stay.
+    screen.run_steps(34);
     assert!(explained(&screen, "in tolerance"));
     screen.event(Event::PointerMoved(place + vec2(0.0, 300.0)));
     screen.run_steps(3);

@@ -108,7 +108,7 @@ fn a_search_comes_to_the_front_of_the_engine_whatever_the_window() {
         let chosen = report.chosen().unwrap();
         let title = format!("Formula of size {}, the one chosen", chosen.size);
         assert!(shown.contains(&title), "{shown}");
-        assert!(shown.contains("Outside force_final_n 166.5..195.2 it says nothing"), "{shown}");
+        assert!(shown.contains("Outside Force, end 166.5..195.2 it says nothing"), "{shown}");
         assert!(shown.contains("There it is certain to be finite"), "{shown}");
         for outlier in &report.outliers {
             assert!(shown.contains(&format!("Row {} does not fit", outlier.row)), "{shown}");
@@ -231,7 +231,7 @@ fn what_is_changed_meanwhile_is_said_and_begins_anew_only_when_asked() {
     screen::rest(&mut screen);
     assert!(texts(&screen).contains(&new), "{new} in {}", texts(&screen));
     // What cannot be searched is not begun.
-    click(&mut screen, "force_final_n: input");
+    click(&mut screen, "Force, end: input");
     assert!(!enabled(&screen, "Begin anew"));
     assert!(texts(&screen).contains("choose at least one column"), "{}", texts(&screen));
 }
@@ -244,8 +244,13 @@ fn a_table_that_is_dropped_is_taken_or_refused_with_line_and_column() {
         show(&mut screen, "Console");
         push(&mut screen, brought("bad.csv", "x,y\n1,2\n2,three\n3,4\n"));
         let shown = texts(&screen);
-        let said = "not opened: bad.csv: a target and an input need two columns of numbers: line 3: `y` is `three`";
-        assert!(shown.contains(said), "{shown}");
+        // All that is wrong with it at once.
+        for said in [
+            "not opened: bad.csv: 3 rows: at least 5 are needed; ",
+            "a target and an input need two columns of numbers: line 3: `y` is `three`",
+        ] {
+            assert!(shown.contains(said), "{shown}");
+        }
         assert!(shown.contains("SDNRP 2007, Table 3: 10 rows"), "the table before stays: {shown}");
         push(
             &mut screen,

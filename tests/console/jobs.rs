@@ -60,14 +60,12 @@ fn compare<'a>(size: Vec2, threads: bool) -> Screen<'a> {
 
 /// Frames until `reached`, with time for threads between them.
 fn until(screen: &mut Screen<'_>, reached: impl Fn(&Screen<'_>) -> bool) {
-    for _ in 0..2000 {
+    let done = screen::in_time(|| {
         screen.run_steps(1);
-        if reached(screen) {
-            return;
-        }
         std::thread::sleep(Duration::from_millis(5));
-    }
-    panic!("{}", texts(screen));
+        reached(screen)
+    });
+    assert!(done, "{}", texts(screen));
 }
 
 fn at_rest(screen: &Screen<'_>) -> bool {
@@ -80,14 +78,13 @@ fn a_comparison_goes_on_while_another_screen_is_shown() {
     for size in SIZES {
         for threads in [true, false] {
             let mut screen = compare(size, threads);
-            click(&mut screen, "Part: Open scenario");
             click(&mut screen, "Run the comparison");
             show(&mut screen, "Block diagram");
             assert!(!at_rest(&screen), "{}", texts(&screen));
             until(&mut screen, at_rest);
             show(&mut screen, "Compare");
             let shown = texts(&screen);
-            assert!(shown.contains("\ndone") && shown.contains("180 of 180 runs"), "{shown}");
+            assert!(shown.contains("\ndone") && shown.contains("240 of 240 runs"), "{shown}");
             if size == SIZES[0] {
                 tables.push(shown.lines().filter(|line| line.contains('±')).collect::<String>());
             }
@@ -101,6 +98,7 @@ fn a_comparison_goes_on_while_another_screen_is_shown() {
 fn the_list_names_the_work_and_its_button_stops_it_and_keeps_what_was_found() {
     for size in SIZES {
         let mut screen = compare(size, true);
+        click(&mut screen, "Part: Experiment 2");
         click(&mut screen, "Run the comparison");
         // From the keyboard.
         screen.get_by_role_and_label(Role::Button, "1 job at work").focus();

@@ -6,7 +6,8 @@ use egui::Vec2;
 use crate::contrast::{self, Contrast};
 use crate::drawn;
 use crate::fingers::Fingers;
-use crate::legible::{Signs, Sizes};
+use crate::languages::Spoken;
+use crate::legible::{Signs, Sizes, Typeset};
 use crate::screen::Screen;
 use crate::views::{self, DESKTOP, PHONE};
 
@@ -19,6 +20,8 @@ pub trait Judge {
 }
 
 fn judge(size: Vec2, mut judges: Vec<(&str, Box<dyn Judge>)>) {
+    judges.push(("not typeset", Box::new(Typeset::default())));
+    judges.push(("in other languages", Box::new(Spoken::default())));
     let software = drawn::in_software();
     if software {
         judges.push(("too faint", Box::new(Contrast::default())));

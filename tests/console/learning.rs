@@ -96,12 +96,10 @@ fn passes_are_worked_off_and_their_networks_can_be_used() {
     let mut screen = open(SIZES[0], UnksStart::Cold);
     press(&mut screen, "Cut 5 passes");
     assert!(texts(&screen).contains("Stop the passes"));
-    for _ in 0..400 {
+    crate::screen::in_time(|| {
         screen.run_steps(1);
-        if texts(&screen).contains("Use these networks") {
-            break;
-        }
-    }
+        texts(&screen).contains("Use these networks")
+    });
     let shown = texts(&screen);
     assert!(shown.contains("The feedback's share falls pass by pass."), "{shown}");
     press(&mut screen, "Use these networks");

@@ -3,6 +3,7 @@
 use egui::epaint::ClippedShape;
 use egui::{Shape, Theme, Vec2};
 
+use steadycut::app::format;
 use steadycut::app::theme::Palette;
 
 use crate::judged::Judge;
@@ -104,5 +105,35 @@ fn colours_that_judge_have_no_other_use() {
             judging.iter().all(|color| !others.contains(color)),
             "else they would be taken for it"
         );
+    }
+}
+
+/// Lines that are broken between a number and its unit.
+#[derive(Default)]
+pub struct Typeset {
+    broken: Vec<String>,
+    seen: usize,
+}
+
+impl Judge for Typeset {
+    fn view(&mut self, screen: &mut Screen<'_>, view: &str) {
+        each_text(screen, |text, _| {
+            for rows in text.galley.rows.windows(2) {
+                self.seen += 1;
+                let [before, after] = [&rows[0], &rows[1]].map(|row| row.text());
+                let (before, after) = (before.trim_end(), after.trim_start());
+                let last = before.rsplit(' ').next().unwrap_or_default();
+                let first = after.split(' ').next().unwrap_or_default();
+                let line = format!("{last} {first}");
+                if !rows[0].ends_with_newline && format::typeset(&line) != line {
+                    self.broken.push(format!("{view}: {before} / {after}"));
+                }
+            }
+        });
+    }
+
+    fn verdict(&mut self) -> Vec<String> {
+        assert!(self.seen > 200, "{} broken lines were seen", self.seen);
+        std::mem::take(&mut self.broken)
     }
 }

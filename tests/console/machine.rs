@@ -39,14 +39,13 @@ fn slide(screen: &mut Screen<'_>, name: &str, to: f64) {
 
 /// Lets frames pass until the screen says this.
 fn wait_for(screen: &mut Screen<'_>, text: &str) -> String {
-    for _ in 0..400 {
+    let said = crate::screen::in_time(|| {
         screen.run_steps(1);
-        let shown = texts(screen);
-        if shown.contains(text) {
-            return shown;
-        }
-    }
-    panic!("{text} in {}", texts(screen));
+        texts(screen).contains(text)
+    });
+    let shown = texts(screen);
+    assert!(said, "{text} in {shown}");
+    shown
 }
 
 #[test]
@@ -182,15 +181,17 @@ fn the_chart_judges_the_present_cut() {
         wait_for(&mut screen, "Stable at");
         screen.key_press(egui::Key::Space);
         screen.run_steps(40);
-        let shown = wait_for(&mut screen, "Limit depth at ");
-        let told = shown.split("Limit depth at ").nth(1).unwrap();
-        let (speed, depth) = told.split_once(" 1/min: ").unwrap();
-        let (depth, _) = depth.split_once(" mm.").unwrap();
+        let shown = wait_for(&mut screen, "(limit depth)");
+        let told = shown.split(" Quiet at ").nth(1).unwrap();
+        let (speed, depth) = told.split_once(" 1/min up to ").unwrap();
+        let (depth, any) = depth.split_once(" mm (limit depth), at any speed up to ").unwrap();
+        let any_mm: f64 = any.split_once(" mm.").unwrap().0.parse().unwrap();
         let [speed_rpm, depth_mm] = [speed, depth].map(|text| text.parse::<f64>().unwrap());
         assert!((speed_rpm - session(&screen).row().spindle_rpm).abs() <= 20.0, "{told}");
         let cut = StabilityCut::new(session(&screen).current()).unwrap();
         let limit_mm = interrupted::limit_mm(&cut, speed_rpm, 1000.0).unwrap();
         assert!((depth_mm / limit_mm - 1.0).abs() < 0.01, "{told} against {limit_mm}");
+        assert!(any_mm > 0.0 && any_mm <= depth_mm, "{told}");
         assert_eq!(session(&screen).current().machine.spindle_quality, 5.0);
         press(&mut screen, "Q 17, as printed");
         assert_eq!(session(&screen).current().machine.spindle_quality, 17.0);
@@ -210,6 +211,23 @@ fn the_chart_judges_the_present_cut() {
     let mut screen = open(SIZES[0].1, &deep);
     press(&mut screen, "Stability");
     assert!(wait_for(&mut screen, "Chatter at").contains("a disturbance grows"));
+}
+
+/// Does it chatter? A phone says so at once, before anything that is pressed.
+#[test]
+fn the_verdict_of_the_stability_chart_is_in_sight_at_once() {
+    let (_, size) = SIZES[1];
+    let mut screen = open(size, &[]);
+    press(&mut screen, "Stability");
+    wait_for(&mut screen, "Stable at");
+    wait_for(&mut screen, "At the playhead, ");
+    let lowest = 0.5 * size[1];
+    for text in ["Stable at ", "At the playhead, "] {
+        let told = screen.query_all_by_label_contains(text).next().unwrap().rect();
+        assert!(told.bottom() < lowest, "{text}: {told:?}");
+        let button = screen.get_by_role_and_label(Role::Button, "Q 5, by its damper").rect();
+        assert!(told.bottom() <= button.top(), "{text}: {told:?} and {button:?}");
+    }
 }
 
 #[test]

@@ -1,8 +1,10 @@
 //! Tests of the console, in one program: it links the graphics once.
 
+mod afc;
 mod compare;
 mod conclusions;
 mod contrast;
+mod disturb;
 mod drawn;
 mod finding;
 mod fingers;
@@ -10,15 +12,24 @@ mod formulas;
 mod identify;
 mod jobs;
 mod judged;
+mod languages;
+mod learn;
 mod learning;
 mod legible;
 mod machine;
+mod mirror;
+mod operator;
 mod panels;
 mod plan;
+mod predicted;
 mod screen;
 mod screens;
+mod scripts;
+mod sharing;
 mod shell;
+mod twin;
 mod views;
+mod visitors;
 mod weight;
 mod windows;
 mod workpiece;

@@ -7,6 +7,7 @@ use egui_kittest::{Harness, SnapshotOptions, SnapshotResults};
 use steadycut::app::Console;
 use steadycut::app::command::Command;
 use steadycut::app::panels::{Panel, View, panels};
+use steadycut::app::session::TwinStand;
 use steadycut::app::shortcuts::{Host, screen_key};
 use steadycut::run::edits::Edits;
 use steadycut::run::one_run::Run;
@@ -194,7 +195,7 @@ fn pause_scrub_and_keys_move_the_playhead() {
     assert_eq!(playhead_s(&window), 0.0);
     press(&mut window, Modifiers::NONE, Key::End);
     assert!(console(&window).session().finished().is_some());
-    click(&mut window, "Restart the cut");
+    click(&mut window, "Play again");
     assert!(playing(&window) && playhead_s(&window) < 1.0);
 }
 
@@ -226,10 +227,18 @@ fn a_change_in_the_past_branches_and_leaves_the_old_future_as_a_ghost() {
     let at = |time_s: f64| rows[session.chosen().run().recording().index_at(time_s)];
     assert_eq!(at(9.0).ra_target_um, 0.81);
     assert_eq!(at(11.0).ra_target_um, 1.6);
+    let found = crate::screen::in_time(|| {
+        window.run_steps(1);
+        console(&window).session().progress() >= 1.0
+    });
+    assert!(found);
     // The twin shares the target but never moves its feed.
+    let session = console(&window).session();
+    let TwinStand::Safe(safe) = session.twin_stand() else { panic!("{:?}", session.twin_stand()) };
     let twin = session.twin().run().recording();
-    assert_eq!(twin.rows()[twin.index_at(11.0)].ra_target_um, 1.6);
-    assert_eq!(twin.rows()[twin.index_at(20.0)].feed_command_mm_min, 430.41);
+    let at_s = session.twin().run().edits().list()[0].at_s;
+    assert_eq!(twin.rows()[twin.index_at(at_s + 1.0)].ra_target_um, 1.6);
+    assert_eq!(twin.rows()[twin.index_at(20.0)].feed_command_mm_min, safe.feed_mm_min);
 }
 
 #[test]
@@ -266,7 +275,7 @@ fn every_screen_opens_by_its_tab_and_by_its_key() {
     let mut window = window(DESKTOP);
     let screens: Vec<(&str, &str)> = panels().iter().map(|p| (p.id(), p.title())).collect();
     for (id, title) in &screens {
-        window.get_all_by_label(title).next().unwrap().click();
+        window.get_by_role_and_label(Role::Button, title).click();
         window.run_steps(2);
         assert_eq!(shown(&window), *id);
     }
@@ -313,7 +322,7 @@ fn a_tenth_and_an_eleventh_screen_are_shown_and_have_no_key() {
             };
             let screens = || {
                 let mut screens = panels();
-                let names = ["ninth", "tenth", "eleventh"];
+                let names = ["tenth", "eleventh"];
                 screens.extend(names.map(|name| Box::new(Dummy(name)) as Box<dyn Panel>));
                 screens
             };
@@ -322,10 +331,10 @@ fn a_tenth_and_an_eleventh_screen_are_shown_and_have_no_key() {
         };
         let mut window = builder(size).build_ui_state(with_more, None);
         window.run_steps(3);
-        let count = panels().len() + 3;
+        let count = panels().len() + 2;
         assert_eq!(count, 11, "the dummies are named after the places that they have");
         press(&mut window, Modifiers::COMMAND, Key::Num9);
-        assert_eq!(shown(&window), "ninth");
+        assert_eq!(shown(&window), panels()[8].id());
         for name in ["tenth", "eleventh"] {
             crate::screen::show(&mut window, name);
             assert_eq!(shown(&window), name);
@@ -431,14 +440,12 @@ impl egui::DroppedFile for Dropped {
 /// Drops a file and waits until it is read.
 fn drop_file(window: &mut Window, file: Dropped, done: impl Fn(&Window) -> bool) {
     window.input_mut().dropped_files.push(std::sync::Arc::new(file));
-    for _ in 0..400 {
+    let read = crate::screen::in_time(|| {
         window.run_steps(1);
-        if done(window) {
-            return;
-        }
         std::thread::sleep(std::time::Duration::from_millis(5));
-    }
-    panic!("the dropped file was not read");
+        done(window)
+    });
+    assert!(read, "the dropped file was not read");
 }
 
 #[test]

@@ -9,12 +9,15 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, SnapshotOptions, SnapshotResults};
 use steadycut::app::Console;
 use steadycut::base::settings::Value;
+use steadycut::blocks::control::ControllerKind;
 use steadycut::models::tool::Tool;
 use steadycut::run::edits::Edits;
 use steadycut::run::scenario::Scenario;
 use steadycut::run::{Start, presets};
 use steadycut::study::plan::PlanJob;
 use steadycut::study::plan::constraints::CONSTRAINTS;
+use steadycut::study::plan::machine::MachineLimits;
+use steadycut::study::plan::over_depths::OverDepths;
 use steadycut::study::recommend::table::Table;
 use steadycut::study::recommend::{Advisor, EngagementCode};
 
@@ -46,6 +49,78 @@ fn click(screen: &mut Screen, name: &str) {
 fn finish(screen: &mut Screen) {
     click(screen, "To the end");
     screen::rest(screen);
+}
+
+/// How long will the cut take? The plan's time is that of its own feed, which the controller changes.
+#[test]
+fn the_time_is_told_as_that_of_constant_feed_and_weights_say_which_way_they_go() {
+    for size in [DESKTOP, LONG] {
+        for (kind, said) in [("sdnrp", true), ("constant_feed", false)] {
+            let kind = ("controller.kind", Value::Text(kind.to_owned()));
+            let mut screen = open(size, &[kind]);
+            if size == LONG {
+                click(&mut screen, "Settings of the plan");
+            }
+            let shown = texts(&screen);
+            assert!(
+                shown.contains("Time at this feed") && !shown.contains("Time of cut"),
+                "{shown}"
+            );
+            let text = "kept through the whole cut: SDNRP changes the feed in the cut";
+            assert_eq!(shown.contains(text), said, "{shown}");
+            assert!(shown.contains("Weight of a large force"), "{shown}");
+            assert!(shown.contains("a large force is one near its limit"), "{shown}");
+        }
+    }
+}
+
+/// What will it come to? At every depth of the part, by the plan's network and in the run; the console's force is
+/// compared only where it is the planned cut.
+#[test]
+fn the_plan_is_judged_at_every_depth_by_the_network_and_by_the_run() {
+    for size in [DESKTOP, LONG] {
+        let mut screen = open(size, &[]);
+        finish(&mut screen);
+        let optimum = PlanJob::complete(scenario(&screen)).unwrap().optimum();
+        let machine = MachineLimits::heller_bea_01();
+        let over = OverDepths::of(scenario(&screen), &machine, &optimum);
+        assert_eq!(over.depths.len(), 3, "2.2, 2 and 1.9 mm");
+        assert!(!over.is_good(), "the run has another force: {:?}", over.lines());
+        let shown = texts(&screen);
+        for line in over.lines() {
+            assert!(shown.contains(&line), "{line} in {shown}");
+        }
+        let verdict = over.verdict_text(&optimum).replacen("feasible", "Feasible", 1);
+        assert!(shown.contains(&format!("{verdict}.")), "{verdict} in {shown}");
+        // SDNRP cuts at another feed.
+        assert!(!shown.contains("The console's force at the playhead"), "{shown}");
+        click(&mut screen, "Cut it at constant feed");
+        screen.run_steps(4);
+        screen.key_press_modifiers(egui::Modifiers::COMMAND, Key::Num4);
+        screen.run_steps(2);
+        finish(&mut screen);
+        let row = console(&screen).session().row();
+        let plan_n = over.force_at_n(row.axial_depth_mm).unwrap();
+        let now = format!(
+            "The console's force at the playhead is {:.1} N, {:+.1} % against the plan's at its depth, {:.2} mm.",
+            row.force_n,
+            100.0 * (row.force_n / plan_n - 1.0),
+            row.axial_depth_mm,
+        );
+        let shown = texts(&screen);
+        assert!(shown.contains(&now), "{now} in {shown}");
+    }
+}
+
+/// Is it feasible? For the lightest stretch, and not where the part is deeper: depth and constraint are named.
+#[test]
+fn the_depth_that_breaks_the_plan_is_named_in_its_verdict() {
+    let mut screen = open(DESKTOP, &[("plan.section", Value::Text("lightest".to_owned()))]);
+    finish(&mut screen);
+    let shown = texts(&screen);
+    assert!(shown.contains("Feasible at 1.9 mm depth by the plan's network"), "{shown}");
+    assert!(shown.contains("; not at 2.20 mm: Cutting force "), "{shown}");
+    assert!(shown.contains("; violated: Cutting force"), "{shown}");
 }
 
 fn iteration(screen: &Screen) -> u32 {
@@ -113,7 +188,7 @@ fn a_change_of_a_setting_restarts_the_plan_at_once_and_can_be_undone() {
     click(&mut screen, "Other seed");
     assert_eq!(scenario(&screen).plan.seed, before.plan.seed + 1);
     assert!(iteration(&screen) < 5);
-    screen.get_by_role_and_label(Role::Slider, "Weight of time").set_value_accesskit(0.5);
+    screen.get_by_role_and_label(Role::Slider, "Weight of a short time").set_value_accesskit(0.5);
     screen.run_steps(2);
     assert_eq!(scenario(&screen).plan.weight_time, 0.5);
     // What the plan does not depend on leaves it alone.
@@ -182,6 +257,32 @@ fn recommended_conditions_follow_the_hardness_and_can_be_programmed() {
     }
 }
 
+/// What is planned is a cut at one feed: one button cuts just that, the other says who moves the feed on.
+#[test]
+fn the_planned_cut_can_be_cut_as_it_is_planned() {
+    for size in [DESKTOP, LONG] {
+        let mut screen = open(size, &[]);
+        let before = scenario(&screen).clone();
+        finish(&mut screen);
+        assert!(texts(&screen).contains("SDNRP moves the feed on from the programmed one at once"));
+        click(&mut screen, "Cut it at constant feed");
+        let optimum = PlanJob::complete(&before).unwrap().optimum();
+        let now = scenario(&screen).clone();
+        assert_eq!(now.controller.kind, ControllerKind::ConstantFeed);
+        assert_eq!(now.program.feed_mm_min, optimum.feed_mm_min);
+        let rows = console(&screen).session().chosen().run().recording().rows();
+        assert!(rows.iter().all(|row| row.feed_command_mm_min == optimum.feed_mm_min));
+        assert!(texts(&screen).contains("the part is cut from its start, at constant feed"));
+        screen.key_press_modifiers(egui::Modifiers::COMMAND, Key::Num4);
+        screen.run_steps(2);
+        finish(&mut screen);
+        assert!(screen.query_by_label("Cut it at constant feed").is_none(), "it is");
+        screen.key_press_modifiers(egui::Modifiers::COMMAND, Key::Z);
+        screen.run_steps(2);
+        assert_eq!(scenario(&screen), &before, "one step of undo");
+    }
+}
+
 #[test]
 fn where_nothing_is_allowed_nothing_can_be_programmed_and_the_reason_is_told() {
     let mut screen = open(DESKTOP, &fixed_limit(20.0));
@@ -216,7 +317,9 @@ fn an_error_names_its_setting_and_goes_away_with_it() {
         if size == LONG {
             click(&mut screen, "Settings of the plan");
         }
-        screen.get_by_role_and_label(Role::Slider, "Weight of force").set_value_accesskit(1.0);
+        screen
+            .get_by_role_and_label(Role::Slider, "Weight of a large force")
+            .set_value_accesskit(1.0);
         screen.run_steps(2);
         assert!(screen.query_by_label("Use as programmed values").is_some());
     }

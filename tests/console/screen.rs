@@ -1,5 +1,7 @@
 //! The console under a test's hands, for the tests of single screens.
 
+use std::time::{Duration, Instant};
+
 use egui::accesskit::Role;
 use egui::{Event, Modifiers, TouchDeviceId, TouchId, TouchPhase, Vec2};
 use egui_kittest::Harness;
@@ -72,20 +74,48 @@ pub fn rest(screen: &mut Screen<'_>) {
     let at_rest = |screen: &Screen<'_>| {
         screen.state().as_ref().expect("made in the first frame").jobs().is_at_rest()
     };
-    for _ in 0..5000 {
+    let rested = in_time(|| {
         screen.run_steps(2);
         if at_rest(screen) {
             screen.run_steps(2);
             if at_rest(screen) {
-                return;
+                return true;
             }
         }
-        std::thread::sleep(std::time::Duration::from_millis(1));
-    }
-    panic!("{}", texts(screen));
+        std::thread::sleep(Duration::from_millis(1));
+        false
+    });
+    assert!(rested, "{}", texts(screen));
 }
 
-/// Every text on the screen.
+/// Goes step by step until something is done; `false` where that takes too long. By time and not by the number of
+/// steps: how much is done in one depends on the machine and on what else it does.
+#[expect(clippy::disallowed_methods, reason = "a limit of time")]
+pub fn in_time(mut step: impl FnMut() -> bool) -> bool {
+    const MOST: Duration = Duration::from_secs(300);
+    let begun = Instant::now();
+    while begun.elapsed() < MOST {
+        if step() {
+            return true;
+        }
+    }
+    false
+}
+
+/// Frames until the cut, its twin and what is told of them are worked out.
+/// The playhead of a cut that plays moves on meanwhile.
+pub fn computed(screen: &mut Screen<'_>) {
+    let done = in_time(|| {
+        let session = screen.state().as_ref().expect("made in the first frame").session();
+        let done = session.simulated() >= 1.0 && session.twin_stand().is_settled();
+        // What was found in the last frame is drawn in the next one.
+        screen.run_steps(if done { 2 } else { 1 });
+        done
+    });
+    assert!(done, "{}", texts(screen));
+}
+
+/// Every text on the screen, as it is told.
 pub fn texts(screen: &Screen<'_>) -> String {
     let nodes = screen.root().children_recursive().map(|node| {
         let node = node.accesskit_node();

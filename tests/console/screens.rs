@@ -1,8 +1,6 @@
 //! The screens "Block diagram" and "Papers", driven by their accessible names.
 
-use crate::screen;
-
-use crate::screen::{Screen, texts};
+use crate::screen::{self, Screen, texts};
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT, Queryable};
 use steadycut::app::Console;
@@ -173,7 +171,7 @@ fn the_papers_screen_follows_the_calibration() {
     let mut harness = open("first-cut", SIZES[0], "Papers", &[]);
     screen::rest(&mut harness);
     assert!(texts(&harness).contains("40 of 40 final values met"));
-    assert!(texts(&harness).contains("195.2 (read 190.2)"));
+    assert!(texts(&harness).contains("195.2 (compared with 190.2)"));
     assert!(texts(&harness).contains("taken as a misprint"));
     harness.get_by_label("as printed").click();
     screen::rest(&mut harness);
@@ -208,6 +206,34 @@ fn the_papers_screen_has_both_papers_and_every_force_model() {
             let shown = texts(&harness);
             assert!(shown.contains("Final values as they are"), "{shown}");
             assert!(!shown.contains("missed"), "{shown}");
+        }
+    }
+}
+
+#[test]
+fn no_row_of_a_table_moves_while_the_others_come_in() {
+    for size in SIZES {
+        for force_model in ForceModel::maps() {
+            let mut harness = screen::open("first-cut", size.into(), "Papers", &[]);
+            harness.get_by_label(force_model.label()).click();
+            harness.run_steps(1);
+            let first = |harness: &Screen<'_>| {
+                let load = harness.query_by_label("Load table3-1").map(|load| load.rect().top());
+                (harness.get_by_label_contains("Each row is run in time").rect(), load)
+            };
+            let (text, _) = first(&harness);
+            let mut tops: Vec<f32> = Vec::new();
+            let rested = screen::in_time(|| {
+                harness.run_steps(1);
+                let (now, load) = first(&harness);
+                assert_eq!(now, text, "{size:?} {}", force_model.label());
+                tops.extend(load);
+                console(&harness).jobs().is_at_rest()
+            });
+            assert!(rested, "{}", texts(&harness));
+            // Its grid knows the height of a row in the frame after that in which it comes.
+            let [_, before, .., last] = tops[..] else { panic!("{tops:?}") };
+            assert!((last - before).abs() < 1.0, "{size:?}: {tops:?}");
         }
     }
 }

@@ -144,6 +144,7 @@ fn screens(size: Vec2, pixels: Option<f32>, look: Look<'_>) {
         whole(&mut screen, &format!("Papers, {paper}"), look);
     }
     screen::show(&mut screen, "Compare");
+    click(&mut screen, "Part: Experiment 2");
     click(&mut screen, "Run the comparison");
     screen.run_steps(40);
     click(&mut screen, "Pause the comparison");
@@ -160,6 +161,15 @@ fn screens(size: Vec2, pixels: Option<f32>, look: Look<'_>) {
     let bad = FileCommand::Bring(BroughtFile::Table { name: bad.0, text: bad.1 });
     screen.state().as_ref().unwrap().push(Command::File(bad));
     whole(&mut screen, "Identify, changed, a bad table", look);
+
+    let mut screen = window("depth-step", size, pixels);
+    press(&mut screen, Modifiers::NONE, Key::M);
+    whole(&mut screen, "Operator", look);
+    press(&mut screen, Modifiers::NONE, Key::Minus);
+    press(&mut screen, Modifiers::NONE, Key::End);
+    whole(&mut screen, "Operator, a score", look);
+    click(&mut screen, "Whole console");
+    whole(&mut screen, "Operator, whole console", look);
 
     let mut screen = window("experiment-2", size, pixels);
     whole(&mut screen, "Console, several cuts", look);
@@ -190,7 +200,7 @@ fn overlays(size: Vec2, pixels: Option<f32>, look: Look<'_>) {
     }
     let link = format!("https://example.org/steadycut/#z={}", "Qx7".repeat(60));
     let push = |screen: &Screen<'_>, command| screen.state().as_ref().unwrap().push(command);
-    push(&screen, Command::Shell(ShellCommand::ShowLink(link)));
+    push(&screen, Command::Shell(ShellCommand::ShowLink { link, copied: false }));
     over(&mut screen, "link", look);
     push(&screen, Command::notify("The scenario file was not read: it is empty.".to_owned()));
     screen.run_steps(2);

@@ -2,7 +2,7 @@
 //! names, and their pictures.
 
 use crate::drawn;
-use crate::screen::rest;
+use crate::screen::{rest, texts};
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Theme, Vec2, vec2};
@@ -22,6 +22,16 @@ type Screen<'a> = Harness<'a, Option<Console>>;
 
 /// The console on a preset, paused after some seconds of its cut.
 fn at<'a>(preset: &str, size: Vec2, theme: Option<Theme>, time_s: usize) -> Screen<'a> {
+    told(preset, (size, theme), time_s, None)
+}
+
+/// The same, with a message over it.
+fn told<'a>(
+    preset: &str,
+    (size, theme): (Vec2, Option<Theme>),
+    time_s: usize,
+    notice: Option<String>,
+) -> Screen<'a> {
     let mut scenario = presets::load(preset).unwrap();
     // Not much longer than is looked at: a frame simulates ahead.
     scenario.change(|s| s.run.duration_s = time_s as f64 + 1.0).unwrap();
@@ -31,7 +41,8 @@ fn at<'a>(preset: &str, size: Vec2, theme: Option<Theme>, time_s: usize) -> Scre
         None => builder,
     };
     let frame = move |ui: &mut egui::Ui, console: &mut Option<Console>| {
-        let start = || Start { scenario: scenario.clone(), edits: Edits::none(), notice: None };
+        let (scenario, notice) = (scenario.clone(), notice.clone());
+        let start = || Start { scenario, edits: Edits::none(), notice };
         console
             .get_or_insert_with(|| crate::screen::sliced(Console::new(ui.ctx(), start())))
             .ui(ui);
@@ -85,14 +96,6 @@ fn open_window(screen: &mut Screen, size: Vec2, folds: &[&str], name: &str) {
 }
 
 const WORKPIECE: [&str; 2] = ["More settings", "Workpiece"];
-
-fn texts(screen: &Screen<'_>) -> String {
-    let nodes = screen.root().children_recursive().map(|node| {
-        let node = node.accesskit_node();
-        node.label().or_else(|| node.value()).unwrap_or_default()
-    });
-    nodes.collect::<Vec<String>>().join("\n")
-}
 
 #[test]
 fn the_peak_of_the_control_period_is_found_within_the_revolution() {
@@ -237,12 +240,15 @@ fn depths_and_ends_are_dragged_in_the_picture() {
     let workpiece = |screen: &Screen| session(screen).current().workpiece.clone();
     let before = workpiece(&screen);
     let [first_mm, depth_mm] = before.depth_steps[0];
-    // The floor of the first stretch, to 6 mm.
+    // The floor of the first stretch, deeper.
     let at = |screen: &Screen, x_mm, depth_mm| in_side_view(screen, true, x_mm, depth_mm);
     let (from, to) =
         (at(&screen, 0.5 * first_mm, before.axial_depth_mm), at(&screen, 0.5 * first_mm, 6.0));
     drag(&mut screen, from, to);
-    assert!((workpiece(&screen).axial_depth_mm - 6.0).abs() < 0.051, "{:?}", workpiece(&screen));
+    // A picture as small as this one takes 20 points to a millimetre, so that each step can be met.
+    let expected = before.axial_depth_mm + f64::from(to.y - from.y) / 20.0;
+    let dragged = workpiece(&screen);
+    assert!((dragged.axial_depth_mm - expected).abs() < 0.051, "{expected}: {dragged:?}");
     assert_eq!(workpiece(&screen).depth_steps, before.depth_steps);
     // The step between the first two, 10 mm on.
     let (from, to) = (at(&screen, first_mm, 1.0), at(&screen, first_mm + 10.0, 1.0));
@@ -306,7 +312,7 @@ fn a_number_that_cannot_be_is_answered_in_the_window() {
     screen.run_steps(2);
     press(&mut screen, Modifiers::NONE, Key::Enter);
     let shown = texts(&screen);
-    assert!(shown.contains("Axial depth of section 1: `99` was limited to 8 mm"), "{shown}");
+    assert!(shown.contains("Axial depth of section 1: “99” was limited to 8 mm"), "{shown}");
     assert_eq!(session(&screen).scenario().workpiece.cuts[0][0][1], 8.0);
     assert!(session(&screen).notices().is_empty(), "it is said in place");
 }
@@ -330,6 +336,44 @@ fn the_one_path_has_its_profile_as_a_table_and_becomes_cuts() {
     assert!((length_mm - before.length_mm).abs() < 1e-9, "{length_mm} mm");
     open(&mut screen, "One path");
     assert!(workpiece(&screen).cuts.is_empty());
+}
+
+/// The numbers of a column have as many digits behind the point, with three where one of them needs it.
+#[test]
+fn numbers_of_a_column_have_the_same_digits() {
+    let mut screen = at("depth-step", DESKTOP, None, 0);
+    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit depths\u{2026}");
+    let shown = |screen: &Screen, name: &str| {
+        let node = screen.get_by_label(name);
+        node.accesskit_node().value().unwrap_or_default()
+    };
+    let digits = |text: &str| text.split_once('.').map_or(0, |(_, behind)| behind.len());
+    let columns = ["Axial depth of stretch 1", "Axial depth of stretch 2", "Start of stretch 2"];
+    for name in columns {
+        assert_eq!(digits(&shown(&screen, name)), 2, "{name}: {}", shown(&screen, name));
+    }
+    screen.get_by_label(columns[0]).set_value_accesskit(1.125);
+    screen.run_steps(3);
+    for (name, expected) in columns.into_iter().zip([3, 3, 2]) {
+        assert_eq!(digits(&shown(&screen, name)), expected, "{name}: {}", shown(&screen, name));
+    }
+    assert!(!texts(&screen).contains('`'), "{}", texts(&screen));
+}
+
+/// Escape closes the window that is worked in; a message beside it stays until the next one.
+#[test]
+fn escape_closes_the_window_before_a_message() {
+    // Long enough to be read for the whole test.
+    let notice = "A message. ".repeat(200);
+    let mut screen = told("depth-step", (DESKTOP, None), 0, Some(notice));
+    open_window(&mut screen, DESKTOP, &WORKPIECE, "Edit depths\u{2026}");
+    let message = |screen: &Screen| screen.query_by_label("Dismiss").is_some();
+    assert!(message(&screen), "{}", texts(&screen));
+    press(&mut screen, Modifiers::NONE, Key::Escape);
+    assert!(screen.query_by_label("Add a stretch").is_none(), "the window is closed");
+    assert!(message(&screen), "{}", texts(&screen));
+    press(&mut screen, Modifiers::NONE, Key::Escape);
+    assert!(!message(&screen), "{}", texts(&screen));
 }
 
 #[test]

@@ -2,28 +2,11 @@
 // and Chromium (Debian's package chromium, or the environment variable CHROMIUM).
 
 import assert from "node:assert/strict";
-import { mkdirSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { fileURLToPath } from "node:url";
-import { chromium } from "playwright-core";
 import { assertGolden } from "./golden.mjs";
+import * as helpers from "./helpers.mjs";
+import { NO_GL, PATIENCE, SHOTS, SOFTWARE_GL, firstFrame, launch, picture, state, untilState } from "./helpers.mjs";
 import { serve } from "./server.mjs";
-
-const SHOTS = fileURLToPath(new URL("shots", import.meta.url));
-const PATIENCE = { timeout: 120_000, polling: 200 }; // software drawing on a busy machine is slow
-const QUIET = [
-  "--no-sandbox",
-  "--no-first-run",
-  "--disable-quic",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-];
-const SOFTWARE_GL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
-const NO_GL = ["--disable-gpu", "--disable-3d-apis"];
-
-const launch = (flags) =>
-  chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: [...QUIET, ...flags] });
 
 let browser;
 let server;
@@ -33,7 +16,6 @@ const serveChanged = async (change) => {
   return others.at(-1);
 };
 before(async () => {
-  mkdirSync(SHOTS, { recursive: true });
   server = await serve();
   browser = await launch(SOFTWARE_GL);
 });
@@ -44,37 +26,7 @@ after(async () => {
 
 // --- helpers ----------------------------------------------------------------------------------
 
-// A fresh page (own storage, own service worker) that remembers everything that went wrong in it.
-async function open({ settings = {}, from = browser, prepare } = {}) {
-  const context = await from.newContext({ viewport: { width: 1280, height: 800 }, serviceWorkers: "block", ...settings });
-  const page = await context.newPage();
-  const wrong = [];
-  page.on("console", (message) => message.type() === "error" && wrong.push(`console: ${message.text()}`));
-  page.on("pageerror", (error) => wrong.push(`page: ${error.stack ?? error}`));
-  if (prepare) await page.addInitScript(prepare);
-  return { page, context, wrong };
-}
-
-// Frames drawn, or the error page: whichever comes first.
-async function firstFrame(page) {
-  await page.waitForFunction(
-    () => !document.getElementById("failed").hidden || (window.steadycut && JSON.parse(window.steadycut.state_json()).frames > 0),
-    null,
-    PATIENCE,
-  );
-  assert.equal(await page.locator("#failed").isVisible(), false, `the error page: ${await page.locator("#failed").innerText()}`);
-  assert.equal(await page.locator("#loading").isVisible(), false, "the loading page is still there");
-  return state(page);
-}
-
-const state = async (page) => JSON.parse(await page.evaluate(() => window.steadycut.state_json()));
-
-// Waits until `check(state, argument)`, run in the page, is true.
-async function untilState(page, check, argument) {
-  const source = `(argument) => (${check})(JSON.parse(window.steadycut.state_json()), argument)`;
-  await page.waitForFunction(new Function(`return ${source}`)(), argument, PATIENCE);
-  return state(page);
-}
+const open = ({ from = browser, ...how } = {}) => helpers.open(from, how);
 
 // The state after that many frames: a page at which nothing moves draws none, until a pointer wakes it.
 async function stirred(page, frames) {
@@ -86,23 +38,6 @@ async function stirred(page, frames) {
     assert.ok(Date.now() < end, "frames are drawn");
     await new Promise((resolve) => setTimeout(resolve, PATIENCE.polling));
   }
-}
-
-// A screenshot, kept in shots/, that must show a picture: many colours, none nearly everywhere.
-async function picture(page, name) {
-  const png = await page.screenshot({ path: `${SHOTS}/${name}.png` });
-  const context = await browser.newContext();
-  const counts = await (await context.newPage()).evaluate(async (base64) => {
-    const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
-    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
-    canvas.drawImage(bitmap, 0, 0);
-    const pixels = new Uint32Array(canvas.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer);
-    const count = new Map();
-    for (const pixel of pixels) count.set(pixel, (count.get(pixel) ?? 0) + 1);
-    return { colours: count.size, commonest: Math.max(...count.values()) / pixels.length };
-  }, png.toString("base64"));
-  await context.close();
-  assert.ok(counts.colours > 20 && counts.commonest < 0.98, `${name}: hardly a picture: ${JSON.stringify(counts)}`);
 }
 
 async function errorPage(page, title) {
@@ -403,6 +338,78 @@ test("canvas and text field have a name, and the page can be enlarged", async ()
   assert.doesNotMatch(viewport, /maximum-scale|user-scalable/);
   assert.equal(await page.locator("#canvas").evaluate((canvas) => getComputedStyle(canvas).touchAction), "pinch-zoom");
   assert.deepEqual(wrong, []);
+  await context.close();
+});
+
+// --- for screen readers -----------------------------------------------------------------------
+
+// The page as a screen reader has it: Chromium's own tree, and the keyboard.
+async function reader(page, context) {
+  const cdp = await context.newCDPSession(page);
+  const tree = async () => {
+    const { nodes } = await cdp.send("Accessibility.getFullAXTree");
+    return nodes.filter((node) => !node.ignored);
+  };
+  const named = (nodes, role, name) =>
+    nodes.find((node) => node.role.value === role && (name instanceof RegExp ? name.test(node.name?.value ?? "") : node.name?.value === name));
+  const find = async (role, name) => {
+    const end = Date.now() + PATIENCE.timeout;
+    for (;;) {
+      const nodes = await tree();
+      const found = named(nodes, role, name);
+      if (found) return found;
+      const there = nodes.filter((node) => node.role.value === role).map((node) => node.name?.value);
+      assert.ok(Date.now() < end, `no ${role} ${name} among ${JSON.stringify(there)}`);
+      await new Promise((resolve) => setTimeout(resolve, PATIENCE.polling));
+    }
+  };
+  const press = async (role, name, key = "Enter") => {
+    const { backendDOMNodeId } = await find(role, name);
+    await cdp.send("DOM.focus", { backendNodeId: backendDOMNodeId });
+    await page.keyboard.press(key);
+  };
+  return { tree, find, press };
+}
+
+test("a mission is done with keyboard and screen reader alone", async () => {
+  const { page, context, wrong } = await open();
+  await page.goto(server.url);
+  await firstFrame(page);
+  // The switch is the page's first stop, before the canvas.
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Shift+Tab");
+  assert.equal(await page.evaluate(() => document.activeElement.id), "mirror-switch");
+  await picture(page, "mirror-switch");
+  await page.keyboard.press("Enter");
+  const { tree, find, press } = await reader(page, context);
+  const slider = await find("slider", "Target Ra");
+  assert.ok(slider.properties.some(({ name, value }) => name === "valuemax" && value.value > 0), "a slider tells its range");
+  // Nothing that takes the keyboard is without a name.
+  const stops = (await tree()).filter((node) => node.properties?.some(({ name, value }) => name === "focusable" && value.value));
+  assert.ok(stops.length > 40, `${stops.length} stops`);
+  for (const stop of stops) {
+    const root = stop.role.value === "RootWebArea" || stop.role.value === "application";
+    assert.ok(root || stop.name?.value, `${stop.role.value} without a name: ${JSON.stringify(stop)}`);
+  }
+  await press("button", "Learn");
+  const title = "Why a deeper stretch breaks constant feed";
+  await press("button", `Begin: ${title}`);
+  await press("radio", "It gets rougher", "Space");
+  await press("button", "Next");
+  await press("button", "Next");
+  await press("button", /^Controller/);
+  await press("button", /^Tracking/);
+  // A key that is none of an element's own goes on to the console.
+  await page.keyboard.press("End");
+  await untilState(page, (now) => now.playhead_s > 10);
+  await press("button", "Check my answer");
+  await find("StaticText", /^Passed: \d of 3 stars/);
+  assert.deepEqual(wrong, []);
+  // Remembered in the next visit, and gone when it is switched off.
+  await page.reload();
+  await firstFrame(page);
+  await press("button", "Controls for screen readers");
+  await page.waitForFunction(() => document.getElementById("mirror").hidden, null, PATIENCE);
   await context.close();
 });
 

@@ -119,12 +119,10 @@ fn the_end_of_a_long_run_is_followed_until_it_is_reached() {
     click(&mut window, "End");
     let session = |window: &Window| console(window).session().chosen().is_over();
     assert!(!session(&window), "the run is not long enough for this test");
-    for _ in 0..400 {
+    crate::screen::in_time(|| {
         window.run_steps(1);
-        if session(&window) {
-            break;
-        }
-    }
+        session(&window)
+    });
     window.run_steps(2);
     assert!(!playing(&window) && console(&window).session().finished().is_some());
 }
