@@ -25,7 +25,7 @@ pub const WINDOW_MIN: [f32; 2] = [320.0, 420.0];
 /// Width of the controls beside the plots, points.
 pub const CONTROLS_WIDTH: f32 = 276.0;
 /// Least height of a plot with its axis, points; in one column, where plots are scrolled, more.
-pub const PLOT_HEIGHT_MIN: f32 = 132.0;
+pub const PLOT_HEIGHT_MIN: f32 = 110.0;
 /// See [`PLOT_HEIGHT_MIN`].
 pub const PLOT_HEIGHT_SCROLLED: f32 = 170.0;
 /// Least width of a card of the headline, points; where it is narrow, less.

@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui::{Vec2, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use steadycut::app::command::SessionCommand;
+use steadycut::app::command::{PlaybackCommand, SessionCommand};
 use steadycut::app::session::{Session, TwinStand};
 use steadycut::base::settings::Value;
 use steadycut::run::edits::Edits;
@@ -119,6 +119,32 @@ fn while_it_is_found_that_is_said_and_nothing_jumps() {
         found(&mut screen);
         assert!(!finding(&screen), "{}", texts(&screen));
         assert_eq!(begun, places(&screen));
+    }
+}
+
+/// What is the safe feed once the part has changed ahead of the tool? Another one, from the start of the cut on: that is
+/// said, with both, and is not said before anything is cut.
+#[test]
+fn another_safe_feed_in_the_running_cut_is_said() {
+    let told = |session: &Session| {
+        let all: Vec<String> = session.notices().iter().map(|said| said.text.clone()).collect();
+        all.into_iter().filter(|said| said.contains("safe constant feed is")).collect::<Vec<_>>()
+    };
+    let mut session = settled("depth-step", &[]);
+    session.play(PlaybackCommand::SeekTo(0.0));
+    set(&mut session, "target.ra_um", Value::Float(0.78));
+    to_rest(&mut session);
+    assert_eq!(told(&session), Vec::<String>::new(), "it begins with it");
+    let TwinStand::Safe(before) = session.twin_stand().clone() else { panic!("found") };
+    session.play(PlaybackCommand::SeekTo(3.0));
+    set(&mut session, "target.ra_um", Value::Float(0.7));
+    to_rest(&mut session);
+    let TwinStand::Safe(now) = session.twin_stand().clone() else { panic!("found") };
+    assert!(now.feed_mm_min < before.feed_mm_min, "{now:?} {before:?}");
+    let [said] = &told(&session)[..] else { panic!("{:?}", told(&session)) };
+    for safe in [now, before] {
+        let at = format!("{:.0} mm/min at {:.0} 1/min", safe.feed_mm_min, safe.spindle_rpm);
+        assert!(said.replace('\u{a0}', " ").contains(&at), "{at} in {said}");
     }
 }
 

@@ -137,7 +137,7 @@ fn a_swipe_scrolls_wherever_it_begins() {
     let places: [fn(&Screen<'_>) -> Pos2; 3] = [
         |screen| sentence(screen).center(),
         |screen| {
-            let events = ["8.61 s Depth step", "8.70 s Outside model", "8.61 s First answer"];
+            let events = ["8.61 s Depth step", "8.70 s Outside model", "8.61 s Dead time"];
             let events = events.into_iter().filter_map(|name| screen.query_by_label(name));
             let mut places = events.map(|event| event.rect().center());
             places.find(|at| (30.0..PHONE.x - 30.0).contains(&at.x)).expect("one is in sight")

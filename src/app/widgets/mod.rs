@@ -1,5 +1,6 @@
 //! Widgets that several screens use.
 
+pub mod beside;
 pub mod chart;
 pub mod drop;
 pub mod focus;

@@ -1,5 +1,7 @@
 //! What all plots have in common: their look, their grid, and what the pointer is near to.
 
+use std::ops::RangeInclusive;
+
 use egui::epaint::RectShape;
 use egui::{Rangef, Shape, StrokeKind, Ui};
 use egui_plot::{
@@ -31,7 +33,7 @@ pub fn still<'a>(title: &str, palette: &Palette, [width, height]: [f32; 2]) -> P
         .x_grid_spacer(move |input| grid(input, width / 80.0))
         .y_grid_spacer(move |input| grid(input, height / 27.0))
         .x_axis_formatter(|mark, _| tick(mark))
-        .y_axis_formatter(|mark, _| tick(mark))
+        .y_axis_formatter(move |mark, range| upright_tick(mark, range, height))
         .grid_spacing(Rangef::new(16.0, 300.0))
 }
 
@@ -79,6 +81,16 @@ pub fn grid(input: GridInput, count: f32) -> Vec<GridMark> {
 pub fn tick(mark: GridMark) -> String {
     let decimals = (-(log10(mark.step_size) + 1e-9).floor()).clamp(0.0, 6.0) as usize;
     fixed(mark.value + 0.0, decimals)
+}
+
+/// The same at a vertical axis of a plot so many points high; none at its very foot, where the first label of the
+/// horizontal axis stands.
+fn upright_tick(mark: GridMark, range: &RangeInclusive<f64>, height: f32) -> String {
+    /// Half the height of a label, points.
+    const HALF: f64 = 7.0;
+    let above = (mark.value - range.start()) / (range.end() - range.start()).max(f64::MIN_POSITIVE);
+    let free = above * f64::from(height) >= HALF;
+    if free { tick(mark) } else { String::new() }
 }
 
 /// Grid lines of a logarithmic axis: powers of ten, and twice and five times them where there is

@@ -13,6 +13,7 @@ use super::super::format;
 use super::super::framed;
 use super::super::session::LOCKED;
 use super::super::theme::Palette;
+use super::beside::help_beside;
 use super::number::NumberField;
 use super::{focus, touch};
 use crate::base::language::{decimal, tr};
@@ -253,7 +254,7 @@ fn choice(
                 let options: Vec<_> = options.iter().filter(|option| offered(option.id)).collect();
                 for option in options {
                     let response = ui.selectable_label(option.id == now, tr(option.label));
-                    let response = response.on_hover_text(tr(option.doc).replace('\n', " "));
+                    help_beside(&response, &tr(option.doc).replace('\n', " "));
                     if response.clicked() && option.id != now {
                         change(Value::Text(option.id.to_owned()));
                     }

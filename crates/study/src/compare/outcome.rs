@@ -124,6 +124,8 @@ pub struct Outcome {
     pub outside: Option<Outside>,
     /// Whether the loop was unstable in any stretch, as the run's story judges it.
     pub unstable: bool,
+    /// Whether the machine chattered in any stretch, as the run's story judges it.
+    pub chattered: bool,
     /// Whether an overload or a crash stopped the machine.
     pub force_stop: bool,
     /// Digest of the run, which anybody can recompute.
@@ -140,7 +142,11 @@ impl Outcome {
         let steps = samples
             .windows(2)
             .map(|pair| (pair[1].feed_override_percent - pair[0].feed_override_percent).abs());
-        let unstable = unstable(run);
+        let told = judged_by_story(run).then(|| Story::of(run, None));
+        let stretches = |kind| {
+            told.as_ref().map_or(Vec::new(), |story| story.stretches_until(kind, f64::INFINITY))
+        };
+        let unstable = stretches(EventKind::LimitCycle);
         let longest_s = metrics.time_of_cut_s.max(run.scenario().control_period_s());
         Self {
             nsn: metrics.normalized_standard_error,
@@ -156,6 +162,7 @@ impl Outcome {
             override_travel_percent_s: steps.sum::<f64>() / longest_s,
             outside: Outside::of(run, &unstable),
             unstable: !unstable.is_empty(),
+            chattered: !stretches(EventKind::Chatter).is_empty(),
             force_stop: matches!(
                 run.end(),
                 Some(End::Overload(_) | End::Crash(_) | End::Breakage(_))
@@ -182,11 +189,15 @@ impl Outcome {
 
 /// The stretches of time in s in which the run's story calls it unstable: the console's judgement.
 pub(super) fn unstable(run: &Run) -> Vec<[f64; 2]> {
-    // A feed that nothing moves cannot swing with the force, and a story costs some time.
-    if run.scenario().controller.kind == ControllerKind::ConstantFeed {
-        return Vec::new();
-    }
-    Story::of(run, None).stretches_until(EventKind::LimitCycle, f64::INFINITY)
+    let told = judged_by_story(run).then(|| Story::of(run, None));
+    told.map_or(Vec::new(), |story| story.stretches_until(EventKind::LimitCycle, f64::INFINITY))
+}
+
+/// Whether a run can swing at all: a feed that nothing moves cannot with the force, nor a machine that does not vibrate
+/// with its teeth, and a story costs some time.
+fn judged_by_story(run: &Run) -> bool {
+    let scenario = run.scenario();
+    scenario.controller.kind != ControllerKind::ConstantFeed || scenario.coupled_machine().is_some()
 }
 
 /// Force over desired force as running means of four control samples in contact, with the place of
@@ -232,6 +243,22 @@ fn longest_overload(samples: &[&Row]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::run::edits::Edits;
+    use crate::run::presets;
+
+    /// Constant feed as well as a controller: chatter is the machine's, whoever has the feed.
+    #[test]
+    fn a_machine_that_chatters_is_told_of_and_one_that_is_quiet_is_not() {
+        for kind in [ControllerKind::ConstantFeed, ControllerKind::Sdnrp] {
+            let of = |preset: &str| {
+                let mut scenario = presets::load(preset).unwrap();
+                scenario.change(|settings| settings.controller.kind = kind).unwrap();
+                Outcome::of(&Run::complete(&scenario, &Edits::none()))
+            };
+            assert!(of("chatter").chattered, "{kind:?}");
+            assert!(!of("depth-step").chattered, "{kind:?}");
+        }
+    }
 
     #[test]
     fn an_overload_is_counted_where_the_mean_of_four_is_high_and_ends_in_the_air() {

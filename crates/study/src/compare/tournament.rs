@@ -31,6 +31,8 @@ pub struct Compared {
     pub finished: usize,
     /// Runs of them whose loop was unstable in any stretch.
     pub unstable: usize,
+    /// Runs of them in which the machine chattered.
+    pub chattered: usize,
     /// Whether its runs of two seeds or more are the same to the bit: nothing random acts, and they tell no spread.
     pub same: bool,
     /// Digest of its run of seed 1, once that is done.
@@ -131,6 +133,7 @@ impl Tournament {
             force_stops: self.outcomes(entrant).filter(|outcome| outcome.force_stop).count(),
             finished: self.outcomes(entrant).filter(|outcome| outcome.time_s.is_some()).count(),
             unstable: self.outcomes(entrant).filter(|outcome| outcome.unstable).count(),
+            chattered: self.outcomes(entrant).filter(|outcome| outcome.chattered).count(),
             same: self.outcomes(entrant).count() > 1 && {
                 let mut digests = self.outcomes(entrant).map(|outcome| &outcome.digest);
                 let first = digests.next();

@@ -1,13 +1,15 @@
 //! What is compared and how long: part, dead time, material, who takes part, seeds, run and pause.
 
-use egui::{CollapsingHeader, Label, ProgressBar, RichText, Role, Ui, WidgetInfo};
+use egui::{
+    Button, CollapsingHeader, Color32, Label, ProgressBar, RichText, Role, TextStyle, Ui,
+    WidgetInfo, vec2,
+};
 
 use super::contest::{ContestDeadTime, ContestPart, ContestSetup, Contests, Stock};
 use crate::app::format;
 use crate::app::jobs::time_left;
 use crate::app::session::Session;
 use crate::app::theme::Palette;
-use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::number::NumberField;
 use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
@@ -49,16 +51,13 @@ pub fn show(ui: &mut Ui, contests: &mut Contests, session: &Session, narrow: boo
         });
         let running = contests.shown().is_some_and(|contest| contest.work.is_running());
         let possible = contests.shown().is_some() && !over;
-        if running {
-            let help = tr("Stands still; what is done stays");
-            if icon::button(ui, Icon::Pause, tr("Pause the comparison"), help, true).clicked() {
-                contests.shown().iter().for_each(|contest| contest.work.stop());
-            }
-        } else {
-            let help = tr("Runs everybody on every seed; it goes on while other screens are shown");
-            if icon::button(ui, Icon::Play, tr("Run the comparison"), help, possible).clicked() {
-                contests.shown().iter().for_each(|contest| contest.work.go_on());
-            }
+        let names = [tr("Run the comparison"), tr("Pause the comparison")];
+        let help = tr("Runs everybody on every seed; it goes on while other screens are shown");
+        if run_or_pause(ui, names, help, running, possible) {
+            contests.shown().iter().for_each(|contest| match running {
+                true => contest.work.stop(),
+                false => contest.work.go_on(),
+            });
         }
         let name = ui.label(tr("Seeds")).id;
         let field = NumberField {
@@ -198,6 +197,28 @@ fn not_repeated(session: &Session) -> Vec<String> {
 
 /// Changes that are named; the others are counted.
 const MOST_NAMED: usize = 4;
+
+/// A button that begins a work, or lets it stand still, by its names for both; whether it was pressed. It is as wide as
+/// the longer one, so that nothing moves.
+pub fn run_or_pause(
+    ui: &mut Ui,
+    [run, pause]: [&str; 2],
+    help: &str,
+    running: bool,
+    possible: bool,
+) -> bool {
+    let font = TextStyle::Button.resolve(ui.style());
+    let wide = |text: &str| {
+        ui.painter().layout_no_wrap(text.to_owned(), font.clone(), Color32::PLACEHOLDER).size().x
+    };
+    let width = wide(run).max(wide(pause)) + 2.0 * ui.spacing().button_padding.x;
+    let (name, help) = match running {
+        true => (pause, tr("Stands still; what is done stays")),
+        false => (run, help),
+    };
+    let button = Button::new(name).min_size(vec2(width, 0.0));
+    ui.add_enabled(running || possible, button).on_hover_text(help).clicked()
+}
 
 /// A row of choices, one of them taken.
 fn choose<T: Copy + PartialEq>(

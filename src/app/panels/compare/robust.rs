@@ -4,12 +4,12 @@
 use egui::{ProgressBar, RichText, TextWrapMode, Ui};
 
 use super::contest::Robust;
+use super::controls::run_or_pause;
 use super::sheets;
 use super::table::value;
 use crate::app::command::Command;
 use crate::app::jobs::Jobs;
 use crate::app::theme::Palette;
-use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::save_table::{SavedTable, TableOf, save_table_of};
 use crate::app::widgets::scaffold;
 use crate::app::widgets::standing::Standing;
@@ -38,15 +38,13 @@ pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs, commands: &mut Vec<Co
     let (done, all) = (progress.done.floor() as u64, progress.total as u64);
     ui.horizontal_wrapped(|ui| {
         let over = done >= all;
-        if robust.is_running() {
-            let help = tr("Stands still; what is done stays");
-            if icon::button(ui, Icon::Pause, tr("Pause the conditions"), help, true).clicked() {
-                robust.stop();
-            }
-        } else {
-            let help = tr("Runs everybody under every condition");
-            if icon::button(ui, Icon::Play, tr("Run the conditions"), help, !over).clicked() {
-                robust.go_on(jobs);
+        let names = [tr("Run the conditions"), tr("Pause the conditions")];
+        let running = robust.is_running();
+        let help = tr("Runs everybody under every condition");
+        if run_or_pause(ui, names, help, running, !over) {
+            match running {
+                true => robust.stop(),
+                false => robust.go_on(jobs),
             }
         }
         ui.add(ProgressBar::new(progress.share() as f32).desired_width(120.0).desired_height(10.0));

@@ -181,7 +181,9 @@ fn troubles(one: &Compared) -> impl Iterator<Item = String> {
     };
     let unstable =
         (one.unstable > 0).then(|| tr!("{n} of {all} unstable", n = one.unstable, all = all));
-    ended.into_iter().chain(unstable)
+    let chattered =
+        (one.chattered > 0).then(|| tr!("{n} of {all} chattered", n = one.chattered, all = all));
+    ended.into_iter().chain(unstable).chain(chattered)
 }
 
 /// The table as a grid.

@@ -111,7 +111,9 @@ fn longest(view: &View<'_>) -> [Longest; 5] {
         false => tr!("{error} outside", error = error),
     };
     let whole = format::quantity(120.0, "mm");
-    let plain = vec![tr("of the length cut").to_owned(), unjudged];
+    let both = tr!("{over} % rough, {under} % smoother", over = over, under = over);
+    let both = Some(both).filter(|_| !narrow);
+    let plain = [tr("of the length cut").to_owned(), unjudged].into_iter().chain(both);
     let shaken = [tr!("without dynamics {share}", share = share)].into_iter().filter(|_| shakes);
     [
         Longest {
@@ -123,7 +125,7 @@ fn longest(view: &View<'_>) -> [Longest; 5] {
             titles: vec![titles[1]],
             values: vec![share.clone(), tr("not judged").to_owned()],
             below: [
-                plain.into_iter().chain(shaken).collect(),
+                plain.chain(shaken).collect(),
                 vec![twin(scrap), twin(tr!("{share}, rest smoother", share = share))],
             ],
         },

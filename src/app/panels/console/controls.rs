@@ -12,6 +12,7 @@ use crate::app::panels::View;
 use crate::app::panels::machine::STABILITY;
 use crate::app::session::NO_OTHER_SCENARIO;
 use crate::app::theme::Palette;
+use crate::app::widgets::beside::help_beside;
 use crate::app::widgets::setting::{Size, setting};
 use crate::app::widgets::target::target as target_of;
 use crate::base::language::{text, tr};
@@ -163,7 +164,8 @@ pub fn scenarios(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
                 for preset in presets::of_group(*group) {
                     let help = format!("{}: steadycut run {0}", preset.name);
                     let choice = ui.selectable_label(preset.name == info.name, tr(preset.title));
-                    if choice.on_hover_text(help).clicked() {
+                    help_beside(&choice, &help);
+                    if choice.clicked() {
                         let load = SessionCommand::LoadPreset(preset.name.to_owned());
                         commands.push(Command::Session(load));
                     }

@@ -367,10 +367,20 @@ fn sides(of: &Metrics, reference: Reference) -> String {
     }
 }
 
-/// What is said of a cut outside its tolerance in one line: how much of it is too rough, or else how much is smoother.
+/// What is said of a cut outside its tolerance in one line: how much of it is too rough, and how much is smoother.
 fn side_foremost(of: &Metrics, reference: Reference) -> String {
     let over = of.judged_above_tolerance_percent().unwrap_or(0.0);
-    let under = 100.0 - of.judged_in_tolerance_percent().unwrap_or(100.0);
+    let outside = 100.0 - of.judged_in_tolerance_percent().unwrap_or(100.0);
+    let under = (outside - over).max(0.0);
+    if !is_none(over) && !is_none(under) {
+        let [over, under] = [over, under].map(|share| format::number(share, "%"));
+        return match reference {
+            Reference::Ra => {
+                tr!("{over} % rough, {under} % smoother", over = over, under = under)
+            }
+            Reference::Force => tr!("{over} % above, {under} % below", over = over, under = under),
+        };
+    }
     let share = format::number(if is_none(over) { under } else { over }, "%");
     match (reference, is_none(over)) {
         (Reference::Ra, true) => tr!("{share} % smoother, no scrap", share = share),

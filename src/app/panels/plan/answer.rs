@@ -207,7 +207,7 @@ fn values(ui: &mut Ui, optimum: &Optimum) {
             (tr("with tool changes"), format::quantity(optimum.production_time_s, "s")),
         ],
         [
-            (tr("Cost of cut"), format::fine(optimum.cost, "")),
+            (tr("Cost of cut, your currency"), format::fine(optimum.cost, "")),
             (tr("Objective"), format::fine(optimum.score.value, "")),
         ],
     ];

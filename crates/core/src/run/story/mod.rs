@@ -227,7 +227,7 @@ impl EventKind {
             Self::TargetChange => text!("Target"),
             Self::Disturbance => text!("Disturbance"),
             Self::SettingChange => text!("Setting"),
-            Self::DeadTime => text!("First answer"),
+            Self::DeadTime => text!("Dead time"),
             Self::Saturation => text!("At a limit"),
             Self::OutsideModel => text!("Outside model"),
             Self::Chatter => text!("Chatter"),
