@@ -113,6 +113,25 @@ fn the_open_scenario_is_compared_and_the_table_fills() {
     }
 }
 
+/// Is my own script better? It takes part where the console runs it, on the parts of 2005 as well, and nowhere else.
+#[test]
+fn a_script_of_ones_own_takes_part_where_the_console_runs_one() {
+    let mut without = open(SIZES[0]);
+    assert!(
+        without.query_by_label("Own script").is_none() && !texts(&without).contains("Own script")
+    );
+    without.run_steps(1);
+    let mut screen = screen::open("own-controller", SIZES[0], "Compare", &[]);
+    assert!(screen.query_by_label("Load Own script").is_some(), "{}", texts(&screen));
+    leave(&mut screen, &["P"]);
+    screen.get_by_role_and_label(Role::SpinButton, "Seeds").set_value_accesskit(1.0);
+    screen.run_steps(2);
+    finish(&mut screen);
+    assert!(texts(&screen).contains("2 of 2 runs done") || texts(&screen).contains("\ndone"));
+    click(&mut screen, "Part: Experiment 2");
+    assert!(screen.query_by_label("Load Own script").is_some(), "{}", texts(&screen));
+}
+
 #[test]
 fn who_takes_part_can_be_chosen_and_a_run_loaded() {
     let mut screen = open(SIZES[0]);

@@ -64,7 +64,8 @@ impl Panel for ComparePanel {
     }
 
     fn ui(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        self.contests.follow(view.session.current(), view.jobs);
+        let may_run_script = !view.session.waits_for_consent();
+        self.contests.follow(view.session.current(), may_run_script, view.jobs);
         let margin =
             Frame::new().inner_margin(Margin::symmetric(if view.narrow { 8 } else { 12 }, 6));
         scaffold::column(ui, "compare").show(ui, |ui| {

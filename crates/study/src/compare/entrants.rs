@@ -106,9 +106,21 @@ pub const ROUGHNESS: &[Method] = &[
 pub const SHOP: &[Method] =
     &[Method { id: "afc", name: "AFC", apply: |s| s.controller.kind = ControllerKind::Afc }];
 
-/// Every way of control that there is, in the order of tables.
+/// A script of the user's own, which stands in the scenario: it takes part where the scenario brings one.
+pub const OWN: &[Method] = &[Method {
+    id: "script",
+    name: text!("Own script"),
+    apply: |s| s.controller.kind = ControllerKind::Script,
+}];
+
+/// Every way of control that the program brings, in the order of tables.
 pub fn methods() -> impl Iterator<Item = &'static Method> {
     TABLE_1.iter().chain(BEYOND).chain(ROUGHNESS).chain(SHOP)
+}
+
+/// The same, and a script of one's own after them.
+pub fn methods_and_own() -> impl Iterator<Item = &'static Method> {
+    methods().chain(OWN)
 }
 
 /// Sets a dead time in s that the controllers know.

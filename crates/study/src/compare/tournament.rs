@@ -190,6 +190,7 @@ impl Job for Tournament {
 
 #[cfg(test)]
 mod tests {
+    use super::super::entrants::{OWN, on};
     use super::*;
     use crate::blocks::control::ControllerKind;
     use crate::run::presets;
@@ -207,6 +208,18 @@ mod tests {
             Entrant { name: kind.label().to_owned(), scenario }
         };
         kinds.map(entrant).to_vec()
+    }
+
+    /// The script of the scenario is what runs, as it does alone, whatever has the feed in the scenario.
+    #[test]
+    fn a_script_of_ones_own_takes_part_as_it_runs_alone() {
+        let base = presets::load("own-controller").unwrap();
+        let alone = Run::complete(&scenario_of(&base, 1), &Edits::none());
+        let base = base.with(|s| s.controller.kind = ControllerKind::Tracking).unwrap();
+        let mut tournament = Tournament::new(on(&base, OWN), 1);
+        tournament.to_end();
+        let [own] = &tournament.table()[..] else { panic!("one entrant") };
+        assert_eq!(own.digest, Some(alone.recording().digest()));
     }
 
     #[test]

@@ -6,12 +6,14 @@ use std::sync::Arc;
 use crate::app::jobs::{Jobs, Work};
 use crate::base::language::{text, tr};
 use crate::base::settings::{SettingError, Value};
+use crate::blocks::control::ControllerKind;
+use crate::blocks::control::script::ScriptSettings;
 use crate::blocks::cutting::material::Material;
 use crate::blocks::reference::Reference;
 use crate::run::job::Progress;
 use crate::run::scenario::Scenario;
 use crate::study::compare::contest::{ContestJob, ContestSoFar};
-use crate::study::compare::entrants::{Entrant, Method, ROUGHNESS, SHOP, methods};
+use crate::study::compare::entrants::{Entrant, Method, OWN, ROUGHNESS, SHOP, methods_and_own};
 use crate::study::compare::entrants::{experiment_2, experiment_2_per_cut, on, set_dead_time};
 use crate::study::compare::load_step::{self, Transient};
 use crate::study::compare::robustness::{self, RobustnessRow};
@@ -72,8 +74,11 @@ pub struct ContestSetup {
     pub dead_time: ContestDeadTime,
     /// The material.
     pub stock: Stock,
-    /// Who takes part in the parts of 2005 and in the console's cut, in the order of [`methods`].
+    /// Who takes part in the parts of 2005 and in the console's cut, in the order of [`methods_and_own`].
     takes_part: [Vec<bool>; 2],
+    /// The script that the console runs, which then can take part; none where it runs none, or one that came with a file
+    /// or a link and was not allowed to run yet.
+    script: Option<ScriptSettings>,
 }
 
 impl Default for ContestSetup {
@@ -81,8 +86,9 @@ impl Default for ContestSetup {
         let (part, dead_time, stock) = (ContestPart::Open, ContestDeadTime::AsIs, Stock::AsIs);
         // Those of Ra, and what has yet to be taught in, have no place in the part of 2005 until they are
         // asked for.
-        let of_2005 = methods().map(|method| !of_roughness(method) && !of_shop(method)).collect();
-        Self { part, dead_time, stock, takes_part: [of_2005, methods().map(|_| true).collect()] }
+        let of_2005 = methods_and_own().map(|method| !of_roughness(method) && !of_shop(method));
+        let takes_part = [of_2005.collect(), methods_and_own().map(|_| true).collect()];
+        Self { part, dead_time, stock, takes_part, script: None }
     }
 }
 
@@ -96,13 +102,25 @@ fn of_shop(method: &Method) -> bool {
     SHOP.iter().any(|other| other.id == method.id)
 }
 
+/// Whether it is the user's own script.
+pub fn is_own(method: &Method) -> bool {
+    OWN.iter().any(|other| other.id == method.id)
+}
+
 impl ContestSetup {
-    /// Who takes part, in the order of [`methods`].
-    pub fn chosen(&self) -> &[bool] {
-        &self.takes_part[usize::from(self.part == ContestPart::Open)]
+    /// Who takes part, in the order of [`methods_and_own`].
+    pub fn chosen(&self) -> Vec<bool> {
+        let asked = &self.takes_part[usize::from(self.part == ContestPart::Open)];
+        let can = methods_and_own().map(|method| !is_own(method) || self.has_script());
+        can.zip(asked).map(|(can, asked)| can && *asked).collect()
     }
 
-    /// See [`Self::chosen`].
+    /// Whether the console runs a script, which then can take part.
+    pub fn has_script(&self) -> bool {
+        self.script.is_some()
+    }
+
+    /// Who is asked to take part, in the same order.
     pub fn chosen_mut(&mut self) -> &mut [bool] {
         &mut self.takes_part[usize::from(self.part == ContestPart::Open)]
     }
@@ -110,7 +128,8 @@ impl ContestSetup {
     /// Whether ways of control by Ra are left out of a part of 2005.
     pub fn leaves_roughness_out(&self) -> bool {
         let left_out = |(method, chosen): (&Method, &bool)| of_roughness(method) && !chosen;
-        self.part != ContestPart::Open && methods().zip(self.chosen()).any(left_out)
+        let chosen = self.chosen();
+        self.part != ContestPart::Open && methods_and_own().zip(&chosen).any(left_out)
     }
 
     /// The part's scenario as it is milled.
@@ -120,6 +139,9 @@ impl ContestSetup {
             ContestPart::PerCut => experiment_2_per_cut(),
             ContestPart::Open => open.clone(),
         };
+        if let Some(script) = &self.script {
+            base.change(|settings| settings.controller.script = script.clone())?;
+        }
         let dead_time_s = match self.dead_time {
             ContestDeadTime::AsIs => None,
             ContestDeadTime::None => Some(0.0),
@@ -196,7 +218,8 @@ impl Contest {
     /// Whether AFC takes part without a reference force: it then cuts as conventional milling does.
     pub fn teaches_in(&self) -> bool {
         let untaught = self.base.controller.afc.references_n.is_empty();
-        untaught && methods().zip(&self.chosen).any(|(method, chosen)| of_shop(method) && *chosen)
+        let mut all = methods_and_own().zip(&self.chosen);
+        untaught && all.any(|(method, chosen)| of_shop(method) && *chosen)
     }
 
     /// The scenario that is compared.
@@ -319,8 +342,11 @@ impl Default for Contests {
 }
 
 impl Contests {
-    /// Shows the tournament of the present set-up, a new one if there is none.
-    pub fn follow(&mut self, open: &Scenario, jobs: &Jobs) {
+    /// Shows the tournament of the present set-up, a new one if there is none. A script of the open scenario takes part
+    /// only where it may be run.
+    pub fn follow(&mut self, open: &Scenario, may_run_script: bool, jobs: &Jobs) {
+        let runs = open.controller.kind == ControllerKind::Script && may_run_script;
+        self.setup.script = runs.then(|| open.controller.script.clone());
         let open_part = (self.setup.part == ContestPart::Open).then_some(open);
         let same = self.followed.as_ref().is_some_and(|(setup, scenario)| {
             *setup == self.setup && scenario.as_ref() == open_part
@@ -337,7 +363,8 @@ impl Contests {
     fn show(&mut self, open: &Scenario, jobs: &Jobs) {
         self.refused = None;
         self.shown = None;
-        if !self.setup.chosen().contains(&true) {
+        let chosen = self.setup.chosen();
+        if !chosen.contains(&true) {
             return;
         }
         let base = match self.setup.base(open) {
@@ -347,14 +374,14 @@ impl Contests {
                 return;
             }
         };
-        let same = |one: &Contest| one.chosen == self.setup.chosen() && one.base == base;
+        let same = |one: &Contest| one.chosen == chosen && one.base == base;
         let found = self.kept.iter().position(same).unwrap_or_else(|| {
             if self.kept.len() >= KEPT {
                 self.kept.remove(0);
             }
-            let chosen = methods().zip(self.setup.chosen()).filter(|(_, chosen)| **chosen);
-            let chosen: Vec<Method> = chosen.map(|(method, _)| *method).collect();
-            let entrants = on(&base, &chosen);
+            let methods = methods_and_own().zip(&chosen).filter(|(_, chosen)| **chosen);
+            let methods: Vec<Method> = methods.map(|(method, _)| *method).collect();
+            let entrants = on(&base, &methods);
             let of = match self.setup.part {
                 ContestPart::Open => base.info.name.as_str(),
                 part @ (ContestPart::Experiment2 | ContestPart::PerCut) => tr(part.label()),
@@ -362,7 +389,7 @@ impl Contests {
             let name = tr!("Compare: {what}", what = of);
             let job = ContestJob::new(entrants.clone(), self.seeds);
             let work = jobs.take(name, job, FIRST);
-            let (chosen, latest) = (self.setup.chosen().to_vec(), work.partial());
+            let (chosen, latest) = (chosen.clone(), work.partial());
             let load_step_n = load_step::forces_n(&base);
             let seeds = self.seeds;
             self.kept.push(Contest { base, load_step_n, chosen, entrants, seeds, work, latest });

@@ -5,7 +5,7 @@ use egui::{
     WidgetInfo, vec2,
 };
 
-use super::contest::{ContestDeadTime, ContestPart, ContestSetup, Contests, Stock};
+use super::contest::{ContestDeadTime, ContestPart, ContestSetup, Contests, Stock, is_own};
 use crate::app::format;
 use crate::app::jobs::time_left;
 use crate::app::session::Session;
@@ -19,7 +19,7 @@ use crate::blocks::control::ControllerKind;
 use crate::run::job::Progress;
 use crate::run::presets;
 use crate::run::scenario::{Scenario, param};
-use crate::study::compare::entrants::{Method, methods};
+use crate::study::compare::entrants::{Method, methods_and_own};
 
 /// Least and most seeds.
 const SEEDS: [u32; 2] = [1, 500];
@@ -133,7 +133,11 @@ fn more(ui: &mut Ui, setup: &mut ContestSetup) {
     choose(ui, tr("Material"), Stock::ALL, Stock::OPTIONS, Stock::label, &mut setup.stock);
     ui.horizontal_wrapped(|ui| {
         ui.label(tr("Who takes part:"));
-        for (method, chosen) in methods().zip(setup.chosen_mut()) {
+        let has_script = setup.has_script();
+        for (method, chosen) in methods_and_own().zip(setup.chosen_mut()) {
+            if is_own(method) && !has_script {
+                continue;
+            }
             let choice = touch::choice(ui, *chosen, tr(method.name)).on_hover_text(about(method));
             if choice.clicked() {
                 *chosen = !*chosen;
