@@ -563,6 +563,10 @@ as-programmed = wie programmiert
 feed-and-speed-of-the-program-whatever-they = Vorschub und Drehzahl des Programms, was immer sie der Oberfläche antun.
 at-any-speed = Mit jeder Drehzahl
 whether-the-safe-feed-may-have-another-spind = Ob der sichere Vorschub eine andere Spindeldrehzahl als die programmierte haben darf, innerhalb der Grenzen von Maschine und Kraftmodell: von allen Paaren das mit der kürzesten Schnittzeit.
+radial-profile = Breitenprofil
+profile-of-the-radial-depth-from-each-positi = Profil der Schnittbreite: ab jeder Position die mit ihr angegebene Schnittbreite. Zahn für Zahn liegt die Wand dann dort, wo jeder Abschnitt seine Schnittbreite hat; ohne Profil bleibt sie, wo sie am Anfang ist.
+radial-step = Breitensprung
+mm-wide = { " " }mm breit
 
 ## ends
 

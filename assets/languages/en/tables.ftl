@@ -563,6 +563,10 @@ as-programmed = as programmed
 feed-and-speed-of-the-program-whatever-they = Feed and speed of the program, whatever they do to the surface.
 at-any-speed = At any speed
 whether-the-safe-feed-may-have-another-spind = Whether the safe feed may have another spindle speed than the programmed one, within the limits of the machine and of the force model: of all pairs the one with the least time of cut.
+radial-profile = Radial profile
+profile-of-the-radial-depth-from-each-positi = Profile of the radial depth: from each position on, the radial depth of cut given with it. Tooth by tooth the wall then lies where every stretch has its radial depth; without a profile it stays where the start has it.
+radial-step = radial step
+mm-wide = { " " }mm wide
 
 ## ends
 

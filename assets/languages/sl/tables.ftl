@@ -563,6 +563,10 @@ as-programmed = kot programirano
 feed-and-speed-of-the-program-whatever-they = Podajanje in vrtilna hitrost programa, kar koli že naredita površini.
 at-any-speed = Pri vsaki hitrosti
 whether-the-safe-feed-may-have-another-spind = Ali ima varno podajanje lahko drugo vrtilno hitrost od programirane, v mejah stroja in modela sile: od vseh parov tista z najkrajšim časom reza.
+radial-profile = Radialni profil
+profile-of-the-radial-depth-from-each-positi = Profil radialne globine: od vsakega položaja naprej z njim podana radialna globina rezanja. Zob za zobom stena tedaj leži tam, kjer ima vsak odsek svojo radialno globino; brez profila ostane, kjer je na začetku.
+radial-step = stopnica širine
+mm-wide = { " " }mm širine
 
 ## ends
 

@@ -30,7 +30,7 @@ use crate::base::units::percent_from_ratio;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::cutting::workpiece::Workpiece;
-use crate::models::part::APPROACH_MM;
+use crate::models::part::{APPROACH_MM, RadialSteps};
 use crate::models::plan::PlannedSection;
 use crate::run::edits::Edits;
 use crate::run::job::{Budget, Job, Progress};
@@ -247,6 +247,7 @@ fn one_cut(scenario: &Scenario, section: PlannedSection) -> Result<Scenario, Set
                 axial_depth_mm: place.axial_depth_mm,
                 radial_depth_mm: place.radial_depth_mm,
                 depth_steps: Vec::new(),
+                radial_steps: RadialSteps::default(),
                 cuts: Vec::new(),
             };
         })?;

@@ -9,7 +9,9 @@
 
 mod shapes;
 
-pub use shapes::{DepthStep, MAX_CUTS, MAX_SECTIONS, MAX_STEPS, MIN_SECTION_MM, Section};
+pub use shapes::{
+    DepthStep, MAX_CUTS, MAX_SECTIONS, MAX_STEPS, MIN_SECTION_MM, RadialSteps, Section,
+};
 
 /// Distance in mm that a cut starts before the part's edge: the tool comes in from the air.
 pub const APPROACH_MM: f64 = 7.6;
@@ -28,6 +30,8 @@ pub struct ProgrammedPart<'a> {
     pub radial_depth_mm: f64,
     /// Depth profile of the one path.
     pub depth_steps: &'a [DepthStep],
+    /// Profile of the radial depth of the one path; empty where it is the same all along.
+    pub radial_steps: &'a [DepthStep],
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,8 +116,7 @@ impl CutPath {
     #[must_use]
     pub fn section_at(&self, x_mm: f64) -> [f64; 2] {
         let inside = x_mm >= self.from_mm;
-        let here = self.stretches.iter().find(|stretch| x_mm <= stretch.to_mm);
-        match here {
+        match self.stretch_at(x_mm) {
             Some(stretch) if inside => [stretch.axial_depth_mm, stretch.wall_mm],
             _ => [0.0, 0.0],
         }
@@ -140,12 +143,17 @@ impl CutPath {
         if x_mm < self.from_mm {
             return 0.0;
         }
-        for stretch in &self.stretches {
-            if x_mm <= stretch.to_mm {
-                return if y_mm >= stretch.wall_mm { stretch.axial_depth_mm } else { 0.0 };
-            }
+        match self.stretch_at(x_mm) {
+            Some(stretch) if y_mm >= stretch.wall_mm => stretch.axial_depth_mm,
+            _ => 0.0,
         }
-        0.0
+    }
+
+    /// The first section that does not end before `x_mm`.
+    #[inline]
+    fn stretch_at(&self, x_mm: f64) -> Option<&Stretch> {
+        // A path of one's own has hundreds of them, and every tooth asks in every plant step.
+        self.stretches.get(self.stretches.partition_point(|stretch| stretch.to_mm < x_mm))
     }
 }
 

@@ -19,6 +19,7 @@ const BASES: &[(&str, &[&str])] = &[
     ),
     ("table3-5-noise", &["cnc.override_rate_limited=true", "noise.inhomogeneity_percent=0"]),
     ("own-formula", &["controller.kind=sdnrp", "run.duration_s=2.6"]),
+    ("table3-5", &["workpiece.radial_steps=[[4.0, 2.0]]"]),
     ("depth-step", &["noise.level=1", "cnc.force_stop=true", "workpiece.depth_steps=[[8.0, 3.0]]"]),
     ("strategy-2013", &["tool.shape=bull_nose", "controller.kind=division"]),
     (

@@ -72,6 +72,7 @@ pub fn steady(base: &Scenario) -> Result<Scenario, String> {
         s.controller.kind = ControllerKind::ConstantFeed;
         s.workpiece.cuts.clear();
         s.workpiece.depth_steps.clear();
+        s.workpiece.radial_steps.clear();
         s.disturbances = Disturbances::default();
         s.workpiece.length_mm = LONGEST_MM;
         s.program.cut_feeds_mm_min.clear();

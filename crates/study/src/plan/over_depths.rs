@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::constraints::Checked;
 use super::machine::MachineLimits;
 use super::optimum::Optimum;
-use super::problem::{LEAST_DEPTH_MM, Problem, path_depths_mm};
+use super::problem::{LEAST_DEPTH_MM, Problem};
 use crate::base::equation::number;
 use crate::base::language::{fixed, tr};
 use crate::base::stats;
@@ -97,9 +97,11 @@ fn depths_of(scenario: &Scenario) -> Vec<[f64; 2]> {
         let wall = wall_mm(&outline, axial_mm, radial_mm);
         // Formulas and networks take the radial depth as it is set; the teeth meet a wall that stays.
         let by_teeth = scenario.plant.force_model.tooth_by_tooth();
+        let has_walls = by_teeth && workpiece.radial_steps.is_empty();
         let radial =
-            |depth| if by_teeth { radial_depth_mm(&outline, depth, wall) } else { radial_mm };
-        path_depths_mm(workpiece).map(|depth| [depth, radial(depth)]).collect()
+            |axial, set| if has_walls { radial_depth_mm(&outline, axial, wall) } else { set };
+        let places = workpiece.places_mm().into_iter();
+        places.map(|[axial, set]| [axial, radial(axial, set)]).collect()
     } else {
         let sections = workpiece.cuts.iter().flatten();
         let places =
@@ -189,6 +191,7 @@ impl CutInRun {
             s.controller.constant_feed = Default::default();
             s.workpiece.axial_depth_mm = planned.axial_depth_mm;
             s.workpiece.radial_depth_mm = planned.radial_depth_mm;
+            s.workpiece.radial_steps.clear();
             s.noise.level = 0.0;
             s.machine.coupled = false;
         });

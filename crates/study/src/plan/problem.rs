@@ -18,7 +18,6 @@ use super::surface::ForceSurface;
 use crate::base::language::tr;
 use crate::base::math;
 use crate::base::settings::SettingError;
-use crate::blocks::cutting::workpiece::Workpiece;
 use crate::blocks::reference::desired_force;
 use crate::models::plan::{ForceLimit, PlanSettings, PlannedSection};
 use crate::models::tool::Tool;
@@ -62,27 +61,20 @@ fn refused(path: &str, value: String, allowed: String) -> SettingError {
     SettingError::Refused { path: path.to_owned(), value, allowed }
 }
 
-/// The axial depths of the one path in mm, as they come.
-pub(super) fn path_depths_mm(workpiece: &Workpiece) -> impl Iterator<Item = f64> {
-    // A step at the very start of the path replaces the first depth.
-    let first = match workpiece.depth_steps.first() {
-        Some([position_mm, _]) if *position_mm == 0.0 => None,
-        _ => Some(workpiece.axial_depth_mm),
+/// Axial and radial depth in mm that the plan is made for: of the heaviest or the lightest cross-section.
+fn planned_depths_mm(scenario: &Scenario) -> [f64; 2] {
+    let workpiece = &scenario.workpiece;
+    let none = [0.0, workpiece.radial_depth_mm];
+    // Where only one of the depths changes it decides, whatever the other one is.
+    let heavier = |a: &[f64; 2], b: &[f64; 2]| {
+        (a[0] * a[1]).total_cmp(&(b[0] * b[1])).then(a[0].total_cmp(&b[0]))
     };
-    let reached = workpiece.depth_steps.iter().filter(|step| step[0] < workpiece.length_mm);
-    first.into_iter().chain(reached.map(|step| step[1]))
-}
-
-/// The axial depth in mm that the plan is made for.
-fn planned_depth_mm(scenario: &Scenario) -> f64 {
-    let depths = path_depths_mm(&scenario.workpiece);
-    match scenario.plan.section {
-        PlannedSection::Heaviest => depths.fold(0.0, f64::max),
-        PlannedSection::Lightest => {
-            let lightest = depths.filter(|depth| *depth > 0.0).fold(f64::INFINITY, f64::min);
-            if lightest.is_finite() { lightest } else { 0.0 }
-        }
-    }
+    let places = workpiece.places_mm().into_iter();
+    let found = match scenario.plan.section {
+        PlannedSection::Heaviest => places.max_by(heavier),
+        PlannedSection::Lightest => places.filter(|place| place[0] > 0.0).min_by(heavier),
+    };
+    found.unwrap_or(none)
 }
 
 impl Problem {
@@ -91,8 +83,7 @@ impl Problem {
     /// # Errors
     /// The cut has no depth, all weights are zero, or cost is sought where nothing costs.
     pub fn new(scenario: &Scenario, machine: &MachineLimits) -> Result<Self, SettingError> {
-        let depths_mm = [planned_depth_mm(scenario), scenario.workpiece.radial_depth_mm];
-        Self::at_depths(scenario, machine, depths_mm)
+        Self::at_depths(scenario, machine, planned_depths_mm(scenario))
     }
 
     /// The same at an axial and a radial depth in mm.

@@ -126,6 +126,7 @@ impl Sizing {
             workpiece.length_mm = section[0].max(1.0);
             workpiece.cuts.clear();
             workpiece.depth_steps.clear();
+            workpiece.radial_steps.clear();
         })
     }
 

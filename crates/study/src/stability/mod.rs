@@ -18,6 +18,7 @@ use crate::base::language::tr;
 use crate::base::math;
 use crate::base::settings::SettingError;
 use crate::blocks::cutting::tool_path::radial_depth_mm;
+use crate::blocks::cutting::workpiece::Workpiece;
 use crate::models::structure::FiveMass;
 use crate::models::structure::engagement::EngagementAngles;
 use crate::models::structure::reduction::Reduction;
@@ -102,11 +103,21 @@ impl StabilityCut {
 fn charted_radial_mm(scenario: &Scenario) -> f64 {
     let (workpiece, outline) = (&scenario.workpiece, scenario.tool.outline());
     if workpiece.cuts.is_empty() {
-        return workpiece.radial_depth_mm;
+        return widest_mm(workpiece);
     }
     let sections = workpiece.cuts.iter().flatten();
     let radial = sections.map(|[_, axial, wall]| radial_depth_mm(&outline, *axial, *wall));
     radial.fold(0.0, f64::max).min(outline.diameter_mm)
+}
+
+/// The largest radial depth of the one path, mm.
+fn widest_mm(workpiece: &Workpiece) -> f64 {
+    // A step at the very start of the path replaces the first depth.
+    let first = match workpiece.radial_steps.first() {
+        Some([position_mm, _]) if *position_mm == 0.0 => 0.0,
+        _ => workpiece.radial_depth_mm,
+    };
+    workpiece.radial_steps.iter().map(|step| step[1]).fold(first, f64::max)
 }
 
 /// Steps in which depths are tried upwards, as a factor.

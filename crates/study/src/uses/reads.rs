@@ -81,6 +81,7 @@ const PLANNED: &[&str] = &[
     "workpiece.axial_depth_mm",
     "workpiece.radial_depth_mm",
     "workpiece.depth_steps",
+    "workpiece.radial_steps",
 ];
 
 /// Wherever feed and speed are planned.
@@ -173,11 +174,12 @@ const CHART: &[&str] = &[
     "tool.corner_radius_mm",
     "tool.teeth",
     "workpiece.radial_depth_mm",
+    "workpiece.radial_steps",
     "workpiece.cuts",
 ];
 const CHART_UNUSED: &[Unused] = &[
     Unused {
-        paths: &["workpiece.radial_depth_mm"],
+        paths: &["workpiece.radial_depth_mm", "workpiece.radial_steps"],
         but: &[],
         when: Some(|s| !s.workpiece.cuts.is_empty()),
         because: text!("`workpiece.cuts` gives the radial depths"),
@@ -312,6 +314,7 @@ const STEADY_CUTS: &[(&[&str], &str)] = &[
         &[
             "workpiece.length_mm",
             "workpiece.depth_steps",
+            "workpiece.radial_steps",
             "workpiece.cuts",
             "program.cut_feeds_mm_min",
             "run.duration_s",

@@ -86,6 +86,7 @@ pub const PLAN_OFFERS: &[&str] = &[
     "workpiece.radial_depth_mm",
     "workpiece.length_mm",
     "workpiece.depth_steps",
+    "workpiece.radial_steps",
     "plant.material",
     "plant.hardness_hb",
     "plant.wear_factor",

@@ -351,6 +351,7 @@ mod tests {
                 axial_depth_mm: 2.0,
                 radial_depth_mm: 3.0,
                 depth_steps: &[],
+                radial_steps: &[],
             };
             let setup = ControlSetup {
                 settings: &settings,

@@ -58,8 +58,9 @@ pub fn wall_mm(outline: &Outline, axial_depth_mm: f64, radial_depth_mm: f64) -> 
 pub struct ToolPath {
     outline: Outline,
     profile: DepthProfile,
-    /// For one path: its length and radial depth.
+    /// For one path: its length, and the profile of its radial depth with what the start has.
     length_mm: f64,
+    radial: DepthProfile,
     radial_depth_mm: f64,
     /// The cuts; the one path as a cut that is open at its start.
     cuts: Vec<CutPath>,
@@ -79,6 +80,7 @@ impl ToolPath {
             outline,
             profile: DepthProfile::new(workpiece),
             length_mm: workpiece.length_mm,
+            radial: DepthProfile::radial(workpiece),
             radial_depth_mm: workpiece.radial_depth_mm,
             cuts: workpiece.cuts.iter().map(|sections| CutPath::new(sections)).collect(),
             several: !workpiece.cuts.is_empty(),
@@ -117,8 +119,14 @@ impl ToolPath {
     /// The one path as a cut, from here on; `axial_depth_mm` is where the radial depth is counted.
     fn lay_profile(&mut self, axial_depth_mm: f64) {
         if !self.several {
-            let wall_mm = wall_mm(&self.outline, axial_depth_mm, self.radial_depth_mm);
-            self.cuts = vec![CutPath::open(&self.profile.sections(self.length_mm, wall_mm))];
+            let outline = self.outline;
+            let of_start_mm = wall_mm(&outline, axial_depth_mm, self.radial_depth_mm);
+            let mut sections = self.profile.sections(self.length_mm, of_start_mm);
+            if !self.radial.is_flat() {
+                let wall_mm = |axial_mm, radial_mm| wall_mm(&outline, axial_mm, radial_mm);
+                sections = self.radial.walled(&sections, wall_mm);
+            }
+            self.cuts = vec![CutPath::open(&sections)];
         }
     }
 
@@ -162,7 +170,8 @@ impl ToolPath {
             if let Some(depths) = &self.depths {
                 axial_depth_mm = depths.depth_mm(position_mm, axial_depth_mm);
             }
-            return Engagement { axial_depth_mm, radial_depth_mm: self.radial_depth_mm };
+            let radial_depth_mm = self.radial.at(position_mm);
+            return Engagement { axial_depth_mm, radial_depth_mm };
         }
         let (cut, x_mm) = self.cut_at(position_mm);
         Engagement::in_section(&self.outline, cut.section_at(x_mm))

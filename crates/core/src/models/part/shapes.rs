@@ -1,5 +1,7 @@
 //! What describes a part as settings: a depth profile, straight cuts, and what belongs to each cut.
 
+use std::ops::{Deref, DerefMut};
+
 use crate::base::language::tr;
 use crate::base::settings::{Column, Editor, Numbers, Rows, Structure, Value};
 
@@ -11,8 +13,8 @@ pub type DepthStep = [f64; 2];
 /// wall across the cut relative to the tool's axis, all in mm.
 pub type Section = [f64; 3];
 
-/// Most pairs in a depth profile.
-pub const MAX_STEPS: usize = 64;
+/// Most pairs in a profile of depths: so many that a part of one's own fits, so few that a link holds it.
+pub const MAX_STEPS: usize = 2000;
 /// Most straight cuts.
 pub const MAX_CUTS: usize = 16;
 /// Most sections of a cut.
@@ -20,7 +22,70 @@ pub const MAX_SECTIONS: usize = 32;
 /// Shortest section, mm.
 pub const MIN_SECTION_MM: f64 = 0.1;
 
-crate::structured!(Vec<DepthStep>, Vec<Vec<Section>>, Vec<f64>);
+crate::structured!(Vec<DepthStep>, RadialSteps, Vec<Vec<Section>>, Vec<f64>);
+
+/// A profile of the radial depth: pairs as of a depth profile, with the radial depth of cut.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RadialSteps(pub Vec<DepthStep>);
+
+impl Deref for RadialSteps {
+    type Target = Vec<DepthStep>;
+
+    fn deref(&self) -> &Vec<DepthStep> {
+        &self.0
+    }
+}
+
+impl DerefMut for RadialSteps {
+    fn deref_mut(&mut self) -> &mut Vec<DepthStep> {
+        &mut self.0
+    }
+}
+
+/// Declared as a depth profile.
+impl Structure for RadialSteps {
+    const ID: &'static str = "radial_steps";
+
+    fn bounds(range: [f64; 2]) -> Vec<(&'static str, f64)> {
+        Vec::<DepthStep>::bounds(range)
+    }
+    fn allowed(range: [f64; 2], unit: &str) -> String {
+        Vec::<DepthStep>::allowed(range, unit)
+    }
+    fn write(&self) -> Value {
+        self.0.write()
+    }
+    fn read(value: &Value, range: [f64; 2]) -> Option<Self> {
+        Vec::<DepthStep>::read(value, range).map(Self)
+    }
+    fn editor([max_depth_mm, max_position_mm]: [f64; 2]) -> Editor {
+        steps_editor("radial step", " mm wide", [max_depth_mm, max_position_mm], 3.0)
+    }
+    fn example(range: [f64; 2], share: f64, pick: u32) -> Value {
+        Vec::<DepthStep>::example(range, share, pick)
+    }
+}
+
+/// Rows of positions and depths: what a row is called, what stands behind its depth, the largest depth and position, and
+/// the depth of a new row, mm.
+fn steps_editor(
+    row: &'static str,
+    behind: &'static str,
+    [max_depth_mm, max_position_mm]: [f64; 2],
+    depth_mm: f64,
+) -> Editor {
+    let column = |name, suffix, most, speed| Column { name, suffix, range: [0.0, most], speed };
+    Editor::Rows(Rows {
+        row,
+        columns: vec![
+            column("Position", " mm on:", max_position_mm, 0.5),
+            column("Depth", behind, max_depth_mm, 0.01),
+        ],
+        most: MAX_STEPS,
+        gap: 0.01,
+        next: vec![20.0, depth_mm],
+    })
+}
 
 /// A depth profile, declared with the largest depth and the largest position in mm: positions ascend,
 /// both lie between 0 and their bound.
@@ -50,23 +115,16 @@ impl Structure for Vec<DepthStep> {
         let ascending = steps.windows(2).all(|pair| pair[0][0] < pair[1][0]);
         (in_range && ascending && steps.len() <= MAX_STEPS).then_some(steps)
     }
-    fn editor([max_depth_mm, max_position_mm]: [f64; 2]) -> Editor {
-        let column = |name, suffix, most, speed| Column { name, suffix, range: [0.0, most], speed };
-        Editor::Rows(Rows {
-            row: "depth step",
-            columns: vec![
-                column("Position", " mm on:", max_position_mm, 0.5),
-                column("Depth", " mm deep", max_depth_mm, 0.01),
-            ],
-            most: MAX_STEPS,
-            gap: 0.01,
-            next: vec![20.0, 2.0],
-        })
+    fn editor(range: [f64; 2]) -> Editor {
+        steps_editor("depth step", " mm deep", range, 2.0)
     }
-    fn example([max_depth_mm, max_position_mm]: [f64; 2], share: f64, _: u32) -> Value {
+    fn example([max_depth_mm, max_position_mm]: [f64; 2], share: f64, pick: u32) -> Value {
+        // Nearer and less deep ones too: a radial depth is at most the cutter's diameter.
+        let part = [1.0, 0.2, 0.05][pick as usize % 3];
+        let [position_mm, depth_mm] = [50.0, max_depth_mm].map(|most| part * most);
         Value::from([
-            [share * 50.0, share * max_depth_mm],
-            [share * 50.0 + 1.0, (1.0 - share) * max_depth_mm],
+            [share * position_mm, share * depth_mm],
+            [share * position_mm + 1.0, (1.0 - share) * depth_mm],
             [max_position_mm, 1.0],
         ])
     }

@@ -183,6 +183,7 @@ impl Settings {
                 axial_depth_mm: self.workpiece.axial_depth_mm,
                 radial_depth_mm: self.workpiece.radial_depth_mm,
                 depth_steps: &self.workpiece.depth_steps,
+                radial_steps: &self.workpiece.radial_steps,
             },
             tool: &self.tool,
             belief: &self.belief,

@@ -5,6 +5,7 @@ use super::groups::Settings;
 use crate::base::language::{decimal, tr};
 use crate::base::settings::SettingError;
 use crate::blocks::cutting::tool_path::ToolPath;
+use crate::blocks::cutting::workpiece::Workpiece;
 use crate::models::disturbances::{CHATTER_RESOLVED, DEEPEST_MM};
 use crate::models::genetic::{Calibration, ModelSet};
 
@@ -162,15 +163,20 @@ pub const RULES: &[Rule] = &[
         },
     },
     Rule {
-        paths: &["workpiece.radial_depth_mm", "tool.diameter_mm", "workpiece.cuts"],
+        paths: &[
+            "workpiece.radial_depth_mm",
+            "workpiece.radial_steps",
+            "tool.diameter_mm",
+            "workpiece.cuts",
+        ],
         words: "the path is not wider than the cutter",
         keeps: |c| {
             let Settings { workpiece, tool, .. } = c.settings;
-            !workpiece.cuts.is_empty() || workpiece.radial_depth_mm <= tool.diameter_mm
+            !workpiece.cuts.is_empty() || widest_mm(workpiece) <= tool.diameter_mm
         },
         broken: |s| {
             [
-                decimal(format!("{} mm", s.workpiece.radial_depth_mm)),
+                decimal(format!("{} mm", widest_mm(&s.workpiece))),
                 tr!("at most `tool.diameter_mm`, {diameter} mm", diameter = s.tool.diameter_mm),
             ]
         },
@@ -322,6 +328,12 @@ fn most_chatter_hz(settings: &Settings) -> f64 {
 fn deepest_mm(settings: &Settings) -> f64 {
     let Settings { workpiece, disturbances, tool, .. } = settings;
     ToolPath::new(workpiece, tool.outline()).disturbed(disturbances).depth_max_mm()
+}
+
+/// The largest radial depth of the one path, mm.
+fn widest_mm(workpiece: &Workpiece) -> f64 {
+    let steps = workpiece.radial_steps.iter().map(|step| step[1]);
+    steps.fold(workpiece.radial_depth_mm, f64::max)
 }
 
 /// Time between two rows, s.

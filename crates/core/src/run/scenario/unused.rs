@@ -241,6 +241,7 @@ pub const UNUSED: &[Unused] = &[
             "workpiece.axial_depth_mm",
             "workpiece.radial_depth_mm",
             "workpiece.depth_steps",
+            "workpiece.radial_steps",
         ],
         |s| !s.workpiece.cuts.is_empty(),
         text!("`workpiece.cuts` gives lengths and depths"),

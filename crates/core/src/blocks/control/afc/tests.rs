@@ -22,7 +22,13 @@ fn with<T>(settings: &AfcSettings, then: impl FnOnce(&ControlSetup) -> T) -> T {
     };
     let (tool, belief) = (Tool::default(), Belief::default());
     let (axial_depth_mm, radial_depth_mm) = (2.0, 3.0);
-    let part = ProgrammedPart { cuts: &[], axial_depth_mm, radial_depth_mm, depth_steps: &[] };
+    let part = ProgrammedPart {
+        cuts: &[],
+        axial_depth_mm,
+        radial_depth_mm,
+        depth_steps: &[],
+        radial_steps: &[],
+    };
     then(&ControlSetup { settings: &all, part, tool: &tool, belief: &belief, period_s: 0.02 })
 }
 

@@ -4,7 +4,7 @@
 //!
 //! ```text
 //! cuts      K(x) = peak of the cutter's static force at x (f_0 = 0.08 mm) (f/f_0)^alpha / F_ref
-//! one path  K(x) = K4(f, n) A_D(x) R_D / (2 mm x 3 mm) / F_ref          believed model set, programmed values
+//! one path  K(x) = K4(f, n) A_D(x) R_D(x) / (2 mm x 3 mm) / F_ref          believed model set, programmed values
 //! ```
 //!
 //! Parts of straight cuts are met gradually, as the cutter's contact points come to a step, so their
@@ -40,6 +40,7 @@ const MAX_POINTS: f64 = 2000.0;
 struct Source {
     cuts: Vec<Vec<Section>>,
     depth_steps: Vec<DepthStep>,
+    radial_steps: Vec<DepthStep>,
     tool: Tool,
     deeper: f64,
 }
@@ -101,6 +102,7 @@ impl BelievedPart {
             source: Source {
                 cuts: part.cuts.to_vec(),
                 depth_steps: part.depth_steps.to_vec(),
+                radial_steps: part.radial_steps.to_vec(),
                 tool: tool.clone(),
                 deeper,
             },
@@ -115,9 +117,11 @@ impl BelievedPart {
     /// no part of the program.
     pub fn configure(&mut self, part: &ProgrammedPart, tool: &Tool, belief: &Belief) {
         let deeper = 1.0 + ratio_from_percent(belief.depth_error_percent);
-        let Source { cuts, depth_steps, tool: with, deeper: before } = &self.source;
+        let Source { cuts, depth_steps, radial_steps, tool: with, deeper: before } = &self.source;
         self.shift_mm = belief.position_error_mm;
-        let same = cuts == part.cuts && depth_steps == part.depth_steps && with == tool;
+        let profiles = [(depth_steps, part.depth_steps), (radial_steps, part.radial_steps)];
+        let same =
+            cuts == part.cuts && profiles.iter().all(|(had, has)| had == has) && with == tool;
         if !same || *before != deeper {
             let first_mm = self.first_mm;
             *self = Self { first_mm, ..Self::new(part, tool, belief) };
@@ -146,9 +150,14 @@ impl BelievedPart {
         if let Some(profile) = self.profiles.get(cut) {
             return profile.at(x_mm);
         }
-        let steps = &self.source.depth_steps;
-        let passed = steps.iter().take_while(|step| step[0] <= x_mm).last();
-        let depth_mm = passed.map_or(self.first_mm, |step| step[1]);
-        self.source.deeper * depth_mm * self.radial_depth_mm / SECTION_MM2
+        let axial_mm = depth_at(&self.source.depth_steps, self.first_mm, x_mm);
+        let radial_mm = depth_at(&self.source.radial_steps, self.radial_depth_mm, x_mm);
+        self.source.deeper * axial_mm * radial_mm / SECTION_MM2
     }
+}
+
+/// The depth at a place of a profile that begins with `first_mm`, all in mm.
+fn depth_at(steps: &[DepthStep], first_mm: f64, x_mm: f64) -> f64 {
+    let passed = steps.partition_point(|step| step[0] <= x_mm);
+    passed.checked_sub(1).map_or(first_mm, |last| steps[last][1])
 }
