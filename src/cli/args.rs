@@ -12,6 +12,7 @@ use super::identify_drive::IdentifyDriveArgs;
 use super::machine::args::MachineArgs;
 use super::measured::args::MeasuredArgs;
 use super::mission::args::MissionArgs;
+use super::part::args::PartArgs;
 use crate::base::network::Activation;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::cutting::process::ForceModel;
@@ -84,6 +85,8 @@ pub enum CliCommand {
     Measured(MeasuredArgs),
     /// Missions: lessons that are checked; list them, begin one of your own, mark an answer.
     Mission(MissionArgs),
+    /// A part of one's own: from G-code over a blank, or a table of depths along a path; into a scenario, and back.
+    Part(PartArgs),
     /// Judge how robust a controller is: many runs with plant and belief drawn at random.
     Robust(RobustArgs),
     /// Print what makes a shell complete this program's commands, options and files.
@@ -101,6 +104,10 @@ pub struct RunArgs {
     /// Change a setting, for example `--set target.ra_um=0.6`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+    /// A part of one's own: a table (CSV) with a column s, or x and y, and the depths a_p and a_e, as `steadycut part
+    /// from-gcode` writes it too. A row's depths hold up to the next one, the last row ends the path.
+    #[arg(long, value_name = "FILE.csv")]
+    pub part: Option<InPath>,
     /// Networks that UNKS begins with: a file that `steadycut unks --save` or the console wrote.
     #[arg(long, value_name = "FILE.json")]
     pub networks: Option<InPath>,
@@ -519,6 +526,9 @@ pub struct PlanArgs {
     /// Change a setting, for example `--set plan.free_speed=false`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+    /// A part of one's own: a table (CSV) of depths along a path; see `steadycut part`.
+    #[arg(long, value_name = "FILE.csv")]
+    pub part: Option<InPath>,
     /// Limits of another machine, in the format of the shipped file of the papers' machine, whose
     /// values are placeholders.
     #[arg(long, value_name = "FILE.toml")]
@@ -548,6 +558,9 @@ pub struct RobustArgs {
     /// Change a setting, for example `--set belief.dead_time_s=0.08`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+    /// A part of one's own: a table (CSV) of depths along a path; see `steadycut part`.
+    #[arg(long, value_name = "FILE.csv")]
+    pub part: Option<InPath>,
     /// Number of runs.
     #[arg(long, default_value_t = 500, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_RUNS)))]
     pub runs: u32,
@@ -702,6 +715,9 @@ pub struct UnksArgs {
     /// Change a setting, for example `--set run.seed=2`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+    /// A part of one's own: a table (CSV) of depths along a path; see `steadycut part`.
+    #[arg(long, value_name = "FILE.csv")]
+    pub part: Option<InPath>,
     /// Begin with an untrained inverse model: literal feedback-error learning.
     #[arg(long)]
     pub cold: bool,

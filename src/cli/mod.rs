@@ -23,6 +23,7 @@ mod papers;
 mod papers_2005;
 mod papers_2019;
 mod papers_told;
+mod part;
 mod plan;
 mod profile;
 mod progress;
@@ -68,6 +69,7 @@ pub fn execute(command: &CliCommand) -> ExitCode {
         CliCommand::Machine(args) => machine::execute(args),
         CliCommand::Measured(args) => measured::execute(args),
         CliCommand::Mission(args) => mission::execute(args),
+        CliCommand::Part(args) => part::execute(args),
         CliCommand::Robust(args) => robust::execute(args),
         CliCommand::Completions(args) => manual::completions(args),
         CliCommand::Man(args) => manual::man(args),

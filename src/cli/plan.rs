@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::args::PlanArgs;
 use super::files::{InPath, report as report_to};
 use super::scenarios::{apply, load};
-use super::{Outcome, given, progress};
+use super::{Outcome, given, part, progress};
 use crate::run::edits::Edits;
 use crate::run::scenario_file;
 use crate::study::plan::PlanJob;
@@ -50,6 +50,7 @@ struct Report<'a> {
 pub fn execute(args: &PlanArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
     apply(&mut scenario, &args.set)?;
+    part::take(&mut scenario, args.part.as_ref(), &args.set)?;
     let reader = if args.per_cut.is_some() { Reader::PlanPerCut } else { Reader::Plan };
     given::all_used(reader, &scenario, &Edits::none(), &args.set)?;
     let machine = read_machine(args.machine.as_ref())?;

@@ -7,7 +7,7 @@ use serde_json::json;
 
 use super::args::RobustArgs;
 use super::scenarios::{apply, load};
-use super::{Outcome, given, progress};
+use super::{Outcome, given, part, progress};
 use crate::study::robust::{DRAWN, LIMIT_KN, Percentiles, RobustFindings, Robustness};
 use crate::study::uses::Reader;
 
@@ -16,6 +16,7 @@ pub fn execute(args: &RobustArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
     given::no_edits(Reader::Robust, &scenario.info.name, &edits)?;
     apply(&mut scenario, &args.set)?;
+    part::take(&mut scenario, args.part.as_ref(), &args.set)?;
     if let Some(kind) = args.controller {
         given::once("--controller", &["controller.kind"], &args.set)?;
         scenario.change(|settings| settings.controller.kind = kind)?;

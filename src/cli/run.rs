@@ -9,7 +9,7 @@ use super::args::RunArgs;
 use super::files::report;
 use super::scenarios::{apply, load, load_networks};
 use super::twin::{TwinCut, TwinTold};
-use super::{Outcome, given, profile, progress, story};
+use super::{Outcome, given, part, profile, progress, story};
 use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::control::script::ScriptProgram;
@@ -114,6 +114,7 @@ fn own_script(args: &RunArgs, scenario: &mut Scenario) -> Result<(), Box<dyn std
 pub fn execute(args: &RunArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
     apply(&mut scenario, &args.set)?;
+    part::take(&mut scenario, args.part.as_ref(), &args.set)?;
     if let Some(path) = &args.networks {
         if scenario.controller.kind != ControllerKind::Unks {
             let kind = scenario.controller.kind.id();

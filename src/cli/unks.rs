@@ -8,7 +8,7 @@ use serde_json::json;
 use super::args::UnksArgs;
 use super::files::report as report_to;
 use super::scenarios::{apply, load, load_networks};
-use super::{Outcome, given, progress};
+use super::{Outcome, given, part, progress};
 use crate::base::settings::Value;
 use crate::base::units::percent_from_ratio;
 use crate::models::unks::UnksStart;
@@ -30,6 +30,7 @@ fn prepare(args: &UnksArgs) -> Result<Scenario, Box<dyn std::error::Error>> {
     let (mut scenario, edits) = load(&args.scenario)?;
     given::no_edits(Reader::Unks, &scenario.info.name, &edits)?;
     apply(&mut scenario, &args.set)?;
+    part::take(&mut scenario, args.part.as_ref(), &args.set)?;
     if let Some(path) = &args.load {
         given::once("--load", &given::LEARNED, &args.set)?;
         load_networks(&mut scenario, path)?;

@@ -15,6 +15,7 @@ use steadycut::run::edits::Edits;
 use steadycut::run::job::Job;
 use steadycut::run::{presets, scenario_file};
 use steadycut::study::mission::{Marking, MissionAnswer, MissionResult, shipped};
+use steadycut::study::part::{EXAMPLE_CSV, EXAMPLE_GCODE};
 
 use crate::packing;
 
@@ -118,6 +119,8 @@ fn folder(name: &str) -> PathBuf {
     fs::write(folder.join("my-table.csv"), table).unwrap();
     let cut = include_str!("../../crates/measured/tests/data/excel.csv");
     fs::write(folder.join("my-cut.csv"), cut).unwrap();
+    fs::write(folder.join("my-part.nc"), EXAMPLE_GCODE).unwrap();
+    fs::write(folder.join("my-part.csv"), EXAMPLE_CSV).unwrap();
     let answer = include_str!("../../crates/study/tests/data/missions/quiet-speed.right.toml");
     fs::write(folder.join("my-answer.toml"), answer).unwrap();
     fs::write(folder.join("quiet-speed-result.json"), saved_result(answer)).unwrap();

@@ -15,6 +15,7 @@ mod manual;
 mod measuring;
 mod missions;
 mod packing;
+mod parts;
 mod planning;
 mod profilometer;
 mod program;

@@ -11,6 +11,7 @@ use steadycut::models::unks::UnksStart;
 use steadycut::run::edits::Edits;
 use steadycut::run::one_run::Run;
 use steadycut::run::{presets, scenario_file};
+use steadycut::study::part::{EXAMPLE_CSV, EXAMPLE_GCODE};
 use steadycut::study::unks_passes::learned;
 
 const SHORT: &str = "workpiece.cuts=[[[4.0, 3.0, 2.0]]]";
@@ -73,6 +74,9 @@ fn readers() -> Vec<(Vec<&'static str>, String)> {
         (vec!["combine", "--set", SHORT, "--table"], data.clone()),
         (ask.to_vec(), data),
         (vec!["identify", "tables", "--table"], table),
+        (vec!["run", "first-cut", "--part"], EXAMPLE_CSV.to_owned()),
+        (vec!["part", "from-csv"], EXAMPLE_CSV.to_owned()),
+        (vec!["part", "from-gcode", "--blank", "100,60,20"], EXAMPLE_GCODE.to_owned()),
     ]
 }
 

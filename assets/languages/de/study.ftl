@@ -843,3 +843,77 @@ does-not-hold = trifft nicht zu
 no-run-yet = noch kein Lauf
 k4-of-the-papers = K4 der Artikel
 tooth-by-tooth-2 = Zahn für Zahn
+
+## crates/study/src/part/blank.rs
+
+the-blank-s-size-along-axis-is-size-mm-allow = die Größe des Rohteils entlang { $axis } ist { $size } mm: erlaubt ist { $least } bis { $most } mm
+the-blank-s-corner-has-to-be-three-numbers-i = die Ecke des Rohteils müssen drei Zahlen in mm sein
+a-grid-of-cell-mm-over-the-blank-has-n-cells = ein Gitter von { $cell } mm über dem Rohteil hat { $n } Zellen: erlaubt sind { $most }; ein größerer Schritt hat weniger
+
+## crates/study/src/part/columns.rs
+
+column-name-the-unit-is-unit-allowed-is-all = Spalte `{ $name }`: die Einheit ist `{ $unit }`: erlaubt ist { $all }
+the-columns-name-and-other-mean-the-same = die Spalten `{ $name }` und `{ $other }` bedeuten dasselbe
+s-or-x-and-y = s (oder x und y)
+the-columns-are-found-missing-are-missing = die Spalten sind { $found }; es fehlen { $missing }
+line-line-column-name-cell-allowed-is-a-numb = Zeile { $line }, Spalte `{ $name }`: `{ $cell }`: erlaubt ist eine Zahl von { $least } bis { $most } { $unit }
+line-line-the-path-begins-at-s-mm-allowed-is = Zeile { $line }: die Bahn beginnt bei { $s } mm: erlaubt ist 0
+line-line-the-path-is-at-s-mm-allowed-is-mor = Zeile { $line }: die Bahn ist bei { $s } mm: erlaubt ist mehr als die { $before } mm der Zeile davor
+the-table-has-n-rows-allowed-is-2-or-more-fr = die Tabelle hat { $n } Zeilen: erlaubt sind 2 oder mehr, vom Anfang der Bahn bis zu ihrem Ende
+the-path-is-length-mm-long-allowed-is-at-mos = die Bahn ist { $length } mm lang: erlaubt sind höchstens { $most } mm
+columns-that-are-not-used-names = Nicht verwendete Spalten: { $names }.
+
+## crates/study/src/part/gcode/arc.rs
+
+the-arc-s-radius-is-first-mm-at-its-start-an = der Radius des Bogens ist am Anfang { $first } mm und am Ende { $last } mm: erlaubt ist der gleiche, über 0
+an-arc-of-radius-radius-mm-does-not-join-poi = ein Bogen vom Radius { $radius } mm verbindet keine Punkte im Abstand { $way } mm: erlaubt ist ein Radius der Hälfte davon oder mehr und zwei verschiedene Punkte
+
+## crates/study/src/part/gcode/reader.rs
+
+line-line-problem = Zeile { $line }: { $problem }
+at-most-n-lines-are-read = höchstens { $n } Zeilen werden gelesen
+letter-stands-there-twice = `{ $letter }` steht zweimal da
+two-kinds-of-motion-in-one-line = zwei Arten der Bewegung in einer Zeile
+word-changes-where-the-tool-goes-in-a-way-th = { $word } ändert den Weg des Werkzeugs auf eine Weise, der nicht gefolgt wird
+word-allowed-is-0-or-more = { $word }: erlaubt ist 0 oder mehr
+word-subprograms-are-not-followed = { $word }: Unterprogrammen wird nicht gefolgt
+word-only-x-y-z-i-j-and-r-say-where-the-tool = { $word }: nur X, Y, Z, I, J und R sagen, wohin das Werkzeug geht
+axis-is-relative-and-where-the-tool-is-along = `{ $axis }` ist relativ, und wo das Werkzeug entlang ihr steht, ist nicht bekannt
+a-place-without-a-motion-g0-g1-g2-or-g3-come = ein Ort ohne Bewegung: erst kommt G0, G1, G2 oder G3
+a-feed-move-from-a-place-that-is-not-known-r = eine Vorschubbewegung von einem unbekannten Ort: erst kommen Eilgänge nach X, Y und Z
+i-j-and-r-belong-to-arcs-g2-and-g3 = I, J und R gehören zu Bögen, G2 und G3
+an-arc-has-i-and-j-or-r-not-both = ein Bogen hat I und J oder R, nicht beides
+an-arc-without-i-j-or-r = ein Bogen ohne I, J oder R
+
+## crates/study/src/part/gcode/words.rs
+
+a-comment-has-no-end = ein Kommentar hat kein Ende
+code-sign-is-no-letter-of-a-word-variables-e = `{ $code }`: `{ $sign }` ist kein Buchstabe eines Wortes; Variablen, Ausdrücken, ausgeblendeten Sätzen und O-Wörtern wird nicht gefolgt
+letter-is-followed-by-number-allowed-is-a-nu = auf `{ $letter }` folgt `{ $number }`: erlaubt ist eine Zahl
+
+## crates/study/src/part/milling.rs
+
+the-step-is-step-mm-allowed-is-least-to-most = der Schritt ist { $step } mm: erlaubt ist { $least } bis { $most } mm
+the-program-has-no-feed-move-nothing-is-cut = das Programm hat keine Vorschubbewegung: nichts wird geschnitten
+a-way-of-length-mm-in-steps-of-step-mm-allow = ein Weg von { $length } mm in Schritten von { $step } mm: erlaubt sind { $most } Schritte; ein größerer Schritt hat weniger
+mm-of-the-way = mm des Weges
+and-n-more = { " " }und { $n } weitere
+rapid-moves-through-material-lines-lines = Eilgänge durch Material: Zeilen { $lines }.
+straight-down-into-material-lines-lines = Gerade nach unten ins Material: Zeilen { $lines }.
+not-acted-on-word-lines-lines = Nicht befolgt: { $word }, Zeilen { $lines }.
+behind-the-end-of-the-program-n-lines-not-re = Hinter dem Ende des Programms: { $n } Zeilen, nicht gelesen.
+there-are-feed-moves-before-the-first-f-thei = Es gibt Vorschubbewegungen vor dem ersten F: ihr Vorschub ist nicht bekannt.
+
+## crates/study/src/part/path.rs
+
+the-part-has-n-cuts-with-air-between-them-on = das Werkstück hat { $n } Schnitte mit Luft dazwischen: nur eine Bahn ist eine Tabelle von Tiefen
+
+## crates/study/src/part/taken.rs
+
+the-depths-change-at-n-places-allowed-are-mo = die Tiefen ändern sich an { $n } Stellen: erlaubt sind { $most }, wobei Unterschiede bis { $same } mm nicht zählen; ein größerer Schritt oder ein Teil der Bahn hat weniger
+differences-of-depth-up-to-same-mm-are-taken = Unterschiede der Tiefe bis { $same } mm zählen nicht, damit das Werkstück in ein Szenario passt.
+the-time-limit-is-time-s-now-run-duration-s = Die Zeitgrenze ist jetzt { $time } s (`run.duration_s`), das Doppelte dessen, was die Bahn bei programmiertem Vorschub dauert.
+it-would-take-wanted-s-a-run-has-most-s-at-m = Es würde { $wanted } s dauern; eine Simulation hat höchstens { $most } s und kann vor der Bahn enden.
+one-row-is-recorded-per-control-period-run-r = Je Regelperiode wird eine Zeile aufgezeichnet (`run.record_every`): die Simulation ist lang.
+the-file-programs-feeds-from-low-to-high-mm = Die Datei programmiert Vorschübe von { $low } bis { $high } mm/min; die Simulation programmiert { $feed } mm/min (`program.feed_mm_min`).
+the-file-programs-speeds-from-low-to-high-1 = Die Datei programmiert Drehzahlen von { $low } bis { $high } 1/min; die Simulation programmiert { $speed } 1/min (`program.spindle_rpm`).

@@ -819,3 +819,77 @@ does-not-hold = does not hold
 no-run-yet = no run yet
 k4-of-the-papers = K4 of the papers
 tooth-by-tooth-2 = tooth by tooth
+
+## crates/study/src/part/blank.rs
+
+the-blank-s-size-along-axis-is-size-mm-allow = the blank's size along { $axis } is { $size } mm: allowed is { $least } to { $most } mm
+the-blank-s-corner-has-to-be-three-numbers-i = the blank's corner has to be three numbers in mm
+a-grid-of-cell-mm-over-the-blank-has-n-cells = a grid of { $cell } mm over the blank has { $n } cells: allowed are { $most }; a larger step has fewer
+
+## crates/study/src/part/columns.rs
+
+column-name-the-unit-is-unit-allowed-is-all = column `{ $name }`: the unit is `{ $unit }`: allowed is { $all }
+the-columns-name-and-other-mean-the-same = the columns `{ $name }` and `{ $other }` mean the same
+s-or-x-and-y = s (or x and y)
+the-columns-are-found-missing-are-missing = the columns are { $found }; missing are { $missing }
+line-line-column-name-cell-allowed-is-a-numb = line { $line }, column `{ $name }`: `{ $cell }`: allowed is a number from { $least } to { $most } { $unit }
+line-line-the-path-begins-at-s-mm-allowed-is = line { $line }: the path begins at { $s } mm: allowed is 0
+line-line-the-path-is-at-s-mm-allowed-is-mor = line { $line }: the path is at { $s } mm: allowed is more than the { $before } mm of the row before
+the-table-has-n-rows-allowed-is-2-or-more-fr = the table has { $n } rows: allowed is 2 or more, from the start of the path to its end
+the-path-is-length-mm-long-allowed-is-at-mos = the path is { $length } mm long: allowed is at most { $most } mm
+columns-that-are-not-used-names = Columns that are not used: { $names }.
+
+## crates/study/src/part/gcode/arc.rs
+
+the-arc-s-radius-is-first-mm-at-its-start-an = the arc's radius is { $first } mm at its start and { $last } mm at its end: allowed is the same, above 0
+an-arc-of-radius-radius-mm-does-not-join-poi = an arc of radius { $radius } mm does not join points { $way } mm apart: allowed is a radius of half of that or more, and two different points
+
+## crates/study/src/part/gcode/reader.rs
+
+line-line-problem = line { $line }: { $problem }
+at-most-n-lines-are-read = at most { $n } lines are read
+letter-stands-there-twice = `{ $letter }` stands there twice
+two-kinds-of-motion-in-one-line = two kinds of motion in one line
+word-changes-where-the-tool-goes-in-a-way-th = { $word } changes where the tool goes in a way that is not followed
+word-allowed-is-0-or-more = { $word }: allowed is 0 or more
+word-subprograms-are-not-followed = { $word }: subprograms are not followed
+word-only-x-y-z-i-j-and-r-say-where-the-tool = { $word }: only X, Y, Z, I, J and R say where the tool goes
+axis-is-relative-and-where-the-tool-is-along = `{ $axis }` is relative, and where the tool is along it is not known
+a-place-without-a-motion-g0-g1-g2-or-g3-come = a place without a motion: G0, G1, G2 or G3 comes first
+a-feed-move-from-a-place-that-is-not-known-r = a feed move from a place that is not known: rapid moves to X, Y and Z come first
+i-j-and-r-belong-to-arcs-g2-and-g3 = I, J and R belong to arcs, G2 and G3
+an-arc-has-i-and-j-or-r-not-both = an arc has I and J, or R, not both
+an-arc-without-i-j-or-r = an arc without I, J or R
+
+## crates/study/src/part/gcode/words.rs
+
+a-comment-has-no-end = a comment has no end
+code-sign-is-no-letter-of-a-word-variables-e = `{ $code }`: `{ $sign }` is no letter of a word; variables, expressions, block skips and O-words are not followed
+letter-is-followed-by-number-allowed-is-a-nu = `{ $letter }` is followed by `{ $number }`: allowed is a number
+
+## crates/study/src/part/milling.rs
+
+the-step-is-step-mm-allowed-is-least-to-most = the step is { $step } mm: allowed is { $least } to { $most } mm
+the-program-has-no-feed-move-nothing-is-cut = the program has no feed move: nothing is cut
+a-way-of-length-mm-in-steps-of-step-mm-allow = a way of { $length } mm in steps of { $step } mm: allowed are { $most } steps; a larger step has fewer
+mm-of-the-way = mm of the way
+and-n-more = { " " }and { $n } more
+rapid-moves-through-material-lines-lines = Rapid moves through material: lines { $lines }.
+straight-down-into-material-lines-lines = Straight down into material: lines { $lines }.
+not-acted-on-word-lines-lines = Not acted on: { $word }, lines { $lines }.
+behind-the-end-of-the-program-n-lines-not-re = Behind the end of the program: { $n } lines, not read.
+there-are-feed-moves-before-the-first-f-thei = There are feed moves before the first F: their feed is not known.
+
+## crates/study/src/part/path.rs
+
+the-part-has-n-cuts-with-air-between-them-on = the part has { $n } cuts with air between them: only one path is a table of depths
+
+## crates/study/src/part/taken.rs
+
+the-depths-change-at-n-places-allowed-are-mo = the depths change at { $n } places: allowed are { $most }, with differences up to { $same } mm taken for none; a larger step or a part of the path has fewer
+differences-of-depth-up-to-same-mm-are-taken = Differences of depth up to { $same } mm are taken for none, so that the part fits into a scenario.
+the-time-limit-is-time-s-now-run-duration-s = The time limit is { $time } s now (`run.duration_s`), twice what the path takes at the programmed feed.
+it-would-take-wanted-s-a-run-has-most-s-at-m = It would take { $wanted } s; a run has { $most } s at most, and may end before the path does.
+one-row-is-recorded-per-control-period-run-r = One row is recorded per control period (`run.record_every`): the run is long.
+the-file-programs-feeds-from-low-to-high-mm = The file programs feeds from { $low } to { $high } mm/min; the run programs { $feed } mm/min (`program.feed_mm_min`).
+the-file-programs-speeds-from-low-to-high-1 = The file programs speeds from { $low } to { $high } 1/min; the run programs { $speed } 1/min (`program.spindle_rpm`).

@@ -831,3 +831,77 @@ does-not-hold = ne drži
 no-run-yet = simulacije še ni
 k4-of-the-papers = K4 iz člankov
 tooth-by-tooth-2 = zob za zobom
+
+## crates/study/src/part/blank.rs
+
+the-blank-s-size-along-axis-is-size-mm-allow = velikost surovca vzdolž { $axis } je { $size } mm: dovoljeno je od { $least } do { $most } mm
+the-blank-s-corner-has-to-be-three-numbers-i = vogal surovca morajo biti tri števila v mm
+a-grid-of-cell-mm-over-the-blank-has-n-cells = mreža { $cell } mm čez surovec ima { $n } celic: dovoljenih je { $most }; večji korak jih ima manj
+
+## crates/study/src/part/columns.rs
+
+column-name-the-unit-is-unit-allowed-is-all = stolpec `{ $name }`: enota je `{ $unit }`: dovoljeno je { $all }
+the-columns-name-and-other-mean-the-same = stolpca `{ $name }` in `{ $other }` pomenita isto
+s-or-x-and-y = s (ali x in y)
+the-columns-are-found-missing-are-missing = stolpci so { $found }; manjkajo { $missing }
+line-line-column-name-cell-allowed-is-a-numb = vrstica { $line }, stolpec `{ $name }`: `{ $cell }`: dovoljeno je število od { $least } do { $most } { $unit }
+line-line-the-path-begins-at-s-mm-allowed-is = vrstica { $line }: pot se začne pri { $s } mm: dovoljeno je 0
+line-line-the-path-is-at-s-mm-allowed-is-mor = vrstica { $line }: pot je pri { $s } mm: dovoljeno je več od { $before } mm prejšnje vrstice
+the-table-has-n-rows-allowed-is-2-or-more-fr = tabela ima toliko vrstic: { $n }; dovoljeni sta 2 ali več, od začetka poti do njenega konca
+the-path-is-length-mm-long-allowed-is-at-mos = pot je dolga { $length } mm: dovoljeno je največ { $most } mm
+columns-that-are-not-used-names = Neuporabljeni stolpci: { $names }.
+
+## crates/study/src/part/gcode/arc.rs
+
+the-arc-s-radius-is-first-mm-at-its-start-an = polmer loka je na začetku { $first } mm, na koncu { $last } mm: dovoljen je enak, večji od 0
+an-arc-of-radius-radius-mm-does-not-join-poi = lok s polmerom { $radius } mm ne povezuje točk, ki sta { $way } mm narazen: dovoljen je polmer polovice tega ali več in dve različni točki
+
+## crates/study/src/part/gcode/reader.rs
+
+line-line-problem = vrstica { $line }: { $problem }
+at-most-n-lines-are-read = največje število prebranih vrstic je { $n }
+letter-stands-there-twice = `{ $letter }` je zapisana dvakrat
+two-kinds-of-motion-in-one-line = dve vrsti gibanja v eni vrstici
+word-changes-where-the-tool-goes-in-a-way-th = { $word } spremeni pot orodja na način, ki ni upoštevan
+word-allowed-is-0-or-more = { $word }: dovoljeno je 0 ali več
+word-subprograms-are-not-followed = { $word }: podprogrami niso upoštevani
+word-only-x-y-z-i-j-and-r-say-where-the-tool = { $word }: pot orodja povedo samo X, Y, Z, I, J in R
+axis-is-relative-and-where-the-tool-is-along = `{ $axis }` je relativna in ni znano, kje vzdolž nje je orodje
+a-place-without-a-motion-g0-g1-g2-or-g3-come = mesto brez gibanja: najprej pride G0, G1, G2 ali G3
+a-feed-move-from-a-place-that-is-not-known-r = podajalni gib z mesta, ki ni znano: najprej pridejo hitri gibi na X, Y in Z
+i-j-and-r-belong-to-arcs-g2-and-g3 = I, J in R sodijo k lokom, G2 in G3
+an-arc-has-i-and-j-or-r-not-both = lok ima I in J ali R, ne obojega
+an-arc-without-i-j-or-r = lok brez I, J ali R
+
+## crates/study/src/part/gcode/words.rs
+
+a-comment-has-no-end = komentar nima konca
+code-sign-is-no-letter-of-a-word-variables-e = `{ $code }`: `{ $sign }` ni črka besede; spremenljivke, izrazi, preskočeni bloki in besede O niso upoštevani
+letter-is-followed-by-number-allowed-is-a-nu = črki `{ $letter }` sledi `{ $number }`: dovoljeno je število
+
+## crates/study/src/part/milling.rs
+
+the-step-is-step-mm-allowed-is-least-to-most = korak je { $step } mm: dovoljeno je od { $least } do { $most } mm
+the-program-has-no-feed-move-nothing-is-cut = program nima podajalnega giba: nič se ne reže
+a-way-of-length-mm-in-steps-of-step-mm-allow = pot { $length } mm s koraki { $step } mm: dovoljenih korakov je { $most }; večji korak jih ima manj
+mm-of-the-way = mm poti
+and-n-more = { " " }in še { $n }
+rapid-moves-through-material-lines-lines = Hitri gibi skozi material: vrstice { $lines }.
+straight-down-into-material-lines-lines = Naravnost navzdol v material: vrstice { $lines }.
+not-acted-on-word-lines-lines = Neupoštevano: { $word }, vrstice { $lines }.
+behind-the-end-of-the-program-n-lines-not-re = Za koncem programa: { $n } vrstic, neprebranih.
+there-are-feed-moves-before-the-first-f-thei = Pred prvim F so podajalni gibi: njihovo podajanje ni znano.
+
+## crates/study/src/part/path.rs
+
+the-part-has-n-cuts-with-air-between-them-on = obdelovanec ima več rezov z zrakom med njimi ({ $n }): samo ena pot je tabela globin
+
+## crates/study/src/part/taken.rs
+
+the-depths-change-at-n-places-allowed-are-mo = globine se spremenijo na { $n } mestih: dovoljenih je { $most }, pri čemer razlike do { $same } mm ne štejejo; večji korak ali del poti jih ima manj
+differences-of-depth-up-to-same-mm-are-taken = Razlike globine do { $same } mm ne štejejo, da gre obdelovanec v scenarij.
+the-time-limit-is-time-s-now-run-duration-s = Časovna omejitev je zdaj { $time } s (`run.duration_s`), dvakrat toliko, kolikor traja pot pri programiranem podajanju.
+it-would-take-wanted-s-a-run-has-most-s-at-m = Trajalo bi { $wanted } s; simulacija ima največ { $most } s in se lahko konča pred potjo.
+one-row-is-recorded-per-control-period-run-r = Zapiše se ena vrstica na regulacijsko periodo (`run.record_every`): simulacija je dolga.
+the-file-programs-feeds-from-low-to-high-mm = Datoteka programira podajanja od { $low } do { $high } mm/min; simulacija programira { $feed } mm/min (`program.feed_mm_min`).
+the-file-programs-speeds-from-low-to-high-1 = Datoteka programira vrtilne frekvence od { $low } do { $high } 1/min; simulacija programira { $speed } 1/min (`program.spindle_rpm`).

@@ -14,6 +14,7 @@
 //! | What does UNKS learn from pass to pass? | [`unks_passes`] |
 //! | What does adaptive feed control learn from the first part, and what does it gain? | [`afc`] |
 //! | How rough is the machined surface? | [`profilometer`] |
+//! | How does a part of one's own get into a run, from a table or from G-code? | [`part`] |
 //! | Has a learner reached the goal of a lesson? | [`mission`] |
 //! | What does a link open, and what of the program is shown then? | [`opening`] |
 //! | Are the bits the same here as elsewhere? | [`golden`] |
@@ -49,6 +50,7 @@ pub mod mission;
 pub mod opening;
 pub mod papers;
 pub mod papers_2019;
+pub mod part;
 pub mod plan;
 pub mod profilometer;
 pub mod published;

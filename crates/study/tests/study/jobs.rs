@@ -11,6 +11,7 @@ use steadycut_core::blocks::control::ControllerKind;
 use steadycut_core::blocks::cutting::process::ForceModel;
 use steadycut_core::models::genetic::Calibration;
 use steadycut_core::models::plan::PlannedSection;
+use steadycut_core::models::tool::Tool;
 use steadycut_core::models::tool_life::Growth;
 use steadycut_core::run::constant_feed_twin::BesideRun;
 use steadycut_core::run::edits::{Edit, Edits};
@@ -44,6 +45,9 @@ use steadycut_study::machine_life::monte_carlo::{LifeMonteCarlo, Tools};
 use steadycut_study::machine_life::{LifeJob, model};
 use steadycut_study::mission::{Marking, MissionAnswer, shipped};
 use steadycut_study::papers::{CalibrationsJob, TableJob};
+use steadycut_study::part::blank::Blank;
+use steadycut_study::part::gcode::GCodeProgram;
+use steadycut_study::part::milling::MillingJob;
 use steadycut_study::plan::PlanJob;
 use steadycut_study::plan::flight::Flight;
 use steadycut_study::plan::machine::MachineLimits;
@@ -183,6 +187,15 @@ fn runs_and_what_is_made_of_one() {
     let passes = scenario("experiment-2", &[("workpiece.cuts", "[[[10.0, 3.0, 2.0]]]")]);
     check("Passes", &Passes::new(&passes, 2), 37);
     check("TeachIn", &TeachIn::new(&scenario("afc", &[])), 777);
+}
+
+#[test]
+fn a_program_cut_from_a_blank() {
+    let program =
+        GCodeProgram::read("G0 X-10 Y5 Z-1\nG1 X20 F200\nG3 X20 Y9 I0 J2\nG0 X-10").unwrap();
+    let blank = Blank::new([30.0, 20.0, 5.0], None).unwrap();
+    let outline = Tool::default().outline();
+    check("MillingJob", &MillingJob::new(&program, blank, outline, 0.5).unwrap(), 7);
 }
 
 #[test]

@@ -11,6 +11,7 @@ mod jobs;
 mod learning;
 mod milling;
 mod missions;
+mod part;
 mod per_cut;
 mod preview;
 mod safe_feed;
