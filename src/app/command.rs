@@ -12,6 +12,7 @@ use crate::models::disturbances::{Disturbance, Zone};
 use crate::run::edits::Edits;
 use crate::run::scenario::Scenario;
 use crate::study::mission::MissionResult;
+use crate::study::part::PartPath;
 
 /// One thing to do, by the part of the console that does it.
 #[derive(Clone, Debug, PartialEq)]
@@ -106,6 +107,13 @@ pub enum SessionCommand {
         name: String,
         /// The file's text.
         text: String,
+    },
+    /// Makes a path with its depths the part of the scenario itself, in one step of undo.
+    TakePart {
+        /// Where it came from, for messages.
+        name: String,
+        /// The path.
+        path: Box<PartPath>,
     },
     /// Begins with the networks of a file's text, UNKS chosen.
     LoadNetworks {
@@ -230,6 +238,8 @@ pub enum FileCommand {
     },
     /// Asks for a table, for the screen that searches for formulas.
     OpenTable,
+    /// Asks for a part of one's own: a table of depths, or a program.
+    OpenPart,
     /// Asks for a saved search for a formula, and goes on with it.
     OpenSearch,
     /// Hands a file to the screen that it is for, and shows that.

@@ -117,6 +117,7 @@ impl Console {
             FileCommand::SaveText { name, text } => self.files.save(ctx, &name, text.into_bytes()),
             FileCommand::SaveBytes { name, bytes } => self.files.save(ctx, &name, bytes),
             FileCommand::OpenTable => self.files.open_table(ctx),
+            FileCommand::OpenPart => self.files.open_part(ctx),
             FileCommand::OpenSearch => self.files.open_search(ctx),
             FileCommand::Bring(file) => {
                 self.show_screen(file.screen());

@@ -13,6 +13,7 @@ use crate::run::presets;
 use crate::run::scenario::Scenario;
 use crate::study::identify::gp::state::GpState;
 use crate::study::mission::{Mission, MissionResult};
+use crate::study::part::PartPath;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod fallback;
@@ -80,6 +81,12 @@ impl Files {
     /// Asks for a table.
     pub fn open_table(&self, ctx: &egui::Context) {
         self.ask(ctx, tr("Table"), &["csv", "tsv", "txt"], table);
+    }
+
+    /// Asks for a part of one's own: a table of depths, or a program.
+    pub fn open_part(&self, ctx: &egui::Context) {
+        let endings: Vec<&str> = TABLES.into_iter().chain(PROGRAMS).collect();
+        self.ask(ctx, tr("Part: table or G-code"), &endings, loaded);
     }
 
     /// Asks for a saved search for a formula.
@@ -233,6 +240,8 @@ const JSON: &str = "json";
 
 /// Endings of files that hold tables as text, and of those that only a spreadsheet reads.
 const TABLES: [&str; 2] = ["csv", "tsv"];
+/// Endings of programs of milling machines.
+const PROGRAMS: [&str; 6] = ["nc", "ngc", "gcode", "tap", "cnc", "mpf"];
 /// See [`TABLES`].
 const SPREADSHEETS: [&str; 3] = ["xlsx", "xls", "ods"];
 
@@ -250,7 +259,12 @@ fn unread(name: &str, error: &str) -> String {
 #[must_use]
 pub fn loaded(name: String, bytes: &[u8]) -> Command {
     if ends_with_one_of(&name, &TABLES) || ends_with_one_of(&name, &SPREADSHEETS) {
-        return table(name, bytes);
+        return part_or_table(name, bytes);
+    }
+    if ends_with_one_of(&name, &PROGRAMS) {
+        let bring =
+            |name, text| Command::File(FileCommand::Bring(BroughtFile::Program { name, text }));
+        return text_of(name, bytes, bring);
     }
     text_of(name, bytes, |name, text| {
         Command::Session(if !ends_with_one_of(&name, &[JSON]) {
@@ -269,6 +283,17 @@ pub fn loaded(name: String, bytes: &[u8]) -> Command {
             SessionCommand::LoadNetworks { name, text }
         })
     })
+}
+
+/// The command for a table that was dropped: the depths of a part, or a table that formulas are searched for in.
+fn part_or_table(name: String, bytes: &[u8]) -> Command {
+    match decode(bytes) {
+        Ok(text) if PartPath::is_meant_by(&text) => match PartPath::read(&text) {
+            Ok(path) => Command::Session(SessionCommand::TakePart { name, path: Box::new(path) }),
+            Err(error) => Command::notify(format!("{name}: {error}")),
+        },
+        Ok(_) | Err(_) => table(name, bytes),
+    }
 }
 
 /// The command for a table that was read.
@@ -399,6 +424,19 @@ mod tests {
         let bytes = b"a,b\n1,2\n";
         let brought = BroughtFile::Table { name: "x.CSV".to_owned(), text: text(bytes) };
         assert_eq!(loaded("x.CSV".to_owned(), bytes), Command::File(FileCommand::Bring(brought)));
+        let part = b"s,a_p,a_e\n0,2,3\n10,0,0\n";
+        let Command::Session(SessionCommand::TakePart { name, path }) =
+            loaded("x.csv".to_owned(), part)
+        else {
+            panic!("no part")
+        };
+        assert_eq!((name.as_str(), path.length_mm), ("x.csv", 10.0));
+        let said = loaded("x.csv".to_owned(), b"s,a_p,a_e\n0,99,3\n10,0,0\n");
+        let Command::Session(SessionCommand::Notify(said)) = said else { panic!("{said:?}") };
+        assert!(said.starts_with("x.csv: line 2, column `a_p`"), "{said}");
+        let bytes = b"G0 X1\n";
+        let brought = BroughtFile::Program { name: "x.nc".to_owned(), text: text(bytes) };
+        assert_eq!(loaded("x.nc".to_owned(), bytes), Command::File(FileCommand::Bring(brought)));
         let said = loaded("x.xlsx".to_owned(), b"PK");
         let Command::Session(SessionCommand::Notify(said)) = said else { panic!("{said:?}") };
         assert!(said.starts_with("x.xlsx is a file of a spreadsheet"), "{said}");

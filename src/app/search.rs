@@ -96,6 +96,7 @@ fn without_key() -> Vec<(&'static str, Command)> {
     let theme = |preference| Command::Shell(ShellCommand::Theme(preference));
     vec![
         (text!("Search formulas in a table of one's own"), file(FileCommand::OpenTable)),
+        (text!("Open a part of one's own: table or G-code"), file(FileCommand::OpenPart)),
         (text!("Go on with a saved search for a formula"), file(FileCommand::OpenSearch)),
         (text!("Open networks of UNKS"), file(FileCommand::OpenNetworks)),
         (text!("Save the networks of UNKS"), file(FileCommand::SaveNetworks)),
@@ -131,6 +132,9 @@ fn words(command: &Command) -> &'static str {
             }
             FileCommand::OpenTable => {
                 text!("identify own data measured measurements csv upload import")
+            }
+            FileCommand::OpenPart => {
+                text!("workpiece cam nc gcode program csv depths import own blank")
             }
             FileCommand::OpenSearch => text!("identify resume json"),
             FileCommand::OpenNetworks | FileCommand::SaveNetworks => {

@@ -63,6 +63,7 @@ the-browser-did-not-take-name-for-download = der Browser nahm { $name } nicht zu
 name-could-not-be-read-error = { $name } ließ sich nicht lesen: { $error }
 name-is-the-result-of-a-mission-steadycut-mi = { $name } ist das Ergebnis einer Mission: steadycut mission check { $name } prüft es.
 name-is-a-file-of-a-spreadsheet-save-it-ther = { $name } ist eine Datei einer Tabellenkalkulation: dort als CSV speichern, die sich hier öffnen und ablegen lässt.
+part-table-or-g-code = Werkstück: Tabelle oder G-Code
 
 ## src/app/format.rs
 
@@ -585,6 +586,9 @@ axial-depth-of-stretch-number = Axiale Schnitttiefe von Bereich { $number }
 start-of-stretch-number = Anfang von Bereich { $number }
 remove-stretch-number = Bereich { $number } entfernen
 add-a-stretch = Neuer Bereich
+n-stretches-each-with-its-axial-and-its-radi = { $n } Abschnitte, jeder mit seiner axialen Schnitttiefe und Schnittbreite
+one-axial-and-one-radial-depth-along-the-who = Eine axiale Schnitttiefe und eine Schnittbreite entlang der ganzen Bahn, die ihres Anfangs
+take-the-profiles-away = Profile entfernen
 
 ## src/app/panels/console/workpiece.rs
 
@@ -616,6 +620,7 @@ one-straight-cut-with-this-path-s-depths-the = Ein gerader Schnitt mit den Tiefe
 make-cuts-of-the-path = Schnitte aus der Bahn machen
 no-cuts-the-path-with-its-length-depths-and = Keine Schnitte: die Bahn mit ihrer Länge, ihren Tiefen und ihrem Tiefenprofil
 one-path = Eine Bahn
+these-depths-are-profiles-of-a-file-take-the = Diese Tiefen sind Profile einer Datei: entfernen Sie sie, um eine Tiefe zu ziehen.
 
 ## src/app/playback.rs
 
@@ -660,6 +665,8 @@ in-group-path = in { $group }: { $path }
 scenario-2 = Szenario
 command = Befehl
 control-by-controller = Mit { $controller } regeln
+open-a-part-of-one-s-own-table-or-g-code = Ein eigenes Werkstück öffnen: Tabelle oder G-Code
+workpiece-cam-nc-gcode-program-csv-depths-im = werkstück cam nc gcode programm csv tiefen import eigen rohteil
 
 ## src/app/session/change.rs
 
@@ -682,6 +689,7 @@ the-mission-title-is-open-and-locks-setting = Die Mission „{ $title }“ ist o
 the-mission-title-is-left = Die Mission „{ $title }“ ist verlassen.
 the-mission-title-is-open-of-setting-it-offe = Die Mission „{ $title }“ ist offen. Für „{ $setting }“ bietet sie: { $list }. Für eine andere Wahl die Mission verlassen.
 the-cut-is-over-setting-is-set-for-the-whole = Der Schnitt ist zu Ende: „{ $setting }“ gilt für das ganze Werkstück, das von Anfang an neu gefräst wird. „Rückgängig“ bringt den vorigen Schnitt zurück; eine Änderung während des Schnitts wirkt von dort an.
+name-is-the-part-now-length-mm-long-air-mm-o = { $name } ist jetzt das Werkstück: { $length } mm lang, davon { $air } mm Luft.
 
 ## src/app/session/disturb.rs
 

@@ -1236,3 +1236,25 @@ length-of-the-way-beyond-the-tolerance-on-th = Länge des Wegs jenseits der Tole
 too-rough-is-rework-or-scrap-smoother-than-a = Zu rau ist Nacharbeit oder Ausschuss; glatter als verlangt ist keines von beiden.
 the-cutter-is-drawn-turning-times-times-slow = Der Fräser ist { $times }-mal langsamer drehend gezeichnet. Was vor der Wand steht, hat ein früherer Schnitt weggenommen.
 simulated-tooth-by-tooth-k5-s-ra-does-not-ho = Zahn für Zahn simuliert, gilt das Ra von K5 nicht: Die Oberfläche zeigt Vorschubmarken und Rundlauffehler allein.
+a-table-of-depths-along-a-path-csv-or-a-prog = Eine Tabelle von Tiefen entlang einer Bahn (CSV) oder ein Programm (G-Code), das aus einem Rohteil geschnitten wird; beides kann auch auf das Fenster gezogen werden
+part-from-a-file = Werkstück aus einer Datei…
+
+## src/app/panels/workpiece/program.rs
+
+part-of-a-program = Werkstück eines Programms
+name-n-moves = { $name }: { $n } Bewegungen
+size-and-corner-of-the-rectangular-blank-in = Größe und Ecke des rechteckigen Rohteils in den Koordinaten des Programms; zuerst liegt es um die Vorschubbewegungen, mit 5 mm unter der tiefsten.
+cut-it-from-the-blank = Aus dem Rohteil schneiden
+with-the-cutter-of-the-scenario = Mit dem Fräser des Szenarios
+size-of-the-blank-along-axis = Größe des Rohteils entlang { $axis }
+least-corner = Kleinste Ecke
+least-corner-of-the-blank-along-axis = Kleinste Ecke des Rohteils entlang { $axis }
+step-along-the-way = Schritt entlang des Weges
+milling-name = Fräsen: { $name }
+length-long-air-of-it-air-up-to-axial-deep-a = { $length } lang, davon { $air } Luft; bis zu { $axial } tief und { $radial } breit
+make-it-the-part = Zum Werkstück machen
+it-was-cut-with-another-cutter-cut-it-again = Es wurde mit einem anderen Fräser geschnitten: noch einmal schneiden
+
+## src/app/panels/workpiece/program/picture.rs
+
+what-is-left-of-the-blank-from-above-with-th = Was vom Rohteil bleibt, von oben, mit dem Weg des Werkzeugs

@@ -63,6 +63,7 @@ the-browser-did-not-take-name-for-download = the browser did not take { $name } 
 name-could-not-be-read-error = { $name } could not be read: { $error }
 name-is-the-result-of-a-mission-steadycut-mi = { $name } is the result of a mission: steadycut mission check { $name } verifies it.
 name-is-a-file-of-a-spreadsheet-save-it-ther = { $name } is a file of a spreadsheet: save it there as CSV, which can be opened and dropped here.
+part-table-or-g-code = Part: table or G-code
 
 ## src/app/format.rs
 
@@ -563,6 +564,9 @@ axial-depth-of-stretch-number = Axial depth of stretch { $number }
 start-of-stretch-number = Start of stretch { $number }
 remove-stretch-number = Remove stretch { $number }
 add-a-stretch = Add a stretch
+n-stretches-each-with-its-axial-and-its-radi = { $n } stretches, each with its axial and its radial depth
+one-axial-and-one-radial-depth-along-the-who = One axial and one radial depth along the whole path, those of its start
+take-the-profiles-away = Take the profiles away
 
 ## src/app/panels/console/workpiece.rs
 
@@ -590,6 +594,7 @@ one-straight-cut-with-this-path-s-depths-the = One straight cut with this path's
 make-cuts-of-the-path = Make cuts of the path
 no-cuts-the-path-with-its-length-depths-and = No cuts: the path with its length, depths and depth profile
 one-path = One path
+these-depths-are-profiles-of-a-file-take-the = These depths are profiles of a file: take them away to drag a depth.
 
 ## src/app/playback.rs
 
@@ -634,6 +639,8 @@ in-group-path = in { $group }: { $path }
 scenario-2 = scenario
 command = command
 control-by-controller = Control by { $controller }
+open-a-part-of-one-s-own-table-or-g-code = Open a part of one's own: table or G-code
+workpiece-cam-nc-gcode-program-csv-depths-im = workpiece cam nc gcode program csv depths import own blank
 
 ## src/app/session/change.rs
 
@@ -652,6 +659,7 @@ the-mission-title-is-open-and-locks-setting = The mission “{ $title }” is op
 the-mission-title-is-left = The mission “{ $title }” is left.
 the-mission-title-is-open-of-setting-it-offe = The mission “{ $title }” is open. Of “{ $setting }” it offers: { $list }. Leave the mission to choose anything else.
 the-cut-is-over-setting-is-set-for-the-whole = The cut is over: { $setting } is set for the whole part, which is cut anew from its start. Undo brings the cut of before back; a change while it is cut acts from there on.
+name-is-the-part-now-length-mm-long-air-mm-o = { $name } is the part now: { $length } mm long, { $air } mm of it air.
 
 ## src/app/session/disturb.rs
 

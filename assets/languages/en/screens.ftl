@@ -1136,3 +1136,25 @@ length-of-the-way-beyond-the-tolerance-on-th = Length of the way beyond the tole
 too-rough-is-rework-or-scrap-smoother-than-a = Too rough is rework or scrap; smoother than asked is neither.
 the-cutter-is-drawn-turning-times-times-slow = The cutter is drawn turning { $times } times slower. What stands in front of the wall was taken by an earlier cut.
 simulated-tooth-by-tooth-k5-s-ra-does-not-ho = Simulated tooth by tooth, K5's Ra does not hold: the surface shows feed marks and run-out alone.
+a-table-of-depths-along-a-path-csv-or-a-prog = A table of depths along a path (CSV), or a program (G-code) that is cut from a blank; both can be dropped onto the window, too
+part-from-a-file = Part from a file…
+
+## src/app/panels/workpiece/program.rs
+
+part-of-a-program = Part of a program
+name-n-moves = { $name }: { $n } moves
+size-and-corner-of-the-rectangular-blank-in = Size and corner of the rectangular blank in the coordinates of the program; at first it lies about the feed moves, with 5 mm below the deepest one.
+cut-it-from-the-blank = Cut it from the blank
+with-the-cutter-of-the-scenario = With the cutter of the scenario
+size-of-the-blank-along-axis = Size of the blank along { $axis }
+least-corner = Least corner
+least-corner-of-the-blank-along-axis = Least corner of the blank along { $axis }
+step-along-the-way = Step along the way
+milling-name = Milling: { $name }
+length-long-air-of-it-air-up-to-axial-deep-a = { $length } long, { $air } of it air; up to { $axial } deep and { $radial } wide
+make-it-the-part = Make it the part
+it-was-cut-with-another-cutter-cut-it-again = It was cut with another cutter: cut it again
+
+## src/app/panels/workpiece/program/picture.rs
+
+what-is-left-of-the-blank-from-above-with-th = What is left of the blank, from above, with the way of the tool

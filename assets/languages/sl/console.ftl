@@ -63,6 +63,7 @@ the-browser-did-not-take-name-for-download = brskalnik ni sprejel { $name } za p
 name-could-not-be-read-error = { $name } ni bilo mogoče prebrati: { $error }
 name-is-the-result-of-a-mission-steadycut-mi = { $name } je rezultat naloge: preveri ga steadycut mission check { $name }.
 name-is-a-file-of-a-spreadsheet-save-it-ther = { $name } je datoteka preglednice: tam jo shranite kot CSV, ki ga je tu mogoče odpreti in spustiti.
+part-table-or-g-code = Obdelovanec: tabela ali koda G
 
 ## src/app/format.rs
 
@@ -585,6 +586,9 @@ axial-depth-of-stretch-number = Aksialna globina odseka { $number }
 start-of-stretch-number = Začetek odseka { $number }
 remove-stretch-number = Odstrani odsek { $number }
 add-a-stretch = Dodaj odsek
+n-stretches-each-with-its-axial-and-its-radi = Odseki, vsak s svojo aksialno in radialno globino: { $n }
+one-axial-and-one-radial-depth-along-the-who = Ena aksialna in ena radialna globina vzdolž vse poti, tisti z njenega začetka
+take-the-profiles-away = Odstrani profila
 
 ## src/app/panels/console/workpiece.rs
 
@@ -612,6 +616,7 @@ one-straight-cut-with-this-path-s-depths-the = En raven rez z globinami te poti,
 make-cuts-of-the-path = Iz poti naredi reze
 no-cuts-the-path-with-its-length-depths-and = Brez rezov: pot s svojo dolžino, globinami in profilom globine
 one-path = Ena pot
+these-depths-are-profiles-of-a-file-take-the = Te globine so profila iz datoteke: odstranite ju, da lahko vlečete globino.
 
 ## src/app/playback.rs
 
@@ -656,6 +661,8 @@ in-group-path = v { $group }: { $path }
 scenario-2 = scenarij
 command = ukaz
 control-by-controller = Krmili z { $controller }
+open-a-part-of-one-s-own-table-or-g-code = Odpri lasten obdelovanec: tabela ali koda G
+workpiece-cam-nc-gcode-program-csv-depths-im = obdelovanec cam nc gcode program csv globine uvoz lasten surovec
 
 ## src/app/session/change.rs
 
@@ -680,6 +687,7 @@ the-mission-title-is-open-and-locks-setting = Odprta je naloga »{ $title }« in
 the-mission-title-is-left = Naloga »{ $title }« je zapuščena.
 the-mission-title-is-open-of-setting-it-offe = Odprta je naloga »{ $title }«. Pri »{ $setting }« ponuja: { $list }. Za drugo izbiro zapustite nalogo.
 the-cut-is-over-setting-is-set-for-the-whole = Rez je končan: nastavitev »{ $setting }« velja za ves obdelovanec, ki se reže znova od začetka. »Razveljavi« vrne prejšnji rez; sprememba med rezanjem deluje od tam naprej.
+name-is-the-part-now-length-mm-long-air-mm-o = { $name } je zdaj obdelovanec: dolg { $length } mm, od tega { $air } mm zraka.
 
 ## src/app/session/disturb.rs
 

@@ -1178,3 +1178,25 @@ length-of-the-way-beyond-the-tolerance-on-th = Dolžina poti zunaj tolerance na 
 too-rough-is-rework-or-scrap-smoother-than-a = Prehrapavo pomeni dodelavo ali izmet; bolj gladko od zahtevanega nobenega.
 the-cutter-is-drawn-turning-times-times-slow = Frezalo je narisano pri { $times }-krat počasnejšem vrtenju. Kar stoji pred steno, je odvzel prejšnji rez.
 simulated-tooth-by-tooth-k5-s-ra-does-not-ho = Pri simulaciji zob za zobom Ra iz K5 ne velja: površina kaže samo sledi podajanja in opletanje.
+a-table-of-depths-along-a-path-csv-or-a-prog = Tabela globin vzdolž poti (CSV) ali program (koda G), ki se izreže iz surovca; oboje se lahko tudi spusti na okno
+part-from-a-file = Obdelovanec iz datoteke…
+
+## src/app/panels/workpiece/program.rs
+
+part-of-a-program = Obdelovanec iz programa
+name-n-moves = { $name }, gibi: { $n }
+size-and-corner-of-the-rectangular-blank-in = Velikost in vogal pravokotnega surovca v koordinatah programa; na začetku leži okrog podajalnih gibov, s 5 mm pod najglobljim.
+cut-it-from-the-blank = Izreži iz surovca
+with-the-cutter-of-the-scenario = S frezalom scenarija
+size-of-the-blank-along-axis = Velikost surovca vzdolž { $axis }
+least-corner = Najmanjši vogal
+least-corner-of-the-blank-along-axis = Najmanjši vogal surovca vzdolž { $axis }
+step-along-the-way = Korak vzdolž poti
+milling-name = Frezanje: { $name }
+length-long-air-of-it-air-up-to-axial-deep-a = dolžina { $length }, od tega { $air } zraka; globina do { $axial }, širina do { $radial }
+make-it-the-part = Vzemi za obdelovanec
+it-was-cut-with-another-cutter-cut-it-again = Izrezano je bilo z drugim frezalom: izrežite znova
+
+## src/app/panels/workpiece/program/picture.rs
+
+what-is-left-of-the-blank-from-above-with-th = Kar ostane od surovca, od zgoraj, s potjo orodja

@@ -37,6 +37,13 @@ pub enum BroughtFile {
         /// Its text.
         text: String,
     },
+    /// A program of a milling machine, to be cut from a blank.
+    Program {
+        /// Where it came from, for messages.
+        name: String,
+        /// Its text.
+        text: String,
+    },
     /// A mission.
     Mission {
         /// Where it came from, for messages.
@@ -61,6 +68,7 @@ impl BroughtFile {
     pub fn screen(&self) -> &'static str {
         match self {
             Self::Mission { .. } | Self::Linked(_) => "learn",
+            Self::Program { .. } => "workpiece",
             Self::Table { .. } | Self::Search { .. } => "identify",
         }
     }

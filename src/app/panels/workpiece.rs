@@ -9,14 +9,15 @@ mod picture;
 mod placed;
 mod profile_chart;
 mod profilometer;
+mod program;
 mod view;
 
 use egui::{CentralPanel, Color32, Frame, Margin, Panel as SidePanel, Rect};
 use egui::{RichText, ScrollArea, Stroke, Ui, Vec2};
 
 use super::console::workpiece::{EDIT_HELP, WorkpieceWindow};
-use super::{Panel, View};
-use crate::app::command::Command;
+use super::{BroughtFile, Panel, View};
+use crate::app::command::{Command, FileCommand};
 use crate::app::format;
 use crate::app::session::Session;
 use crate::app::theme::{self, Palette};
@@ -31,6 +32,7 @@ use crate::run::tooth_marks::MarkedPart;
 use judged::Lengths;
 use picture::{Kept, SLOWER};
 use profilometer::{MeasuredLine, Profilometer};
+use program::ProgramWindow;
 use view::Looking;
 
 /// Width of the column beside the picture, points.
@@ -48,6 +50,7 @@ pub struct WorkpiecePanel {
     marks: Option<Marked>,
     kept: Kept,
     depths: WorkpieceWindow,
+    program: ProgramWindow,
     /// The disturbance that a press on the part places.
     placing: Option<Disturbance>,
 }
@@ -95,6 +98,17 @@ impl Panel for WorkpiecePanel {
         placed::escape(ui, &mut self.placing);
         self.screen(ui, view, commands);
         self.depths.show(ui, view, commands);
+        self.program.show(ui, view, commands);
+    }
+
+    fn take(&mut self, file: &BroughtFile) {
+        match file {
+            BroughtFile::Program { name, text } => self.program.bring(name, text),
+            BroughtFile::Table { .. }
+            | BroughtFile::Search { .. }
+            | BroughtFile::Mission { .. }
+            | BroughtFile::Linked(_) => {}
+        }
     }
 
     fn left(&mut self) {
@@ -155,6 +169,13 @@ impl WorkpiecePanel {
     fn beside(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         if ui.button(tr("Edit depths\u{2026}")).on_hover_text(tr(EDIT_HELP)).clicked() {
             self.depths.toggle(view);
+        }
+        let help = tr(
+            "A table of depths along a path (CSV), or a program (G-code) that is cut from a blank; both can be dropped \
+             onto the window, too",
+        );
+        if ui.button(tr("Part from a file\u{2026}")).on_hover_text(help).clicked() {
+            commands.push(Command::File(FileCommand::OpenPart));
         }
         self.looking.controls(ui, view.narrow);
         ui.add_space(4.0);

@@ -19,6 +19,7 @@ use crate::run::edits::{Edit, Edits, Unfit};
 use crate::run::scenario::{Scenario, param};
 use crate::run::story::ONE_DRAG_S;
 use crate::run::{presets, scenario_file};
+use crate::study::part::PartPath;
 use crate::study::unks_passes::beginning_with;
 
 /// Values of one drag are kept at this distance of real time at least, s: a link must not grow with the frame
@@ -153,6 +154,11 @@ impl Session {
                 if opened {
                     self.notify(said);
                     self.wait_for_consent();
+                }
+            }
+            SessionCommand::TakePart { name, path } => {
+                if let Err(error) = self.take_part(&name, &path) {
+                    self.notify(format!("{name}: {error}"));
                 }
             }
             SessionCommand::LoadNetworks { name, text } => {
@@ -510,6 +516,20 @@ impl Session {
         let model = FormulaModel::parse(text)?;
         let value = Value::Text(model.write_line());
         self.set_formula(path, value).map_err(|error| error.to_string())
+    }
+
+    /// Makes a path the part of the scenario, and says what came with it.
+    fn take_part(&mut self, name: &str, path: &PartPath) -> Result<(), String> {
+        let part = path.to_scenario(&self.plan.0)?;
+        self.set_up(&part.changes).map_err(|error| error.to_string())?;
+        let is_now = tr!(
+            "{name} is the part now: {length:.1} mm long, {air:.1} mm of it air.",
+            name = name,
+            length = path.length_mm,
+            air = path.air_mm()
+        );
+        self.notify([vec![is_now], part.told].concat().join(" "));
+        Ok(())
     }
 
     /// Begins with the networks of a file, with the controller that has networks.

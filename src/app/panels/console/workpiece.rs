@@ -63,15 +63,26 @@ fn tool(view: &View<'_>) -> (usize, f64) {
     }
 }
 
-/// The one path as sections, as the tool meets it from the start: along a wall that stays.
+/// The one path as sections, as the tool meets it from the start: along a wall that stays, or that follows a profile of
+/// the radial depth.
 fn path_sections(workpiece: &Workpiece, outline: &Outline) -> Vec<Section> {
-    let wall_mm = wall_mm(outline, workpiece.axial_depth_mm, workpiece.radial_depth_mm);
-    DepthProfile::new(workpiece).sections(workpiece.length_mm, wall_mm)
+    let of_start_mm = wall_mm(outline, workpiece.axial_depth_mm, workpiece.radial_depth_mm);
+    let sections = DepthProfile::new(workpiece).sections(workpiece.length_mm, of_start_mm);
+    let radial = DepthProfile::radial(workpiece);
+    match radial.is_flat() {
+        true => sections,
+        false => {
+            radial.walled(&sections, |axial_mm, radial_mm| wall_mm(outline, axial_mm, radial_mm))
+        }
+    }
 }
 
 /// The same for a formula or a network, which take the radial depth as it is set.
 fn path_by_formula(workpiece: &Workpiece, outline: &Outline) -> Vec<Section> {
     let mut sections = path_sections(workpiece, outline);
+    if !workpiece.radial_steps.is_empty() {
+        return sections;
+    }
     for [_, axial_mm, wall] in &mut sections {
         *wall = wall_mm(outline, *axial_mm, workpiece.radial_depth_mm);
     }
@@ -192,9 +203,19 @@ impl WorkpieceWindow {
         let under_way = playback.playhead_s > 0.0 && !playback.at_end;
         let cut_to_mm = if under_way { tool_mm } else { f64::NEG_INFINITY };
         if let Some(moved) = self.pictures(ui, view, &part, 0.0) {
-            table::move_stretch(&scenario.workpiece, cut_to_mm, moved, commands);
+            if table::is_long(&scenario.workpiece) {
+                let said =
+                    tr("These depths are profiles of a file: take them away to drag a depth.");
+                commands.push(Command::notify(said.to_owned()));
+            } else {
+                table::move_stretch(&scenario.workpiece, cut_to_mm, moved, commands);
+            }
         }
-        table::profile(ui, scenario, cut_to_mm, commands, &mut self.said);
+        if table::is_long(&scenario.workpiece) {
+            table::long(ui, &scenario.workpiece, commands);
+        } else {
+            table::profile(ui, scenario, cut_to_mm, commands, &mut self.said);
+        }
         // There at all times, so that nothing comes under the finger that pressed it.
         let grey = table::any_is_cut(&scenario.workpiece, cut_to_mm);
         let back = ui.add_enabled(grey, egui::Button::new(tr("Back to the start")));

@@ -71,7 +71,9 @@ impl Panel for LearnPanel {
                 Err(error) => self.refused = Some(format!("{name}: {error}")),
             },
             BroughtFile::Linked(linked) => self.bring((**linked).clone()),
-            BroughtFile::Table { .. } | BroughtFile::Search { .. } => {}
+            BroughtFile::Table { .. }
+            | BroughtFile::Search { .. }
+            | BroughtFile::Program { .. } => {}
         }
     }
 

@@ -17,11 +17,12 @@ const WEIGHTS: [&str; 4] =
 const SEARCH: [&str; 4] = ["plan.particles", "plan.iterations", "plan.stop_after", "plan.seed"];
 const COSTS: [&str; 3] = ["plan.machine_cost_per_min", "plan.tool_cost", "plan.tool_change_min"];
 /// What is cut, as far as the force depends on it.
-const CUT: [&str; 9] = [
+const CUT: [&str; 10] = [
     "workpiece.axial_depth_mm",
     "workpiece.radial_depth_mm",
     "workpiece.length_mm",
     "workpiece.depth_steps",
+    "workpiece.radial_steps",
     "plan.section",
     "plan.network",
     "plant.material",

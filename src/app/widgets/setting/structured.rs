@@ -11,6 +11,9 @@ use crate::base::language::tr;
 use crate::base::settings::{Editor, Numbers, Rows, Value};
 use crate::run::scenario::Param;
 
+/// Most rows that are shown one by one.
+const MOST_ROWS: usize = 64;
+
 /// The editor that the shape of a setting asks for.
 pub(super) fn edit(
     ui: &mut Ui,
@@ -49,6 +52,21 @@ fn presence(ui: &mut Ui, param: &Param, now: &Value, change: &mut dyn FnMut(Valu
     label
 }
 
+/// More rows than anybody edits by hand: how many there are, and a button that removes them; files bring them.
+fn many(ui: &mut Ui, param: &Param, count: usize, change: &mut dyn FnMut(Value)) -> Response {
+    let (label, _) = labelled(ui, param, |ui| {
+        ui.label(count.to_string());
+        let response = ui.button(tr("Remove"));
+        let name = tr!("Remove: {setting}", setting = tr(param.spec.label));
+        response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, name.clone()));
+        if response.clicked() {
+            change(param.spec.default.clone());
+        }
+        response
+    });
+    label
+}
+
 /// Rows of numbers, ascending in the first one.
 fn rows(
     ui: &mut Ui,
@@ -63,6 +81,9 @@ fn rows(
     let rows: Option<Vec<Vec<f64>>> =
         now.list().and_then(|list| list.iter().map(Value::numbers).collect());
     let mut rows = rows.unwrap_or_default();
+    if rows.len() > MOST_ROWS {
+        return many(ui, param, rows.len(), change);
+    }
     let response = ui.label(tr(param.spec.label));
     let mut removed = None;
     let mut touched = false;

@@ -19,10 +19,13 @@ use crate::models::tool::Outline;
 use crate::run::scenario::{Scenario, param};
 
 const STEPS: &str = "workpiece.depth_steps";
+const RADIAL_STEPS: &str = "workpiece.radial_steps";
 const AXIAL: &str = "workpiece.axial_depth_mm";
 const LENGTH: &str = "workpiece.length_mm";
 /// Least distance between two steps of the profile, mm.
 const STEP_GAP_MM: f64 = 0.01;
+/// Most stretches that a table shows.
+const MOST_ROWS: usize = 64;
 /// Most digits behind the point of a length.
 const MOST_DIGITS: usize = 3;
 /// Title of the column of numbers.
@@ -242,6 +245,24 @@ fn is_cut(steps: &[DepthStep], i: usize, cut_to_mm: f64) -> bool {
 #[must_use]
 pub fn any_is_cut(workpiece: &Workpiece, cut_to_mm: f64) -> bool {
     is_cut(&workpiece.depth_steps, 0, cut_to_mm)
+}
+
+/// Whether a path has more stretches than a table is for, or a profile of its radial depth: it comes from a file.
+#[must_use]
+pub fn is_long(workpiece: &Workpiece) -> bool {
+    workpiece.depth_steps.len() > MOST_ROWS || !workpiece.radial_steps.is_empty()
+}
+
+/// What stands in place of the table of such a path.
+pub fn long(ui: &mut Ui, workpiece: &Workpiece, commands: &mut Vec<Command>) {
+    let stretches = workpiece.places_mm().len();
+    ui.label(tr!("{n} stretches, each with its axial and its radial depth", n = stretches));
+    let help = tr("One axial and one radial depth along the whole path, those of its start");
+    if ui.button(tr("Take the profiles away")).on_hover_text(help).clicked() {
+        for path in [STEPS, RADIAL_STEPS] {
+            commands.push(Command::set(path, Value::List(Vec::new())));
+        }
+    }
 }
 
 /// The depth profile of the one path: its first row is the axial depth at the start. What the tool has left behind by
