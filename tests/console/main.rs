@@ -20,6 +20,7 @@ mod machine;
 mod mirror;
 mod operator;
 mod panels;
+mod parts;
 mod plan;
 mod predicted;
 mod screen;

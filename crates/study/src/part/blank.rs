@@ -175,6 +175,9 @@ impl HeightMap {
         };
         let [dx, dy, dz] = [0, 1, 2].map(|i: usize| to[i] - from[i]);
         let square = dx * dx + dy * dy;
+        let per_square = if square > 0.0 { 1.0 / square } else { 0.0 };
+        // A level ball leaves most cells below it as they are, which is seen without a root.
+        let level_ball = outline.is_ball() && dz == 0.0;
         let area = self.cell_mm[0] * self.cell_mm[1];
         let columns = self.range(0, from[0].min(to[0]) - radius, from[0].max(to[0]) + radius);
         for row in self.range(1, from[1].min(to[1]) - radius, from[1].max(to[1]) + radius) {
@@ -187,11 +190,18 @@ impl HeightMap {
                 let x = self.blank.corner_mm[0] + (column as f64 + 0.5) * self.cell_mm[0];
                 let [px, py] = [x - from[0], y - from[1]];
                 let [ex, ey] = [x - to[0], y - to[1]];
-                let share =
-                    if square > 0.0 { ((px * dx + py * dy) / square).clamp(0.0, 1.0) } else { 1.0 };
+                let share = if square > 0.0 {
+                    ((px * dx + py * dy) * per_square).clamp(0.0, 1.0)
+                } else {
+                    1.0
+                };
                 let [ox, oy] = [px - share * dx, py - share * dy];
                 let off = ox * ox + oy * oy;
                 if off >= radius * radius {
+                    continue;
+                }
+                let below = radius - (before - from[2]);
+                if level_ball && below >= 0.0 && below * below >= radius * radius - off {
                     continue;
                 }
                 let mut after = from[2] + share * dz + height(off);

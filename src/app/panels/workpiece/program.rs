@@ -27,6 +27,8 @@ const FIRST: u64 = 8;
 const STEP_MM: f64 = 0.5;
 /// Material below the deepest feed move in the blank that is offered, mm.
 const BELOW_MM: f64 = 5.0;
+/// Least width of the blank that is offered, mm.
+const NARROWEST_MM: f64 = 20.0;
 /// Names of the axes.
 const AXES: [&str; 3] = ["X", "Y", "Z"];
 
@@ -73,8 +75,11 @@ fn about(program: &GCodeProgram) -> [[f64; 3]; 2] {
     let top = if low[2] < 0.0 { 0.0 } else { high[2] };
     (low[2], high[2]) = (low[2] - BELOW_MM, top);
     let [least, most] = SIZES_MM;
-    let size = [0, 1, 2].map(|i: usize| (high[i] - low[i]).ceil().clamp(least, most));
-    [size, [low[0], low[1], high[2] - size[2]]]
+    let size = [NARROWEST_MM, NARROWEST_MM, least];
+    let size = [0, 1, 2].map(|i: usize| (high[i] - low[i]).ceil().clamp(size[i], most));
+    // A way along one axis lies in the middle.
+    let [x, y] = [0, 1].map(|i: usize| low[i] - 0.5 * (size[i] - (high[i] - low[i]).ceil()));
+    [size, [x, y, high[2] - size[2]]]
 }
 
 impl ProgramWindow {
