@@ -600,6 +600,10 @@ cost-of-the-scrap = Kosten des Ausschusses
 cost-of-the-cut = Kosten des Schnitts
 share-of-the-time-at-a-limit = Anteil der Zeit an einer Grenze
 share-of-the-time-with-a-model-outside-its-r = Anteil der Zeit mit einem Modell außerhalb seines Bereichs
+there-is-no-such-value = einen solchen Wert gibt es nicht
+yours-is-off-by-percent = Ihrer weicht um { $percent } ab
+yours-value = Ihrer: { $value }
+yours-value-the-limit-limit = Ihrer: { $value }, die Grenze: { $limit }
 
 ## crates/study/src/opening/frame.rs
 

@@ -576,6 +576,10 @@ cost-of-the-scrap = Cost of the scrap
 cost-of-the-cut = Cost of the cut
 share-of-the-time-at-a-limit = Share of the time at a limit
 share-of-the-time-with-a-model-outside-its-r = Share of the time with a model outside its range
+there-is-no-such-value = there is no such value
+yours-is-off-by-percent = yours is off by { $percent }
+yours-value = yours: { $value }
+yours-value-the-limit-limit = yours: { $value }, the limit: { $limit }
 
 ## crates/study/src/opening/frame.rs
 

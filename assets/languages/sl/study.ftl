@@ -588,6 +588,10 @@ cost-of-the-scrap = Cena izmeta
 cost-of-the-cut = Cena reza
 share-of-the-time-at-a-limit = Delež časa na meji
 share-of-the-time-with-a-model-outside-its-r = Delež časa z modelom zunaj območja
+there-is-no-such-value = take vrednosti ni
+yours-is-off-by-percent = vaša odstopa za { $percent }
+yours-value = vaša: { $value }
+yours-value-the-limit-limit = vaša: { $value }, meja: { $limit }
 
 ## crates/study/src/opening/frame.rs
 

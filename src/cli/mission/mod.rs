@@ -149,14 +149,18 @@ fn verify(
     if args.json {
         let report = json!({
             "name": result.name, "marked": result.marked, "program": result.program, "hints": result.hints,
-            "true": untrue.is_empty(), "untrue": untrue, "verdict": verdict,
+            "tries": result.tries, "true": untrue.is_empty(), "untrue": untrue, "verdict": verdict,
         });
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
         print(&mut out, mission, &verdict)?;
-        let MissionResult { name, marked, program, hints, .. } = result;
+        let MissionResult { name, marked, program, hints, tries, .. } = result;
         let whose = if name.is_empty() { String::new() } else { format!(" of {name}") };
-        writeln!(out, "\nresult{whose}, marked {marked} with version {program}, {hints} hints")?;
+        let tries = format!("begun {} times, checked {} times", tries.begun, tries.checked);
+        writeln!(
+            out,
+            "\nresult{whose}, marked {marked} with version {program}, {hints} hints, {tries}"
+        )?;
         match untrue.is_empty() {
             true => writeln!(out, "the result is true: its answer gives what it says")?,
             false => writeln!(out, "the result is NOT true:")?,
@@ -206,24 +210,40 @@ fn print(out: &mut impl Write, mission: &Mission, verdict: &MissionVerdict) -> s
     writeln!(out, "{}\n", mission.title)?;
     for prediction in &verdict.predictions {
         let came_to = match (prediction.answered, prediction.right) {
-            (false, _) => "not answered",
+            (false, _) => "none was made",
             (true, true) => "right",
             (true, false) => "wrong",
         };
         write!(out, "  step {}, prediction: {came_to}", prediction.step)?;
-        if let Some(off) = prediction.off_percent {
-            write!(out, ", {off:+.1} % off")?;
+        if prediction.late {
+            write!(out, ", when the cut had been seen")?;
+        }
+        let question = mission.questions().find(|(step, _)| *step == prediction.step);
+        let is_number = question.is_some_and(|(_, question)| question.kind.is_number());
+        // With the number itself the percentage gives the right one away.
+        match prediction.off_percent {
+            Some(off) if is_number && !verdict.passed && !prediction.right => {
+                write!(out, ", too {}", if off < 0.0 { "low" } else { "high" })?;
+            }
+            Some(off) if !is_number || verdict.passed => write!(out, ", {off:+.1} % off")?,
+            Some(_) | None => {}
         }
         writeln!(out)?;
         told(out, if prediction.right { "" } else { &prediction.word })?;
     }
     for check in &verdict.checks {
-        let [left, right] = check
-            .sides
-            .map(|side| side.map_or_else(|| "no value".to_owned(), |value| format!("{value:.4}")));
+        let [left, right] = check.sides.map(told_value);
         let holds = if check.holds { "holds" } else { "does NOT hold" };
         writeln!(out, "  {}: {holds} ({left}; {right})", check.when)?;
         told(out, if check.holds { "" } else { &check.otherwise })?;
+    }
+    let missed = verdict.stars_asked.iter().filter(|asked| verdict.passed && !asked.holds);
+    for asked in missed {
+        let [left, right] = asked.sides.map(told_value);
+        writeln!(out, "  star {}, {}: does NOT hold ({left}; {right})", asked.star, asked.when)?;
+    }
+    if verdict.passed && !verdict.is_foreseen() {
+        writeln!(out, "  star 3: not every prediction was made before the cut, and right")?;
     }
     let word = if verdict.passed { "passed" } else { "NOT passed" };
     writeln!(out, "\n{word}, {} of {MOST_STARS} stars; digest {}", verdict.stars, verdict.digest)?;
@@ -234,6 +254,10 @@ fn print(out: &mut impl Write, mission: &Mission, verdict: &MissionVerdict) -> s
         }
     }
     Ok(())
+}
+
+fn told_value(value: Option<f64>) -> String {
+    value.map_or_else(|| "no value".to_owned(), |value| format!("{value:.4}"))
 }
 
 fn told(out: &mut impl Write, word: &str) -> std::io::Result<()> {

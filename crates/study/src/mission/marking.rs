@@ -2,11 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use serde::{Deserialize, Serialize};
-
 use super::answer::{MissionAnswer, Prediction};
 use super::condition::Values;
 use super::value::{MissionValue, RunOf, Window};
+use super::verdict::{CheckVerdict, MissionVerdict, PredictionVerdict, StarVerdict};
 use super::{Mission, MissionError, Question, QuestionKind, RightIf};
 use crate::base::language::text;
 use crate::base::settings::{Kind, Value};
@@ -19,71 +18,6 @@ use crate::run::metrics::METRICS;
 use crate::run::one_run::Run;
 use crate::run::scenario::{Scenario, param};
 use crate::run::signals::{SignalInfo, signal};
-
-/// What a condition of a mission came to.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "when, sides, holds and otherwise")]
-pub struct CheckVerdict {
-    /// The condition as written.
-    pub when: String,
-    /// The values of its sides; none where there is none.
-    pub sides: [Option<f64>; 2],
-    /// Whether it holds.
-    pub holds: bool,
-    /// What the learner is told if not.
-    pub otherwise: String,
-}
-
-/// What a prediction came to.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "what a prediction came to")]
-pub struct PredictionVerdict {
-    /// The step, from 1 on.
-    pub step: usize,
-    /// Whether anything was predicted.
-    pub answered: bool,
-    /// Whether it was right.
-    pub right: bool,
-    /// Whether the mission asks for the right one.
-    pub must: bool,
-    /// Whether it came, or was changed, when the cut had been seen: then it does not count as foreseen.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub late: bool,
-    /// What it was off by, percent, of a number or a curve.
-    pub off_percent: Option<f64>,
-    /// The right answer in words, as far as the runs tell one.
-    pub solution: String,
-    /// What the learner is told.
-    pub word: String,
-}
-
-/// What an answer came to.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "what the answer came to")]
-pub struct MissionVerdict {
-    /// The mission.
-    pub mission: String,
-    /// Whether all checks hold, and all predictions that must.
-    pub passed: bool,
-    /// 0 if not passed, else 1 to 3.
-    pub stars: u8,
-    /// Predictions in the order of the steps.
-    pub predictions: Vec<PredictionVerdict>,
-    /// Checks in their order.
-    pub checks: Vec<CheckVerdict>,
-    /// Digest of the learner's run: who repeats it gets the same.
-    pub digest: String,
-}
-
-impl MissionVerdict {
-    /// What the learner is told of what is missing: of predictions first, as they came first.
-    pub fn words(&self) -> impl Iterator<Item = &str> {
-        let wrong = self.predictions.iter().filter(|prediction| !prediction.right);
-        let unmet = self.checks.iter().filter(|check| !check.holds);
-        let wrong = wrong.map(|prediction| prediction.word.as_str());
-        wrong.chain(unmet.map(|check| check.otherwise.as_str())).filter(|word| !word.is_empty())
-    }
-}
 
 /// Marking of an answer, as a job.
 #[derive(Clone, Debug)]
@@ -200,7 +134,17 @@ impl Marking {
         let all = |conditions: &[super::Condition]| {
             conditions.iter().all(|condition| condition.holds(&values))
         };
-        let foreseen = predictions.iter().all(|prediction| prediction.right && !prediction.late);
+        let foreseen = predictions.iter().all(PredictionVerdict::is_foreseen);
+        let stars_asked = [(2, two), (3, three)].into_iter().flat_map(|(star, conditions)| {
+            let values = &values;
+            conditions.iter().map(move |condition| StarVerdict {
+                star,
+                when: condition.to_string(),
+                sides: condition.sides(values),
+                holds: condition.holds(values),
+            })
+        });
+        let stars_asked = stars_asked.collect();
         let stars = match (passed, all(two), all(three) && foreseen) {
             (false, ..) => 0,
             (true, false, _) => 1,
@@ -214,6 +158,7 @@ impl Marking {
             stars,
             predictions,
             checks,
+            stars_asked,
             digest,
         }
     }

@@ -28,6 +28,7 @@ mod result;
 pub mod shipped;
 mod template;
 mod value;
+mod verdict;
 mod words;
 
 use std::collections::BTreeMap;
@@ -37,10 +38,11 @@ use serde::Serialize;
 pub use answer::{MissionAnswer, Prediction};
 pub use condition::{Condition, Quantity, Relation, Values};
 pub use link::{PACKED, SHIPPED, of_link};
-pub use marking::{CheckVerdict, Marking, MissionVerdict, PredictionVerdict};
-pub use result::{MissionResult, ResultOf};
+pub use marking::Marking;
+pub use result::{MissionResult, MissionTries, ResultOf};
 pub use template::TEMPLATE;
 pub use value::{MissionValue, RunOf, Taken, Window};
+pub use verdict::{CheckVerdict, MissionVerdict, PredictionVerdict, StarVerdict};
 pub use words::WriteNumber;
 
 use crate::base::language::{text, tr};
@@ -170,6 +172,14 @@ pub enum QuestionKind {
         /// and zero.
         tolerance_percent: f64,
     },
+}
+
+impl QuestionKind {
+    /// Whether a number is asked for.
+    #[must_use]
+    pub fn is_number(&self) -> bool {
+        matches!(self, Self::Number { .. })
+    }
 }
 
 /// One of the answers to choose from.

@@ -7,8 +7,9 @@
 //! | `mission` | `id`, `title` and `digest` (XXH3 of its text without comments) |
 //! | `name` | the learner's, as typed; left out where nothing was |
 //! | `answer` | `predictions` (as in an answer's file; `late` are those that came when the cut had been seen) and `link`, the cut as the learner left it |
-//! | `verdict` | `passed`, `stars`, `predictions`, `checks` with both sides as measured, `digest` of the cut |
+//! | `verdict` | `passed`, `stars`, `predictions`, `checks` and `stars_asked` with both sides as measured, `digest` of the cut; right answers only where it is passed |
 //! | `hints` | how many were asked for |
+//! | `tries` | `begun`, how often the mission was begun and its cut seen since the program was opened, and `checked`, how often an answer was handed in |
 //! | `marked` | when, ISO 8601 in UTC |
 //! | `program` | version of the program |
 
@@ -46,10 +47,30 @@ pub struct MissionResult {
     pub verdict: MissionVerdict,
     /// Hints that were asked for.
     pub hints: usize,
+    /// In which try that was.
+    #[serde(default)]
+    pub tries: MissionTries,
     /// When it was marked, ISO 8601 in UTC.
     pub marked: String,
     /// Version of the program that marked it.
     pub program: String,
+}
+
+/// How often a mission was tried since the program was opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "begun and checked")]
+pub struct MissionTries {
+    /// How often it was begun and its cut seen.
+    pub begun: u32,
+    /// How often an answer was handed in.
+    pub checked: u32,
+}
+
+/// What a result tells of itself: it was begun, and checked.
+impl Default for MissionTries {
+    fn default() -> Self {
+        Self { begun: 1, checked: 1 }
+    }
 }
 
 /// Which mission a result is of.
@@ -73,7 +94,8 @@ struct ResultAnswer {
 }
 
 impl MissionResult {
-    /// The result of an answer that came to `verdict` after so many hints, at a time in ISO 8601.
+    /// The result of an answer that came to `verdict` after so many hints, at a time in ISO 8601, in the first try.
+    /// What of the verdict gives right answers away is left out as long as it is not passed.
     #[must_use]
     pub fn new(
         mission: &Mission,
@@ -96,8 +118,9 @@ impl MissionResult {
                     .collect(),
                 link: scenario_link::write(&answer.scenario, &answer.edits),
             },
-            verdict,
+            verdict: verdict.withheld(mission),
             hints,
+            tries: MissionTries::default(),
             marked,
             program: env!("CARGO_PKG_VERSION").to_owned(),
         }
@@ -107,6 +130,12 @@ impl MissionResult {
     #[must_use]
     pub fn named(self, name: &str) -> Self {
         Self { name: name.trim().chars().take(MAX_NAME).collect(), ..self }
+    }
+
+    /// The same, of this try.
+    #[must_use]
+    pub fn tried(self, tries: MissionTries) -> Self {
+        Self { tries, ..self }
     }
 
     /// Under which name its stars are kept: the id of a shipped mission; for any other, which may have the id of a
@@ -206,12 +235,13 @@ impl MissionResult {
     }
 
     /// Where the result says something else than the verdict that its answer comes to: entry, what it says, and what
-    /// is found. Empty if it is true.
+    /// is found. Empty if it is true; what it leaves out is not untrue.
     #[must_use]
     pub fn untrue(&self, found: &MissionVerdict) -> Vec<String> {
         let value = |verdict: &MissionVerdict| serde_json::to_value(verdict).unwrap_or_default();
         let mut untrue = Vec::new();
-        differ("verdict", &value(&self.verdict), &value(found), &mut untrue);
+        let found = found.clone().as_far_as(&self.verdict);
+        differ("verdict", &value(&self.verdict), &value(&found), &mut untrue);
         untrue
     }
 }
@@ -280,6 +310,61 @@ mod tests {
         let mut own = read;
         own.mission.digest = "0".repeat(16);
         assert_eq!(own.kept_as(), format!("{}@{}", mission.id, own.mission.digest));
+    }
+
+    /// A number of the mission `gain-leaves-an-error`, and the verdict on it with a gain.
+    fn of_a_number(number: f64, kp: f64) -> (Mission, MissionAnswer, MissionVerdict) {
+        let mission = shipped::load("gain-leaves-an-error").unwrap();
+        let mut answer = MissionAnswer::untouched(&mission);
+        answer.predictions.insert(2, Prediction::Number(number));
+        answer.scenario.change(|settings| settings.controller.sdnrp.kp = kp).unwrap();
+        let verdict = marked(&mission, &answer);
+        (mission, answer, verdict)
+    }
+
+    /// A file that is not passed holds no right answer, nor what one could be worked out of; it is verified all the same.
+    #[test]
+    fn a_file_holds_right_answers_only_once_it_is_passed() {
+        let (mission, answer, verdict) = of_a_number(3.0, 1.0);
+        let solution = verdict.predictions[1].solution.clone();
+        assert!(!verdict.passed && solution.ends_with('%'), "{verdict:?}");
+        assert!(verdict.predictions[1].off_percent.is_some_and(|off| off < -50.0), "{verdict:?}");
+        let time = || "2026-01-02T03:04:05Z".to_owned();
+        let result = MissionResult::new(&mission, &answer, verdict.clone(), 0, time());
+        let text = result.write();
+        for prediction in &result.verdict.predictions {
+            assert!(prediction.solution.is_empty() && prediction.off_percent.is_none(), "{text}");
+        }
+        assert!(!text.contains(solution.split(' ').next().unwrap()), "{text}");
+        let read = MissionResult::read(&text).unwrap();
+        assert_eq!(read.untrue(&verdict), [""; 0]);
+        // A right answer that was written in by hand is found out all the same.
+        let mut forged = read;
+        forged.verdict.predictions[1].solution = "3 %".to_owned();
+        assert_eq!(forged.untrue(&verdict).len(), 1);
+
+        let (mission, answer, verdict) = of_a_number(3.0, 2.0);
+        assert!(verdict.passed, "{verdict:?}");
+        let result = MissionResult::new(&mission, &answer, verdict.clone(), 0, time());
+        assert_eq!(result.verdict, verdict);
+    }
+
+    #[test]
+    fn a_result_tells_in_which_try_it_was() {
+        let (_, result) = result();
+        assert_eq!(result.tries, MissionTries { begun: 1, checked: 1 });
+        let text = result.tried(MissionTries { begun: 2, checked: 5 }).write();
+        let read = MissionResult::read(&text).unwrap();
+        assert_eq!((read.tries.begun, read.tries.checked), (2, 5));
+        // A file of before counts none.
+        let mut old: Value = serde_json::from_str(&text).unwrap();
+        old.as_object_mut().unwrap().remove("tries");
+        old["verdict"].as_object_mut().unwrap().remove("stars_asked");
+        let old = MissionResult::read(&old.to_string()).unwrap();
+        assert_eq!(old.tries, MissionTries::default());
+        let mission = shipped::load("depth-step-at-constant-feed").unwrap();
+        let found = marked(&mission, &old.answer(&mission).unwrap());
+        assert_eq!(old.untrue(&found), [""; 0]);
     }
 
     #[test]

@@ -35,6 +35,34 @@ impl Mission {
         }
     }
 
+    /// What a condition came to, in words: the value of its left side, and of its right one where that is worked out;
+    /// `sides` are their values.
+    #[must_use]
+    pub fn came_to(
+        &self,
+        condition: &Condition,
+        sides: [Option<f64>; 2],
+        write: WriteNumber<'_>,
+    ) -> String {
+        let [left, right] = condition.quantities();
+        let (Some(value), Some(limit)) = (sides[0], sides[1]) else {
+            return tr("there is no such value").to_owned();
+        };
+        if self.nearness(left, condition.comparison(), right, write).is_some() {
+            let percent = write(&readable(100.0 * value.sqrt()), "%");
+            return tr!("yours is off by {percent}", percent = percent);
+        }
+        let unit_of = |side: &Quantity| side.as_name().map_or("", |name| self.unit_of(name));
+        let unit = Some(unit_of(left)).filter(|unit| !unit.is_empty());
+        let unit = unit.unwrap_or_else(|| unit_of(right));
+        let value = write(&readable(value), unit);
+        if right.to_string().parse::<f64>().is_ok() {
+            return tr!("yours: {value}", value = value);
+        }
+        let limit = write(&readable(limit), unit);
+        tr!("yours: {value}, the limit: {limit}", value = value, limit = limit)
+    }
+
     /// `(a / b - 1)^2 <= c^2` is how a file says that a is within a fraction c of b.
     fn nearness(
         &self,
@@ -146,6 +174,17 @@ impl Mission {
         };
         if unit == "-" { "" } else { unit }
     }
+}
+
+/// A number with about four significant digits.
+fn readable(value: f64) -> String {
+    let decimals = match value.abs() {
+        size if size >= 1000.0 || size == 0.0 => 0,
+        size if size >= 100.0 => 1,
+        size if size >= 10.0 => 2,
+        _ => 3,
+    };
+    format!("{value:.decimals$}")
 }
 
 /// Whether a text is a name alone.
@@ -309,6 +348,22 @@ mod tests {
             assert!(metric(id).is_some(), "{id}");
         }
         assert_eq!(METRICS.len(), METRIC_WORDS.len());
+    }
+
+    #[test]
+    fn what_a_condition_came_to_is_said_beside_it() {
+        let write = |number: &str, unit: &str| format!("{number} {unit}").trim_end().to_owned();
+        let told = |id: &str, star: usize, sides| {
+            let mission = shipped::load(id).unwrap();
+            mission.came_to(&mission.stars[star][0], sides, &write)
+        };
+        let id = "depth-step-at-constant-feed";
+        assert_eq!(told(id, 0, [Some(95.25), Some(96.0)]), "yours: 95.25 %");
+        let limit = [Some(31.0), Some(28.05)];
+        assert_eq!(told(id, 1, limit), "yours: 31.00 s, the limit: 28.05 s");
+        let near = told("read-the-errata", 0, [Some(0.05 * 0.05), Some(0.02 * 0.02)]);
+        assert_eq!(near, "yours is off by 5.000 %");
+        assert_eq!(told(id, 0, [None, Some(96.0)]), "there is no such value");
     }
 
     #[test]
