@@ -111,12 +111,12 @@ pub fn open_mission(ui: &mut Ui, view: &View<'_>, lock: &MissionLock, commands: 
     let from_right = egui::Layout::right_to_left(egui::Align::Center);
     ui.horizontal(|ui| {
         ui.with_layout(from_right, |ui| {
-            // On a phone the title needs the room; there it is left on its own screen.
-            if !view.narrow {
-                let help = tr("The cut stays as it is, and all of it can be changed again");
-                if ui.button(tr("Leave the mission")).on_hover_text(help).clicked() {
-                    commands.push(Command::Session(SessionCommand::EndMission));
-                }
+            let help = tr("The cut stays as it is, and all of it can be changed again");
+            // On a phone the title needs the room.
+            let leave = if view.narrow { tr("Leave") } else { tr("Leave the mission") };
+            let leave = ui.add(Button::new(leave).min_size(touch::least(ui)));
+            if leave.on_hover_text(help).clicked() {
+                commands.push(Command::Session(SessionCommand::EndMission));
             }
             let help = tr("Task, hints and answer of the mission: on the screen Learn");
             if ui.button(tr("Back to the mission")).on_hover_text(help).clicked() {

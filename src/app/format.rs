@@ -2,7 +2,7 @@
 //! sign minus (U+2212), and no line is broken between a number and its unit; files, links and the command line have
 //! neither.
 
-use crate::base::language::{self, tr};
+use crate::base::language::{self, Language, tr};
 use crate::base::math::{ln, pow};
 use crate::run::signals::{Row, flag};
 
@@ -51,6 +51,7 @@ pub fn typeset(sentence: &str) -> String {
             out.push_str(part);
             continue;
         }
+        let part = micrometres(part);
         let mut before = None;
         for (at, c) in part.char_indices() {
             let rest = &part[at + c.len_utf8()..];
@@ -66,6 +67,24 @@ pub fn typeset(sentence: &str) -> String {
             before = Some(c);
         }
     }
+    out
+}
+
+/// Micrometres behind numbers as people write them. In German the same letters are a word, with another one behind it.
+fn micrometres(part: &str) -> String {
+    let mut out = String::with_capacity(part.len() + 2);
+    let german = language::chosen() == Language::German;
+    let mut rest = part;
+    while let Some(at) = rest.find(" um") {
+        let (before, after) = (&rest[..at], &rest[at + " um".len()..]);
+        let ends = |c: char| ",;:.)]".contains(c) || !german && c.is_whitespace();
+        let is_unit =
+            before.ends_with(|c: char| c.is_ascii_digit()) && after.chars().next().is_none_or(ends);
+        out.push_str(before);
+        out.push_str(if is_unit { " µm" } else { " um" });
+        rest = after;
+    }
+    out.push_str(rest);
     out
 }
 
@@ -252,10 +271,20 @@ mod tests {
         for (said, shown) in [
             ("Ra is -3.2 % off (-12 N)", "Ra is \u{2212}3.2\u{a0}% off (\u{2212}12\u{a0}N)"),
             ("from 2 to 5 mm, at 300 mm/min.", "from 2 to 5\u{a0}mm, at 300\u{a0}mm/min."),
+            (
+                "from 0.05 to 4 um. Ra 2 um, (3 um)",
+                "from 0.05 to 4\u{a0}µm. Ra 2\u{a0}µm, (3\u{a0}µm)",
+            ),
+            ("0.81 um at 5 s", "0.81\u{a0}µm at 5\u{a0}s"),
             ("step 2 of 3, 2013-05, K-1", "step 2 of 3, 2013-05, K-1"),
             ("type `run -5 s` in 5 s", "type `run -5 s` in 5\u{a0}s"),
         ] {
             assert_eq!(typeset(said), shown);
         }
+        // In German it is a word.
+        language::choose(Language::German);
+        let said = typeset("von 3 um 2 mm, rund 5 um die Mitte, 3 um");
+        language::choose(Language::English);
+        assert_eq!(said, "von 3 um 2\u{a0}mm, rund 5 um die Mitte, 3\u{a0}µm");
     }
 }

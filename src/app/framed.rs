@@ -1,4 +1,5 @@
-//! What a page that embeds the console hides and locks (see [`crate::study::opening::Frame`]), and what a mission offers.
+//! What a page that embeds the console hides and locks (see [`crate::study::opening::Frame`]), and what a mission opens
+//! and offers.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -6,6 +7,7 @@ use std::sync::Arc;
 use egui::{Context, Id};
 
 use super::command::{Command, FileCommand, ShellCommand};
+use super::session::{LOCKED, MissionLock};
 use crate::base::language::tr;
 use crate::study::opening::{Frame, FramePart};
 
@@ -26,6 +28,47 @@ pub fn lock(ctx: &Context, paths: &BTreeSet<String>) {
 pub fn is_locked(ctx: &Context, path: &str) -> bool {
     let locked = ctx.data(|data| data.get_temp::<Arc<BTreeSet<String>>>(id()));
     locked.is_some_and(|paths| paths.contains(path))
+}
+
+/// What the mission under way opens.
+#[derive(Clone, Debug, PartialEq)]
+struct Opened {
+    title: String,
+    paths: Vec<String>,
+}
+
+fn opened_id() -> Id {
+    Id::unique("settings that a mission opens")
+}
+
+/// Notes which settings the mission under way opens, for all that changes settings.
+pub fn open(ctx: &Context, mission: Option<&MissionLock>) {
+    let opened = mission.map(|lock| Opened { title: lock.title.clone(), paths: lock.open.clone() });
+    let known = ctx.data(|data| data.get_temp::<Arc<Opened>>(opened_id()));
+    if known.as_deref() != opened.as_ref() {
+        ctx.data_mut(|data| match opened {
+            Some(opened) => {
+                data.insert_temp(opened_id(), Arc::new(opened));
+            }
+            None => data.remove::<Arc<Opened>>(opened_id()),
+        });
+    }
+}
+
+/// Why a setting cannot be changed, in a sentence: it is locked, or the mission under way does not open it.
+#[must_use]
+pub fn closed(ctx: &Context, path: &str) -> Option<String> {
+    if is_locked(ctx, path) {
+        return Some(tr!("Cannot be changed: it is {locked}.", locked = tr(LOCKED)));
+    }
+    let opened = ctx.data(|data| data.get_temp::<Arc<Opened>>(opened_id()))?;
+    if opened.paths.iter().any(|open| open == path) {
+        return None;
+    }
+    Some(tr!(
+        "Locked: the mission \u{201c}{title}\u{201d} does not open it. Leave the mission to change it.",
+        title = tr(&opened.title)
+    ))
 }
 
 /// The options of settings that are choices, by their paths.

@@ -2,7 +2,7 @@
 //! them; all that were shown can be read again in a list.
 
 use egui::{
-    Align, Align2, Area, Context, Layout, Order, Rect, RichText, ScrollArea, Sense, Ui, vec2,
+    Align, Align2, Area, Context, Layout, Order, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2,
 };
 
 use super::command::{Command, ShellCommand};
@@ -39,25 +39,43 @@ const MENU: f32 = 44.0;
 pub struct Messages {
     /// Number of the last message that was taken.
     taken: u64,
-    /// Numbers of those that are shown, the newest last, and how long they still are, s.
-    up: Vec<(u64, f64)>,
+    /// Those that are shown, the newest last.
+    up: Vec<Shown>,
+    /// How many missions were begun and ended.
+    missions: u64,
     /// Whether the pointer is over them: then they stay.
     held: bool,
 }
 
+/// A message over the screen.
+#[derive(Clone, Copy)]
+struct Shown {
+    number: u64,
+    /// How long it still is, s.
+    left_s: f64,
+    /// Whether it came while a mission was under way.
+    of_mission: bool,
+}
+
 impl Messages {
-    /// Shows new messages, and removes those whose time is over; `dt_s` seconds have gone by.
-    pub fn follow(&mut self, notices: &[Notice], dt_s: f64) {
+    /// Shows new messages, and removes those whose time is over; `dt_s` seconds have gone by. `mission` is how many
+    /// missions were begun and ended, and whether one is under way: what was said in one goes with it.
+    pub fn follow(&mut self, notices: &[Notice], dt_s: f64, (missions, under_way): (u64, bool)) {
         if !self.held {
-            self.up.iter_mut().for_each(|(_, left_s)| *left_s -= dt_s);
+            self.up.iter_mut().for_each(|shown| shown.left_s -= dt_s);
+        }
+        if missions != self.missions {
+            self.up.retain(|shown| !shown.of_mission);
+            self.missions = missions;
         }
         for notice in notices.iter().filter(|notice| notice.number > self.taken) {
             let chars = notice.text.chars().count() as f64;
-            self.up.push((notice.number, SHOWN_S + SHOWN_PER_CHAR_S * chars));
+            let left_s = SHOWN_S + SHOWN_PER_CHAR_S * chars;
+            self.up.push(Shown { number: notice.number, left_s, of_mission: under_way });
         }
         self.taken = notices.last().map_or(self.taken, |notice| notice.number.max(self.taken));
-        self.up.retain(|(number, left_s)| {
-            *left_s > 0.0 && notices.iter().any(|notice| notice.number == *number)
+        self.up.retain(|shown| {
+            shown.left_s > 0.0 && notices.iter().any(|notice| notice.number == shown.number)
         });
         let over = self.up.len().saturating_sub(MOST);
         self.up.drain(..over);
@@ -66,12 +84,12 @@ impl Messages {
     /// Whether one is shown.
     #[must_use]
     pub fn is_up(&self, number: u64) -> bool {
-        self.up.iter().any(|(up, _)| *up == number)
+        self.up.iter().any(|shown| shown.number == number)
     }
 
     /// Removes a message from the screen.
     pub fn dismiss(&mut self, number: u64) {
-        self.up.retain(|(up, _)| *up != number);
+        self.up.retain(|shown| shown.number != number);
     }
 
     /// Removes all from the screen.
@@ -81,7 +99,7 @@ impl Messages {
 
     /// Another screen is shown: what has had its least time goes, and does not lie over what is looked for there.
     pub fn leave_screen(&mut self) {
-        self.up.retain(|(_, left_s)| *left_s > LEAST_LEFT_S);
+        self.up.retain(|shown| shown.left_s > LEAST_LEFT_S);
     }
 
     /// Removes the newest one from the screen; `false` where there is none.
@@ -91,16 +109,17 @@ impl Messages {
 
     /// Draws them over what is free at the right of the transport, or where there is no room over the lower right corner
     /// of `screen`; on a phone over the bar, between its list of screens and its menu, in small letters. On the screen they
-    /// would lie on the figures, or on the sentence that tells the cut.
+    /// would lie on the figures, or on the sentence that tells the cut. On a phone they lie `below` that height, where there
+    /// is one.
     pub fn show(
         &mut self,
         ctx: &Context,
-        screen: Rect,
+        (screen, below): (Rect, Option<f32>),
         notices: &[Notice],
         commands: &mut Vec<Command>,
     ) {
         self.held = false;
-        let Some(soonest_s) = self.up.iter().map(|(_, left_s)| *left_s).reduce(f64::min) else {
+        let Some(soonest_s) = self.up.iter().map(|shown| shown.left_s).reduce(f64::min) else {
             return;
         };
         let narrow = screen.width() < theme::NARROW;
@@ -111,7 +130,10 @@ impl Messages {
         let taken = if narrow { SCREENS + MENU } else { 0.0 };
         let width = WIDTH.min(screen.width() - 2.0 * EDGE - taken);
         let (pivot, at) = match narrow {
-            true => (Align2::RIGHT_TOP, screen.right_top() + vec2(-EDGE - MENU, 4.0)),
+            true => {
+                let top = below.unwrap_or(screen.top());
+                (Align2::RIGHT_TOP, pos2(screen.right() - EDGE - MENU, top + 4.0))
+            }
             false => (Align2::RIGHT_BOTTOM, screen.right_bottom() - vec2(EDGE, EDGE)),
         };
         let shown = Area::new(egui::Id::unique("messages"))
@@ -202,6 +224,9 @@ fn list(ui: &mut Ui, notices: &[Notice]) {
 mod tests {
     use super::*;
 
+    /// No mission was begun.
+    const NONE: (u64, bool) = (0, false);
+
     fn notice(number: u64, text: &str) -> Notice {
         Notice { number, text: text.to_owned() }
     }
@@ -210,26 +235,40 @@ mod tests {
     fn messages_go_by_themselves_once_there_was_time_to_read_them() {
         let mut messages = Messages::default();
         let mut all = vec![notice(1, "short"), notice(2, &"long ".repeat(20))];
-        messages.follow(&all, 0.1);
+        messages.follow(&all, 0.1, NONE);
         assert!(messages.is_up(1) && messages.is_up(2));
-        messages.follow(&all, 6.0);
+        messages.follow(&all, 6.0, NONE);
         assert!(!messages.is_up(1) && messages.is_up(2));
         // Under the pointer one stays.
         messages.held = true;
-        messages.follow(&all, 60.0);
+        messages.follow(&all, 60.0, NONE);
         assert!(messages.is_up(2));
         messages.held = false;
         all.extend((3..=6).map(|number| notice(number, "more")));
-        messages.follow(&all, 0.1);
+        messages.follow(&all, 0.1, NONE);
         let up: Vec<u64> = (1..=6).filter(|number| messages.is_up(*number)).collect();
         assert_eq!(up, [4, 5, 6]);
         assert!(messages.dismiss_newest() && !messages.is_up(6));
         messages.dismiss(4);
         messages.leave_screen();
         assert!(messages.is_up(5), "it has only just come");
-        messages.follow(&all, 2.0);
+        messages.follow(&all, 2.0, NONE);
         messages.leave_screen();
         assert!(!messages.is_up(5), "it was there for two seconds");
         assert!(!messages.dismiss_newest(), "what has been shown does not come again");
+    }
+
+    #[test]
+    fn what_was_said_in_a_mission_goes_with_it() {
+        let mut messages = Messages::default();
+        let mut all = vec![notice(1, "before")];
+        messages.follow(&all, 0.1, (0, false));
+        // It is begun; what was said before stays, and so does what is said of its beginning.
+        all.push(notice(2, "in the mission"));
+        messages.follow(&all, 0.1, (1, true));
+        assert!(messages.is_up(1) && messages.is_up(2));
+        all.push(notice(3, "left"));
+        messages.follow(&all, 0.1, (2, false));
+        assert!(messages.is_up(1) && !messages.is_up(2) && messages.is_up(3));
     }
 }

@@ -253,6 +253,7 @@ impl Console {
             false => self.panels.iter().map(|panel| panel.id()).collect(),
         };
         framed::lock(&ctx, self.frame.locked());
+        framed::open(&ctx, self.session.mission());
         framed::offer(&ctx, self.session.mission().map(|lock| &lock.options));
         let timeline = self.panels[self.shown].has_timeline();
         let operator = self.session.hand().is_on();
@@ -273,7 +274,8 @@ impl Console {
         }
         // By the clock, however long frames take; a page that was hidden shows what it had to say.
         let real_s = ctx.input(|input| f64::from(input.unstable_dt)).min(1.0);
-        self.messages.follow(self.session.notices(), real_s);
+        let mission = (self.session.missions(), self.session.mission().is_some());
+        self.messages.follow(self.session.notices(), real_s, mission);
         theme::fit(ui);
         self.draw(ui, &mut commands);
         let reach = Reach { timeline, ..reach };
@@ -360,7 +362,8 @@ impl Console {
                 bar::show(ui, &view, &tabs, shown, commands);
             });
         }
-        if let Some(lock) = self.session.mission().filter(|_| leads_on && shown != LEARN) {
+        let lock = self.session.mission().filter(|_| leads_on && shown != LEARN);
+        if let Some(lock) = lock {
             let frame = strip(ui, 4);
             SidePanel::top("mission").frame(frame).resizable(false).show(ui, |ui| {
                 bar::open_mission(ui, &view, lock, commands);
@@ -385,7 +388,9 @@ impl Console {
                 false => self.panels[self.shown].ui(ui, &view, commands),
             }
         });
-        self.messages.show(ui.ctx(), middle, self.session.notices(), commands);
+        // What leads back to a mission, and out of it, is not lain upon.
+        let below = lock.map(|_| middle.top());
+        self.messages.show(ui.ctx(), (middle, below), self.session.notices(), commands);
         self.search.ui(ui.ctx(), &view, &tabs, commands);
     }
 

@@ -164,7 +164,9 @@ pub fn try_again(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         keys = keys
     );
     let button = Button::new(tr(TRY_AGAIN)).min_size(touch::least(ui));
-    let button = ui.add_enabled(view.session.has_mishap(), button);
+    // At the start there is nothing to go back to.
+    let begun = view.session.playback().playhead_s > 0.0;
+    let button = ui.add_enabled(begun && view.session.has_mishap(), button);
     if button.on_hover_text(help).on_disabled_hover_text(tr(NO_MISHAP)).clicked() {
         commands.push(command);
     }

@@ -488,6 +488,7 @@ fn the_mission_gives_the_knob_and_its_keys() {
         click(&mut screen, "Begin: Beat the controller by hand");
         assert!(session(&screen).hand().is_on());
         click(&mut screen, "Go on without a prediction");
+        click(&mut screen, "Go on all the same");
         screen.run_steps(5);
         press(&mut screen, Key::Space);
         seek(&mut screen, 6.0);

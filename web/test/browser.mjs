@@ -395,8 +395,9 @@ test("a mission is done with keyboard and screen reader alone", async () => {
   const title = "Why a deeper stretch breaks constant feed";
   await press("button", `Begin: ${title}`);
   await press("radio", "It gets rougher", "Space");
-  await press("button", "Next");
-  await press("button", "Next");
+  await press("button", "That is my prediction");
+  await press("radio", "It more than doubles", "Space");
+  await press("button", "That is my answer");
   await press("button", /^Controller/);
   await press("button", /^Tracking/);
   // A key that is none of an element's own goes on to the console.

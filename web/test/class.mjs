@@ -102,15 +102,21 @@ async function press(page, frame, name, check, argument) {
   return untilState(frame, check, argument);
 }
 
-// Predicts an option of the first step.
-async function predict(page, frame, option) {
-  await press(page, frame, `option ${option}`, (now) => now.rects.lesson.say !== undefined);
+// Answers the questions of the first two steps: predicts an option, then says another of what the cut shows.
+async function predict(page, frame, [first, second]) {
+  await press(page, frame, `option ${first}`, (now) => now.rects.lesson.say !== undefined);
+  await press(page, frame, "say", (now) => now.rects.lesson["step 2"] !== undefined);
+  await press(page, frame, `option ${second}`, () => true);
   return press(page, frame, "say", (now) => now.rects.lesson.check !== undefined);
 }
 
-// Goes on without a prediction and hands the cut in as it is.
+// Leaves both questions without an answer, which is asked twice, and hands the cut in as it is.
 async function handIn(page, frame) {
-  await press(page, frame, "skip", (now) => now.rects.lesson.check !== undefined);
+  const sure = "skip all the same";
+  await press(page, frame, "skip", (now, sure) => now.rects.lesson[sure] !== undefined, sure);
+  await press(page, frame, sure, (now) => now.rects.lesson["step 2"] !== undefined);
+  await press(page, frame, "skip", () => true);
+  await press(page, frame, sure, (now) => now.rects.lesson.check !== undefined);
   return press(page, frame, "check", (now) => now.result !== null);
 }
 
@@ -142,6 +148,10 @@ test("a SCORM runtime receives score, completion and answers, and brings them ba
 
   const { result } = await handIn(page, frame);
   assert.equal(result.verdict.passed, false);
+  assert.deepEqual(result.tries, { begun: 1, checked: 1 });
+  for (const { answered, solution } of result.verdict.predictions) {
+    assert.deepEqual([answered, solution], [false, ""], "nothing tells the right answers before it is passed");
+  }
   await picture(page, "class-failed");
   let now = await cmi(page);
   assert.deepEqual([now.core.lesson_status, now.core.score], ["failed", { raw: "0", min: "0", max: "100" }]);
@@ -164,7 +174,7 @@ test("a SCORM runtime receives score, completion and answers, and brings them ba
   const solved = `scorm/index.html#embed=hide:screens,hide:files&mission=${MISSION}&${link}&controller.kind=tracking`;
   frame = await launched(page, solved, now);
   assert.equal((await cmi(page)).core.lesson_status, "failed", "it was not begun anew");
-  await predict(page, frame, 3);
+  await predict(page, frame, [3, 3]);
   const passed = await press(page, frame, "check", (now) => now.result !== null);
   assert.deepEqual([passed.result.verdict.passed, passed.result.verdict.stars], [true, 3]);
   assert.equal(passed.stars, 3, "the page remembers them as well");
@@ -173,7 +183,7 @@ test("a SCORM runtime receives score, completion and answers, and brings them ba
   assert.deepEqual([now.core.lesson_status, now.core.score.raw], ["passed", "100"]);
   kept = JSON.parse(now.suspend_data);
   assert.deepEqual([kept.passed, kept.stars, kept.tries], [true, 3, 2]);
-  assert.deepEqual(kept.answer.predictions, [{ step: 1, choice: 3 }]);
+  assert.deepEqual(kept.answer.predictions, [{ step: 1, choice: 3 }, { step: 2, choice: 3 }]);
   await page.evaluate(() => window.end());
   await page.waitForFunction(() => window.API.isTerminated());
   assert.equal((await cmi(page)).core.exit, "");
@@ -258,15 +268,16 @@ test("statements reach the store, wait while there is no network, and the page o
   assert.match(first.object.id, new RegExp(`^urn:steadycut:mission:${MISSION}:[0-9a-f]{16}$`));
   assert.match(readFileSync(join(folder, "xapi", "tincan.xml"), "utf8"), new RegExp(`<activity id="${first.object.id}"`));
 
-  await predict(page, page, 1);
+  await predict(page, page, [1, 3]);
   await press(page, page, "check", (now) => now.result !== null);
-  await until(() => records.statements().length === 3);
-  assert.deepEqual(verbs(records.statements()), ["initialized", "answered", "failed"]);
-  const [, answered, failed] = records.statements();
+  await until(() => records.statements().length === 4);
+  assert.deepEqual(verbs(records.statements()), ["initialized", "answered", "answered", "failed"]);
+  const [, answered, looked, failed] = records.statements();
   assert.deepEqual(answered.result, { response: "1", success: false });
   assert.equal(answered.object.id, `${first.object.id}/step/1`);
+  assert.deepEqual(looked.result, { response: "3", success: true });
   assert.deepEqual(failed.result.score, { scaled: 0, raw: 0, min: 0, max: 3 });
-  assert.equal(new Set(records.statements().map(({ id }) => id)).size, 3);
+  assert.equal(new Set(records.statements().map(({ id }) => id)).size, 4);
 
   // Page and store are gone; the worker has the page once it is at work.
   await page.evaluate(() => navigator.serviceWorker.ready);
@@ -283,7 +294,7 @@ test("statements reach the store, wait while there is no network, and the page o
   await page.reload();
   await firstFrame(page);
   await untilState(page, (now) => now.mission !== null);
-  await predict(page, page, 3);
+  await predict(page, page, [3, 3]);
   const { result } = await press(page, page, "check", (now) => now.result !== null);
   assert.equal(result.verdict.stars, 3);
   await picture(page, "class-off-line");
@@ -291,13 +302,13 @@ test("statements reach the store, wait while there is no network, and the page o
     const key = Object.keys(localStorage).find((key) => key.startsWith("steadycut.xapi."));
     return key ? JSON.parse(localStorage.getItem(key)).length : 0;
   });
-  await until(async () => (await waiting()) === 4);
+  await until(async () => (await waiting()) === 5);
 
   // The network is back.
   records = await store(port);
   await page.evaluate(() => window.dispatchEvent(new Event("online")));
-  await until(() => records.statements().length >= 4);
-  assert.deepEqual(verbs(records.statements()), ["initialized", "answered", "passed", "completed"]);
+  await until(() => records.statements().length >= 5);
+  assert.deepEqual(verbs(records.statements()), ["initialized", "answered", "answered", "passed", "completed"]);
   const completed = records.statements().at(-1).result;
   assert.deepEqual([completed.score.scaled, completed.success, completed.completion], [1, true, true]);
   assert.match(completed.duration, /^PT[\d.]+S$/);

@@ -76,6 +76,7 @@ with-before-it-a-value-lies-outside-the-rang = Ein Wert mit ≈ davor liegt auß
 the-address-that-this-was-opened-with-hides = Die Adresse, mit der dies geöffnet wurde, blendet andere Ansichten aus (hide:screens).
 the-address-that-this-was-opened-with-hides-2 = Die Adresse, mit der dies geöffnet wurde, blendet die Suche aus (hide:find).
 the-address-that-this-was-opened-with-hides-3 = Die Adresse, mit der dies geöffnet wurde, blendet Dateien und Links aus (hide:files).
+locked-the-mission-title-does-not-open-it-le = Gesperrt: Die Mission „{ $title }“ gibt es nicht frei. Zum Ändern die Mission verlassen.
 
 ## src/app/jobs/list.rs
 
@@ -319,6 +320,7 @@ scenario = Szenario
 the-shipped-scenarios = Die mitgelieferten Szenarien
 as-shipped-about = Wie mitgeliefert: { $about }
 without-the-changes-made-in-the-cut-about = Ohne die Änderungen während des Schnitts: { $about }
+the-cut-of-the-mission-title-its-task-is-on = Der Schnitt der Mission „{ $title }“; ihre Aufgabe steht auf dem Bildschirm Lernen.
 
 ## src/app/panels/console/disturb.rs
 

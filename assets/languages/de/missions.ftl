@@ -19,15 +19,22 @@ the-feed-is-the-same-the-chip-is-not-the-edg = Der Vorschub ist derselbe, der Sp
 it-gets-rougher = Sie wird rauer
 the-depth-rises-from-2-0-mm-to-2-3-mm-at-45 = Die Tiefe steigt bei 45 mm von 2,0 mm auf 2,3 mm und fällt bei 85 mm zurück. Der Vorschub bleibt wie programmiert.
 predict = Vorhersagen
-watch-ra-and-the-force-where-the-depth-chang = Ra und die Kraft beobachten, wo sich die Tiefe ändert. Dann die freigegebenen Einstellungen ändern und erneut fräsen.
-see-it-and-mend-it = Ansehen und beheben
 the-drawing-asks-for-ra-0-81-m-on-the-whole = Die Zeichnung verlangt Ra 0,81 µm auf der ganzen Fläche. Das Programm hat einen einzigen Vorschub. In der Mitte ist das Rohteil 0,3 mm dicker, dort geht der Fräser also tiefer.
 why-a-deeper-stretch-breaks-constant-feed = Warum konstanter Vorschub am tieferen Bereich scheitert
+see-it = Ansehen
+watch-the-cut-as-it-comes-and-nothing-change = Den Schnitt ansehen, wie er kommt, ohne etwas zu ändern: Ra und die Kraft vor dem tieferen Bereich und darin.
+what-does-ra-come-to-in-the-deeper-stretch-a = Wie groß wird Ra im tieferen Bereich bei konstantem Vorschub?
+cut-from-the-start-at-constant-feed-and-read = Von Anfang an mit konstantem Vorschub fräsen und Ra vor dem Sprung und zwischen 60 und 84 mm ablesen.
+it-stays-inside-its-tolerance = Es bleibt in seiner Toleranz
+it-grows-by-about-a-third = Es wächst um etwa ein Drittel
+it-more-than-doubles = Es verdoppelt sich mehr als
+mend-it = Beheben
+change-what-is-open-to-you-and-cut-again = Ändern, was freigegeben ist, und noch einmal fräsen.
+ra-k5-f-f-k4-f-n-a-d-a-d0 = Ra = K5(F),  F = K4(f, n) A_D / A_D0
 
 ## assets/missions/gain-leaves-an-error.toml
 
 proportional-control-of-the-force-and-the-er = Proportionale Regelung der Kraft und die Regelabweichung, die sie übrig lässt.
-in-the-deeper-stretch-the-force-is-still-mor = Im tieferen Bereich liegt die Kraft noch mehr als 7 % über der Sollkraft. Was bewirkt eine größere Verstärkung?
 the-loop-overshoots-the-gain-is-more-than-th = Der Regelkreis schwingt über: Die Verstärkung ist größer, als die Totzeit zulässt.
 sdnrp-2007-the-controller-s-structure-remain = SDNRP 2007, Struktur des Reglers; bleibende Regelabweichung der P-Regelung: Lehrbuch
 proportional-control-needs-an-error-to-act-o = Eine P-Regelung braucht eine Regelabweichung, um einzugreifen, deshalb bleibt eine: je größer die Verstärkung, desto kleiner. Wie groß die Verstärkung sein darf, bestimmt die Totzeit. Die bleibende Regelabweichung ist kein Einstellfehler; sie gehört zu dieser Art von Regler.
@@ -42,26 +49,25 @@ above-it-nearer-than-at-constant-feed = Darüber, aber näher als bei konstantem
 nowhere-it-keeps-swinging = Nirgends: Sie schwingt weiter
 kp-is-small-and-so-is-what-a-measured-error = Kp ist klein, und so auch das, was eine gemessene Abweichung bewegt: Der Regelkreis ist hier ruhig. Die Kraft nach dem Sprung ansehen.
 kp-is-0-5-the-part-gets-15-deeper-at-45-mm = Kp ist 0,5. Bei 45 mm wird das Teil um 15 % tiefer.
-by-how-many-percent-of-the-desired-force-is = Um wie viel Prozent der Sollkraft weicht die Kraft im tieferen Bereich ab, mit Kp wie vorgegeben (0,5)?
-cut-once-with-kp-0-5-and-read-force-and-desi = Einmal mit Kp = 0,5 fräsen und Kraft und Sollkraft zwischen 60 und 84 mm ablesen.
 find-the-gain-that-meets-the-goal = Die Verstärkung finden, die das Ziel erfüllt.
 tune = Einstellen
 the-part-is-the-one-with-the-deeper-stretch = Es ist das Teil mit dem tieferen Bereich. Diesmal bewegt SDNRP Vorschub und Drehzahl: Es gibt seinen Modellen eine Kraft vor, korrigiert um Kp mal die Kraftabweichung.
 a-gain-comes-near-and-stays-off = Eine Verstärkung kommt nahe heran und bleibt daneben
+the-models-are-of-the-shallow-part-15-more-d = Die Modelle gelten für das flache Teil: 15 % mehr Tiefe braucht 15 % mehr Kraft, als ihnen vorgegeben wird. Vorgegeben wird die Sollkraft, korrigiert um Kp mal die Abweichung: in Ruhe ist F = 1,15 (F_d + Kp (F_d - F)).
+by-how-many-percent-of-the-desired-force-f-d = Um wie viel Prozent der Sollkraft F_d liegt die Kraft F im tieferen Bereich darüber, mit Kp wie vorgegeben (0,5)?
+solve-f-1-15-f-d-kp-f-d-f-for-f-f-d = F = 1,15 (F_d + Kp (F_d - F)) nach F / F_d auflösen.
+in-the-deeper-stretch-the-mean-force-is-stil = Im tieferen Bereich liegt die mittlere Kraft noch mehr als 7 % über der Sollkraft. Wo der Regelkreis ruhig ist, bringt eine größere Verstärkung sie näher; wo er schwingt, eine kleinere.
+the-force-does-not-come-to-rest-in-the-deepe = Die Kraft kommt im tieferen Bereich nicht zur Ruhe: Sie schwingt, und ihr Mittelwert sagt nichts. Die Verstärkung ist größer, als die Totzeit zulässt.
+f-set-f-d-kp-f-d-f-m-f-k2-f-set-n-k3-f-set = F_set = F_d + Kp (F_d - F_m),  f = K2(F_set),  n = K3(F_set)
 
 ## assets/missions/integral-action-holds.toml
 
-integral-action-brings-the-force-onto-the-de = Der I-Anteil bringt die Kraft auf die Sollkraft, bei jeder Tiefe.
-the-force-in-the-deeper-stretch-does-not-res = Die Kraft im tieferen Bereich kommt nicht auf der Sollkraft zur Ruhe. Eine Verstärkung allein bringt sie nicht dorthin: Was können Sie noch ändern?
-it-comes-there-and-too-slowly-or-with-too-mu = Sie kommt hin, aber zu langsam oder mit zu viel Schwingen: Nach jedem Sprung liegt Ra zu lange außerhalb der Toleranz.
 textbook-form-of-pi-control-the-override-loo = Lehrbuchform der PI-Regelung; Override-Regelkreis des kombinierten Systems, 2005
-the-sum-of-the-errors-stops-changing-only-wh = Die Summe der Abweichungen hört erst auf, sich zu ändern, wenn die Abweichung null ist. Deshalb hält der I-Anteil die Kraft bei jeder Tiefe, in jedem Werkstoff. Sein Preis: Er reagiert auf Vergangenes, eine zu große Verstärkung schwingt also.
 let-the-force-in-the-deeper-stretch-rest-wit = Die Kraft soll im tieferen Bereich auf 0,5 % genau bei der Sollkraft zur Ruhe kommen, mit Ra in Toleranz über 95 % der Länge.
 what-would-an-override-do-that-keeps-falling = Was bewirkt ein Override, der weiter sinkt, solange es irgendeine Abweichung gibt?
 set-the-integral-gain-ki-above-zero-small-it = Die Integralverstärkung Ki größer als null einstellen. Klein: Es dauert Sekunden. Groß: Es schwingt über. Was während des Schnitts geändert wird, wirkt erst ab dort: einstellen, dann von Anfang an fräsen.
 set-ki-to-0-2-press-cut-from-the-start-and-c = Ki auf 0,2 setzen, „Von Anfang an fräsen“ drücken und den Schnitt prüfen.
 with-an-integral-gain-above-zero-where-does = Wo kommt die Kraft mit einer Integralverstärkung größer als null zur Ruhe?
-on-the-desired-force-at-any-depth = Auf der Sollkraft, bei jeder Tiefe
 on-the-desired-force-at-2-0-mm-only = Nur bei 2,0 mm auf der Sollkraft
 the-sum-goes-on-changing-as-long-as-there-is = Die Summe ändert sich, solange es irgendeine Abweichung gibt, auch bei 2,3 mm: Ruhen kann sie nur, wo die Abweichung null ist.
 nearer-but-off-as-with-the-gain-alone = Näher, aber daneben, wie mit der Verstärkung allein
@@ -69,6 +75,13 @@ a-gain-needs-an-error-to-hold-its-correction = Eine Verstärkung braucht eine Ab
 find-an-integral-gain-ki-that-meets-the-goal = Eine Integralverstärkung Ki finden, die das Ziel erfüllt. Das Teil wird über seine ganze Länge beurteilt, eine Verstärkung, die erst während des Schnitts eingestellt wird, kommt also zu spät: einstellen, dann „Von Anfang an fräsen“ drücken.
 the-same-part-again-now-the-controller-is-p = Noch einmal dasselbe Teil. Der Regler ist jetzt P: Er verstellt den Vorschub-Override um seine Verstärkung mal die relative Regelabweichung und lässt, wie gesehen, den Rest stehen. Er kann die Abweichung auch von Abtastung zu Abtastung aufsummieren.
 adding-up-the-error-takes-it-away = Aufsummieren beseitigt die Abweichung
+integral-action-brings-the-force-onto-the-de-2 = Der I-Anteil bringt die Kraft auch bei anderer Tiefe auf die Sollkraft, solange er Spielraum hat.
+on-the-desired-force-at-2-3-mm-as-at-2-0-mm = Auf der Sollkraft, bei 2,3 mm wie bei 2,0 mm
+the-force-does-not-come-to-rest-in-the-deepe-2 = Die Kraft kommt im tieferen Bereich nicht zur Ruhe: Der Regelkreis ist instabil. Die Summe wirkt auf vergangene Abweichungen: Mit weniger Ki oder Kp beruhigt er sich.
+the-mean-force-in-the-deeper-stretch-is-not = Die mittlere Kraft im tieferen Bereich ist nicht die Sollkraft. Eine Verstärkung allein lässt eine Abweichung; eine Summe nimmt sie weg, wenn sie Zeit hat, nicht schwingt und der Override an keiner Grenze steht.
+ra-is-outside-its-tolerance-over-too-much-of = Ra liegt über zu viel der Länge außerhalb der Toleranz: Nach jedem Sprung kommt die Kraft zu langsam auf die Sollkraft, oder sie schwingt.
+the-sum-of-the-errors-stops-changing-only-wh-2 = Die Summe der Abweichungen hört erst auf, sich zu ändern, wenn die Abweichung null ist. Deshalb hält der I-Anteil die Kraft bei anderer Tiefe oder in anderem Werkstoff, solange dreierlei gilt: Der Override steht an keiner Grenze, der Regelkreis ist stabil, und weniger Vorschub heißt noch weniger Kraft. An einer Grenze steht die Summe still, und die Abweichung bleibt. Sein Preis: Er reagiert auf Vergangenes, eine zu große Verstärkung schwingt also.
+u-1-kp-e-ki-sum-e-e-1-f-m-f-ref = u = 1 + Kp e + Ki sum e,  e = 1 - F_m / F_ref
 
 ## assets/missions/dead-time-against-gain.toml
 
@@ -91,6 +104,7 @@ lower-the-gain-until-the-cut-is-good-and-no = Die Verstärkung senken, bis der S
 find-the-edge = Die Grenze finden
 on-this-machine-the-plc-passes-the-override = Auf dieser Maschine gibt die SPS den Override doppelt so langsam weiter: 160 ms, nachdem er gefordert wurde. Die Verstärkungen wurden auf der anderen Maschine eingestellt, und nun wackelt der Tisch.
 dead-time-against-gain-find-the-edge = Totzeit gegen Verstärkung: die Grenze finden
+k-l-pi-2-k-rate-of-the-integrator-with-all-t = K L < pi / 2,  K: Rate des Integrators mit allem, was ihm folgt, 1/s,  L: Totzeit, s
 
 ## assets/missions/smith-predictor.toml
 
@@ -113,6 +127,7 @@ make-the-controller-s-belief-fit-the-machine = Die Annahme des Reglers mit der M
 make-it-true = Berichtigen
 the-machine-with-160-ms-again-the-gain-must = Wieder die Maschine mit 160 ms. Die Verstärkung muss hoch bleiben, denn der Chef will kurze Zeiten. Der Regler kann ein Modell vom Weg des Befehls bekommen: Dann weiß er, was er gefordert und noch nicht gesehen hat.
 a-model-that-waits-the-smith-predictor = Ein Modell, das wartet: der Smith-Prädiktor
+y-y-u-0-u-a-u-a-with-and-u-0-without-the-ass = y* = y u_0 / u_a,  u_a mit und u_0 ohne die angenommene Totzeit
 
 ## assets/missions/noise-against-tolerance.toml
 
@@ -133,6 +148,7 @@ first-the-response-time-then-the-tolerance = Erst die Ansprechzeit, dann die Tol
 tune-then-ask = Erst einstellen, dann fragen
 steel-is-not-the-same-from-place-to-place-ed = Stahl ist nicht überall gleich, die Schneiden laufen unrund, der Sensor rauscht. Die Zeichnung erlaubt 10 % um Ra 0,81 µm. Der Meister fragt, warum bestenfalls ein Fünftel der Fläche außerhalb der Toleranz liegt, und das mit einem viel gelobten Regler.
 what-no-controller-can-hold-noise-against-to = Was kein Regler halten kann: Rauschen gegen Toleranz
+ra-k5-f-an-error-of-1-in-the-force-is-one-of = Ra = K5(F): eine Abweichung von 1 % in der Kraft sind mehrere Prozent in Ra
 
 ## assets/missions/another-material.toml
 
@@ -151,6 +167,7 @@ choose-what-does-not-need-to-know-the-steel = Einen Regler wählen, der den Stah
 hold-it = Halten
 the-store-has-run-out-of-ck45-and-brings-16m = Dem Lager ist Ck45 ausgegangen, es bringt 16MnCrSi5. Programm, Modelle und Verstärkung bleiben, wie sie sind: Die Modelle sagen, alles sei in Ordnung.
 another-steel-under-a-model-that-does-not-kn = Ein anderer Stahl unter einem Modell, das ihn nicht kennt
+gain-estimate-f-m-f-modelled = Schätzwert der Verstärkung = F_m / F_Modell
 
 ## assets/missions/wear-heard-and-seen.toml
 
@@ -173,6 +190,7 @@ choose-a-length-that-is-cut-before-the-surfa = Eine Länge wählen, die gefräst
 stop-in-time = Rechtzeitig aufhören
 a-tool-cuts-from-its-first-to-its-last-minut = Ein Werkzeug schneidet von seiner ersten bis zu seiner letzten Minute, gezeigt in 52 Sekunden: Eine Sekunde steht für sechs Minuten. Der Lehrling meint, man höre nichts.
 a-tool-s-life-heard-and-seen = Ein Werkzeugleben, gehört und gesehen
+f-f-sharp-1-growth-wear-used-life = F = F_scharf (1 + Zuwachs * Verschleiß(verbrauchte Standzeit))
 
 ## assets/missions/choose-for-the-2005-part.toml
 
@@ -194,6 +212,7 @@ the-engagement-does-not-grow-there-look-at-w = Dort wächst der Eingriff nicht. 
 choose-and-tune = Wählen und einstellen
 five-straight-cuts-of-different-depth-and-wi = Fünf gerade Schnitte verschiedener Tiefe und Breite, Zahn für Zahn, die Kraft auf 665 N zu halten. Bei konstantem Vorschub ist die größte Kraft mehr als doppelt so groß. Der Kunde zahlt nach Minuten; das Werkzeug bricht nach Newton.
 choose-and-tune-for-the-part-of-2005 = Für das Teil von 2005 wählen und einstellen
+u-f-ref-f-modelled-1-exponent-corrected-by-t = u = (F_ref / F_Modell)^(1 / Exponent), korrigiert durch die gemessene Kraft
 
 ## assets/missions/beat-it-by-hand.toml
 
@@ -213,6 +232,7 @@ read-the-feed-in-the-deeper-stretch-when-a-c = Den Vorschub im tieferen Bereich 
 cut-and-turn-the-knob-while-it-cuts-pausing = Fräsen und dabei den Knopf drehen. Anhalten und Zurückgehen sind erlaubt: Was dort gedreht wird, ersetzt das Folgende.
 forty-years-ago-this-was-done-by-ear-with-a = Vor vierzig Jahren ging das nach Gehör, mit der Hand am Override. Das Teil hat einen tieferen Bereich, und Sie haben den Knopf des Vorschub-Overrides: um ihn herum ziehen, mit Mausrad, den Tasten + und - oder dem Finger drehen. Die Ansicht Konsole zeigt, was ein Bediener sieht, und bewertet danach im Vergleich mit jedem Regler.
 beat-the-controller-by-hand = Den Regler von Hand schlagen
+f-u-f-n-2-3-mm-f-f-n-2-0-mm-solved-for-the-o = F(u f, n, 2,3 mm) = F(f, n, 2,0 mm), nach dem Override u aufgelöst
 
 ## assets/missions/teach-in-feed-control.toml
 
@@ -242,6 +262,7 @@ the-machine-s-control-has-adaptive-feed-cont-2 =
     Die Steuerung der Maschine hat eine adaptive Vorschubregelung, AFC: Das erste Teil wird mit dem programmierten Vorschub gefräst, und die Spitzenkraft jedes Schnitts wird seine Referenz. Von da an folgt der Vorschub der Kraft. Gestern brach im zweiten Schnitt eine Schneide aus, und niemand merkte es, bis das Werkzeug brach. Heute geschieht nach 12 s dasselbe.
     Die Regelung kann noch zweierlei. Sie meldet eine Überlast, wenn die Kraft mehr als 1 s über ihrer Grenze bleibt, während der Vorschub schon auf FMIN steht: Weiter nachgeben kann sie nicht. Und sie schaltet sich für den Rest des Schnitts ab, wenn der Bediener den Override um mehr als 10 % zurückdreht: Dann führt die Hand den Vorschub.
 set-up-feed-control-by-teach-in = Vorschubregelung mit Lehrschnitt einrichten
+u-limit-f-1-f-m-fmin-fmax-f-m-1-3-f-1-u-0-6 = u = begrenzt(F_1 / F_m, FMIN, FMAX),  F_m = 1,3 F_1 u^0,6
 
 ## assets/missions/quiet-speed.toml
 
@@ -264,6 +285,7 @@ choose-a-speed-by-the-chart-and-cut = Eine Drehzahl nach der Karte wählen und f
 find-it = Finden
 the-deeper-stretch-sings-and-its-marks-can-b = Der tiefere Bereich singt, und seine Marken sind zu fühlen. Die Tiefe steht in der Zeichnung, also bleibt sie. „Langsamer“, sagt der eine. „Schneller“, sagt der andere.
 a-quiet-speed-between-two-lobes = Eine ruhige Drehzahl zwischen zwei Rattersäcken
+b-lim-1-2-k-s-mu-re-g-omega-min = b_lim = -1 / (2 K_s mu Re[G(omega)]_min)
 
 ## assets/missions/plan-and-what-binds.toml
 
@@ -287,6 +309,7 @@ program-the-optimum-and-cut-the-part = Das Optimum programmieren und das Teil fr
 program-it = Programmieren
 before-the-first-chip-the-swarm-looks-for-th = Vor dem ersten Span sucht der Schwarm Vorschub und Drehzahl, die das Teil innerhalb von sieben Grenzen am schnellsten fräsen. Der Werkleiter fragt: Was sollen wir kaufen, um schneller zu sein, eine stärkere Spindel oder eine bessere Schneide?
 plan-a-cut-and-say-what-binds = Einen Schnitt planen und sagen, was bindet
+least-time-within-g-i-f-n-0-i-1-to-7 = kürzeste Zeit innerhalb g_i(f, n) <= 0, i = 1 bis 7
 
 ## assets/missions/outside-its-range.toml
 
@@ -305,6 +328,7 @@ lower-the-target-until-the-models-can-be-bel = Den Sollwert senken, bis den Mode
 find-the-end-of-what-is-known = Das Ende des Bekannten finden
 for-a-roughing-cut-somebody-sets-the-target = Für einen Schruppschnitt setzt jemand den Sollwert auf Ra 4 µm. Der Regler hat dafür eine Formel, wie für alles: Formeln antworten immer.
 a-model-outside-its-range = Ein Modell außerhalb seines Bereichs
+k1-k5-valid-between-the-least-and-largest-va = K1..K5: gültig zwischen den kleinsten und größten Werten von Tabelle 3
 
 ## assets/missions/read-the-errata.toml
 
@@ -328,3 +352,4 @@ choose-the-calibration-that-repeats-the-row = Die Kalibrierung wählen, die die 
 repeat-the-table = Die Tabelle nachrechnen
 you-are-asked-to-build-what-a-paper-describe = Es soll gebaut werden, was ein Artikel beschreibt. Seine Gleichungen sind gedruckt, seine Ergebnisse auch. Die ersten in die zweiten eingesetzt, und nichts passt.
 read-the-errata = Die Errata lesen
+k2-f-0-for-f-177-07-n-as-printed-table-3-has = K2(F) < 0 für F < 177,07 N, wie gedruckt; Tabelle 3 hat Kräfte ab 166,5 N

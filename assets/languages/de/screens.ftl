@@ -592,6 +592,9 @@ nothing-this-mission-asks-only-for-answers = Nichts: Diese Mission verlangt nur 
 given-2 = Gegeben
 hint-number = Hinweis { $number }:
 hint-number-of-count = Hinweis { $number } von { $count }
+without-an-answer-there-is-no-third-star-any = Ohne Antwort gibt es keinen dritten Stern: Jede Vermutung lehrt mehr als keine.
+go-on-all-the-same = Trotzdem weiter
+you-have-seen-this-cut-before-another-answer = Dieser Schnitt wurde schon gesehen: Eine andere Antwort als beim ersten Mal zählt zum Bestehen, nicht für den dritten Stern.
 
 ## src/app/panels/learn/verdict.rs
 
@@ -601,10 +604,7 @@ close-the-result = Ergebnis schließen
 passed-won-of-most-stars = Bestanden: { $won } von { $most } Sternen
 not-passed-yet-2 = Noch nicht bestanden
 this-is-of-before-your-last-change-check-aga = Das gilt für den Stand vor der letzten Änderung: noch einmal prüfen.
-exactly = genau
 off-the-curve-by-percent-of-its-height = um { $percent } ihrer Höhe neben der Kurve
-percent-below-the-true-value = { $percent } unter dem wahren Wert
-percent-above-the-true-value = { $percent } über dem wahren Wert
 your-answer-in-step-step-is-right-it-came-wh = Die Antwort in Schritt { $step } ist richtig; sie kam, nachdem der Schnitt zu sehen war
 your-answer-in-step-step-is-wrong = Die Antwort in Schritt { $step } ist falsch
 your-prediction-in-step-step-was-right = Die Vorhersage in Schritt { $step } war richtig
@@ -613,6 +613,15 @@ your-prediction-in-step-step-was-right-off-2 = Die Vorhersage in Schritt { $step
 your-prediction-in-step-step-was-wrong-off-2 = Die Vorhersage in Schritt { $step } war falsch ({ $off })
 predictions-that-are-right-made-before-the-c = richtige Vorhersagen vor dem Schnitt
 for-all-three-stars = Für alle drei Sterne:
+tries-begun-begun-checked-checked = Versuche: begonnen { $begun }, geprüft { $checked }
+within-tolerance-of-the-true-value = innerhalb { $tolerance } um den wahren Wert
+too-low-allowed-is-tolerance-to-either-side = zu niedrig; erlaubt sind { $tolerance } nach beiden Seiten
+too-high-allowed-is-tolerance-to-either-side = zu hoch; erlaubt sind { $tolerance } nach beiden Seiten
+words-the-true-value-is-truth = { $words }; der wahre Wert ist { $truth }
+no-prediction-was-made-in-step-step-that-cos = In Schritt { $step } wurde nichts vorhergesagt: Das kostet den dritten Stern
+reached-condition = erreicht: { $condition }
+missed-condition = verfehlt: { $condition }
+no-answer-was-given-in-step-step-that-costs = In Schritt { $step } wurde nicht geantwortet: Das kostet den dritten Stern
 
 ## src/app/panels/learning/actions.rs
 

@@ -76,6 +76,7 @@ with-before-it-a-value-lies-outside-the-rang = With ≈ before it a value lies o
 the-address-that-this-was-opened-with-hides = The address that this was opened with hides other screens (hide:screens).
 the-address-that-this-was-opened-with-hides-2 = The address that this was opened with hides the search (hide:find).
 the-address-that-this-was-opened-with-hides-3 = The address that this was opened with hides files and links (hide:files).
+locked-the-mission-title-does-not-open-it-le = Locked: the mission “{ $title }” does not open it. Leave the mission to change it.
 
 ## src/app/jobs/list.rs
 
@@ -308,6 +309,7 @@ scenario = Scenario
 the-shipped-scenarios = The shipped scenarios
 as-shipped-about = As shipped: { $about }
 without-the-changes-made-in-the-cut-about = Without the changes made in the cut: { $about }
+the-cut-of-the-mission-title-its-task-is-on = The cut of the mission “{ $title }”; its task is on the screen Learn.
 
 ## src/app/panels/console/disturb.rs
 

@@ -19,15 +19,22 @@ the-feed-is-the-same-the-chip-is-not-the-edg = The feed is the same, the chip is
 it-gets-rougher = It gets rougher
 the-depth-rises-from-2-0-mm-to-2-3-mm-at-45 = The depth rises from 2.0 mm to 2.3 mm at 45 mm and falls back at 85 mm. The feed stays as it is programmed.
 predict = Predict
-watch-ra-and-the-force-where-the-depth-chang = Watch Ra and the force where the depth changes. Then change what is open to you and cut again.
-see-it-and-mend-it = See it and mend it
 the-drawing-asks-for-ra-0-81-m-on-the-whole = The drawing asks for Ra 0.81 µm on the whole face. The program has one feed. In the middle the blank is 0.3 mm thicker, so the cutter goes deeper there.
 why-a-deeper-stretch-breaks-constant-feed = Why a deeper stretch breaks constant feed
+see-it = See it
+watch-the-cut-as-it-comes-and-nothing-change = Watch the cut as it comes, and nothing changed: Ra and the force before the deeper stretch and in it.
+what-does-ra-come-to-in-the-deeper-stretch-a = What does Ra come to in the deeper stretch, at constant feed?
+cut-from-the-start-at-constant-feed-and-read = Cut from the start at constant feed, and read Ra before the step and between 60 and 84 mm.
+it-stays-inside-its-tolerance = It stays inside its tolerance
+it-grows-by-about-a-third = It grows by about a third
+it-more-than-doubles = It more than doubles
+mend-it = Mend it
+change-what-is-open-to-you-and-cut-again = Change what is open to you and cut again.
+ra-k5-f-f-k4-f-n-a-d-a-d0 = Ra = K5(F),  F = K4(f, n) A_D / A_D0
 
 ## assets/missions/gain-leaves-an-error.toml
 
 proportional-control-of-the-force-and-the-er = Proportional control of the force, and the error that it leaves.
-in-the-deeper-stretch-the-force-is-still-mor = In the deeper stretch the force is still more than 7 % above the desired one. What does a larger gain do to it?
 the-loop-overshoots-the-gain-is-more-than-th = The loop overshoots: the gain is more than the dead time allows.
 sdnrp-2007-the-controller-s-structure-remain = SDNRP 2007, the controller's structure; remaining error of proportional control: textbook
 proportional-control-needs-an-error-to-act-o = Proportional control needs an error to act on, so one remains: the larger the gain, the smaller it is. The dead time sets how large the gain can be. A remaining error is no fault of tuning; it is what this kind of controller does.
@@ -42,26 +49,25 @@ above-it-nearer-than-at-constant-feed = Above it, nearer than at constant feed
 nowhere-it-keeps-swinging = Nowhere: it keeps swinging
 kp-is-small-and-so-is-what-a-measured-error = Kp is small, and so is what a measured error moves: the loop is calm here. Look at the force after the step.
 kp-is-0-5-the-part-gets-15-deeper-at-45-mm = Kp is 0.5. The part gets 15 % deeper at 45 mm.
-by-how-many-percent-of-the-desired-force-is = By how many percent of the desired force is the force off in the deeper stretch, with Kp as it was given (0.5)?
-cut-once-with-kp-0-5-and-read-force-and-desi = Cut once with Kp = 0.5 and read force and desired force between 60 and 84 mm.
 find-the-gain-that-meets-the-goal = Find the gain that meets the goal.
 tune = Tune
 the-part-is-the-one-with-the-deeper-stretch = The part is the one with the deeper stretch. This time SDNRP moves feed and speed: it asks its models for a force that is corrected by Kp times what the force is off by.
 a-gain-comes-near-and-stays-off = A gain comes near, and stays off
+the-models-are-of-the-shallow-part-15-more-d = The models are of the shallow part: 15 % more depth takes 15 % more force than what is asked of them. What is asked is the desired force, corrected by Kp times the error: at rest F = 1.15 (F_d + Kp (F_d - F)).
+by-how-many-percent-of-the-desired-force-f-d = By how many percent of the desired force F_d is the force F above it in the deeper stretch, with Kp as it is given (0.5)?
+solve-f-1-15-f-d-kp-f-d-f-for-f-f-d = Solve F = 1.15 (F_d + Kp (F_d - F)) for F / F_d.
+in-the-deeper-stretch-the-mean-force-is-stil = In the deeper stretch the mean force is still more than 7 % above the desired one. Where the loop is calm a larger gain brings it nearer; where it swings, a smaller one.
+the-force-does-not-come-to-rest-in-the-deepe = The force does not come to rest in the deeper stretch: it swings, and its mean says nothing. The gain is more than the dead time allows.
+f-set-f-d-kp-f-d-f-m-f-k2-f-set-n-k3-f-set = F_set = F_d + Kp (F_d - F_m),  f = K2(F_set),  n = K3(F_set)
 
 ## assets/missions/integral-action-holds.toml
 
-integral-action-brings-the-force-onto-the-de = Integral action brings the force onto the desired one, whatever the depth.
-the-force-in-the-deeper-stretch-does-not-res = The force in the deeper stretch does not rest on the desired one. A gain alone cannot bring it there: what else is open to you?
-it-comes-there-and-too-slowly-or-with-too-mu = It comes there, and too slowly or with too much swinging: Ra is outside its tolerance for too long after each step.
 textbook-form-of-pi-control-the-override-loo = Textbook form of PI control; the override loop of the combined system, 2005
-the-sum-of-the-errors-stops-changing-only-wh = The sum of the errors stops changing only where the error is zero. That is why integral action holds the force at any depth, in any material. Its price: it reacts to what was, so too large a gain swings.
 let-the-force-in-the-deeper-stretch-rest-wit = Let the force in the deeper stretch rest within 0.5 % of the desired one, with Ra in tolerance over 95 % of the length.
 what-would-an-override-do-that-keeps-falling = What would an override do that keeps falling as long as there is any error?
 set-the-integral-gain-ki-above-zero-small-it = Set the integral gain Ki above zero. Small: it takes seconds. Large: it overshoots. What is changed during the cut acts only from there on: set it, then cut from the start.
 set-ki-to-0-2-press-cut-from-the-start-and-c = Set Ki to 0.2, press “Cut from the start”, and check the cut.
 with-an-integral-gain-above-zero-where-does = With an integral gain above zero, where does the force come to rest?
-on-the-desired-force-at-any-depth = On the desired force, at any depth
 on-the-desired-force-at-2-0-mm-only = On the desired force at 2.0 mm only
 the-sum-goes-on-changing-as-long-as-there-is = The sum goes on changing as long as there is any error, at 2.3 mm too: it can only rest where the error is zero.
 nearer-but-off-as-with-the-gain-alone = Nearer, but off, as with the gain alone
@@ -69,6 +75,13 @@ a-gain-needs-an-error-to-hold-its-correction = A gain needs an error to hold its
 find-an-integral-gain-ki-that-meets-the-goal = Find an integral gain Ki that meets the goal. The part is judged over its whole length, so a gain that is set during the cut comes too late: set it, then press “Cut from the start”.
 the-same-part-again-now-the-controller-is-p = The same part again. Now the controller is P: it moves the feed override by its gain times the relative error, and leaves the rest of it, as you have seen. It can also add the error up from sample to sample.
 adding-up-the-error-takes-it-away = Adding up the error takes it away
+integral-action-brings-the-force-onto-the-de-2 = Integral action brings the force onto the desired one at another depth too, as long as it finds room to act.
+on-the-desired-force-at-2-3-mm-as-at-2-0-mm = On the desired force, at 2.3 mm as at 2.0 mm
+the-force-does-not-come-to-rest-in-the-deepe-2 = The force does not come to rest in the deeper stretch: the loop is unstable. The sum acts on errors of before: less of Ki, or of Kp, lets it settle.
+the-mean-force-in-the-deeper-stretch-is-not = The mean force in the deeper stretch is not the desired one. A gain alone leaves an error; a sum takes it away, if it has the time, does not swing, and the override is at no limit.
+ra-is-outside-its-tolerance-over-too-much-of = Ra is outside its tolerance over too much of the length: after each step the force comes to the desired one too slowly, or it swings.
+the-sum-of-the-errors-stops-changing-only-wh-2 = The sum of the errors stops changing only where the error is zero. That is why integral action holds the force at another depth, or in another material, as long as three things hold: the override is at no limit, the loop is stable, and a smaller feed still means a smaller force. At a limit the sum stands still, and the error stays. Its price: it reacts to what was, so too large a gain swings.
+u-1-kp-e-ki-sum-e-e-1-f-m-f-ref = u = 1 + Kp e + Ki sum e,  e = 1 - F_m / F_ref
 
 ## assets/missions/dead-time-against-gain.toml
 
@@ -91,6 +104,7 @@ lower-the-gain-until-the-cut-is-good-and-no = Lower the gain until the cut is go
 find-the-edge = Find the edge
 on-this-machine-the-plc-passes-the-override = On this machine the PLC passes the override on twice as slowly: 160 ms after it was asked for. The gains were tuned on the other machine, and now the table shakes.
 dead-time-against-gain-find-the-edge = Dead time against gain: find the edge
+k-l-pi-2-k-rate-of-the-integrator-with-all-t = K L < pi / 2,  K: rate of the integrator with all that follows it, 1/s,  L: dead time, s
 
 ## assets/missions/smith-predictor.toml
 
@@ -113,6 +127,7 @@ make-the-controller-s-belief-fit-the-machine = Make the controller's belief fit 
 make-it-true = Make it true
 the-machine-with-160-ms-again-the-gain-must = The machine with 160 ms again. The gain must stay high, since the boss wants short times. The controller can be given a model of the command's way: it then knows what it has asked for and not yet seen.
 a-model-that-waits-the-smith-predictor = A model that waits: the Smith predictor
+y-y-u-0-u-a-u-a-with-and-u-0-without-the-ass = y* = y u_0 / u_a,  u_a with and u_0 without the assumed dead time
 
 ## assets/missions/noise-against-tolerance.toml
 
@@ -133,6 +148,7 @@ first-the-response-time-then-the-tolerance = First the response time, then the t
 tune-then-ask = Tune, then ask
 steel-is-not-the-same-from-place-to-place-ed = Steel is not the same from place to place, edges pass, the sensor hisses. The drawing allows 10 % around Ra 0.81 µm. The foreman asks why a fifth of the face is out of tolerance at best, with a controller that was praised.
 what-no-controller-can-hold-noise-against-to = What no controller can hold: noise against tolerance
+ra-k5-f-an-error-of-1-in-the-force-is-one-of = Ra = K5(F): an error of 1 % in the force is one of several percent in Ra
 
 ## assets/missions/another-material.toml
 
@@ -151,6 +167,7 @@ choose-what-does-not-need-to-know-the-steel = Choose what does not need to know 
 hold-it = Hold it
 the-store-has-run-out-of-ck45-and-brings-16m = The store has run out of Ck45 and brings 16MnCrSi5. The program, the models and the gain stay as they are: the models say that all is well.
 another-steel-under-a-model-that-does-not-kn = Another steel under a model that does not know it
+gain-estimate-f-m-f-modelled = gain estimate = F_m / F_modelled
 
 ## assets/missions/wear-heard-and-seen.toml
 
@@ -173,6 +190,7 @@ choose-a-length-that-is-cut-before-the-surfa = Choose a length that is cut befor
 stop-in-time = Stop in time
 a-tool-cuts-from-its-first-to-its-last-minut = A tool cuts from its first to its last minute, shown in 52 seconds: one second stands for six minutes. The apprentice says that one cannot hear anything.
 a-tool-s-life-heard-and-seen = A tool's life, heard and seen
+f-f-sharp-1-growth-wear-used-life = F = F_sharp (1 + growth * wear(used life))
 
 ## assets/missions/choose-for-the-2005-part.toml
 
@@ -194,6 +212,7 @@ the-engagement-does-not-grow-there-look-at-w = The engagement does not grow ther
 choose-and-tune = Choose and tune
 five-straight-cuts-of-different-depth-and-wi = Five straight cuts of different depth and width, tooth by tooth, the force to be held at 665 N. At constant feed the largest force is more than twice that. The customer pays by the minute; the tool breaks by the newton.
 choose-and-tune-for-the-part-of-2005 = Choose and tune for the part of 2005
+u-f-ref-f-modelled-1-exponent-corrected-by-t = u = (F_ref / F_modelled)^(1 / exponent), corrected by the measured force
 
 ## assets/missions/beat-it-by-hand.toml
 
@@ -213,6 +232,7 @@ read-the-feed-in-the-deeper-stretch-when-a-c = Read the feed in the deeper stret
 cut-and-turn-the-knob-while-it-cuts-pausing = Cut, and turn the knob while it cuts. Pausing and going back are allowed: what is turned there replaces what came after.
 forty-years-ago-this-was-done-by-ear-with-a = Forty years ago this was done by ear, with a hand on the override. The part has a deeper stretch, and the knob of the feed override is yours: drag around it, or turn it by the mouse wheel, the keys + and -, or a finger. The screen Console shows what an operator sees, and scores you afterwards against every controller.
 beat-the-controller-by-hand = Beat the controller by hand
+f-u-f-n-2-3-mm-f-f-n-2-0-mm-solved-for-the-o = F(u f, n, 2.3 mm) = F(f, n, 2.0 mm), solved for the override u
 
 ## assets/missions/teach-in-feed-control.toml
 
@@ -243,6 +263,7 @@ the-machine-s-control-has-adaptive-feed-cont-2 =
     
     Two things more that such a control does. It tells an overload when the force stays over its limit for more than 1 s with the feed at FMIN: it cannot give way any further. And it switches itself off for the rest of the cut when the operator turns the override down by more than 10 %: then the hand has the feed.
 set-up-feed-control-by-teach-in = Set up feed control by teach-in
+u-limit-f-1-f-m-fmin-fmax-f-m-1-3-f-1-u-0-6 = u = limit(F_1 / F_m, FMIN, FMAX),  F_m = 1.3 F_1 u^0.6
 
 ## assets/missions/quiet-speed.toml
 
@@ -265,6 +286,7 @@ choose-a-speed-by-the-chart-and-cut = Choose a speed by the chart and cut.
 find-it = Find it
 the-deeper-stretch-sings-and-its-marks-can-b = The deeper stretch sings, and its marks can be felt. The depth is on the drawing, so it stays. "Go slower", says one. "Go faster", says the other.
 a-quiet-speed-between-two-lobes = A quiet speed between two lobes
+b-lim-1-2-k-s-mu-re-g-omega-min = b_lim = -1 / (2 K_s mu Re[G(omega)]_min)
 
 ## assets/missions/plan-and-what-binds.toml
 
@@ -288,6 +310,7 @@ program-the-optimum-and-cut-the-part = Program the optimum and cut the part.
 program-it = Program it
 before-the-first-chip-the-swarm-looks-for-th = Before the first chip the swarm looks for the feed and speed that cut the part fastest within seven limits. The works manager asks: what should we buy to be faster, a stronger spindle or a better edge?
 plan-a-cut-and-say-what-binds = Plan a cut, and say what binds
+least-time-within-g-i-f-n-0-i-1-to-7 = least time within g_i(f, n) <= 0, i = 1 to 7
 
 ## assets/missions/outside-its-range.toml
 
@@ -306,6 +329,7 @@ lower-the-target-until-the-models-can-be-bel = Lower the target until the models
 find-the-end-of-what-is-known = Find the end of what is known
 for-a-roughing-cut-somebody-sets-the-target = For a roughing cut somebody sets the target to Ra 4 µm. The controller has a formula for that, as for everything: formulas always answer.
 a-model-outside-its-range = A model outside its range
+k1-k5-valid-between-the-least-and-largest-va = K1..K5: valid between the least and largest values of Table 3
 
 ## assets/missions/read-the-errata.toml
 
@@ -329,3 +353,4 @@ choose-the-calibration-that-repeats-the-row = Choose the calibration that repeat
 repeat-the-table = Repeat the table
 you-are-asked-to-build-what-a-paper-describe = You are asked to build what a paper describes. Its equations are printed, and so are its results. You put the first into the second, and nothing fits.
 read-the-errata = Read the errata
+k2-f-0-for-f-177-07-n-as-printed-table-3-has = K2(F) < 0 for F < 177.07 N, as printed; Table 3 has forces from 166.5 N on

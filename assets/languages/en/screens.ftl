@@ -177,7 +177,7 @@ f-m-measured-n-held-since-the-last-sample-sy = F_m = { $measured } N, held since
 ## src/app/panels/equation_cards/machine.rs
 
 p-f-g-max-g-force-factor-b-u-u-t-g-the-teeth = P = F g / max g - { $force } · { $factor } b (u - u_T), g the teeth's chip, u_T one tooth earlier
-u-vibration-um-as-the-last-tooth-made-the-su = u = { $vibration } um as the last tooth made the surface; velocity { $sound } mm/s over the last second
+u-vibration-um-as-the-last-tooth-made-the-su = u = { $vibration } µm as the last tooth made the surface; velocity { $sound } mm/s over the last second
 ra-dyn-ra-ra-marks-ra-marks-without-vibratio = Ra_{ "{" }dyn{ "}" } = Ra + Ra(marks) - Ra(marks without vibration)
 
 ## src/app/panels/equation_cards/models.rs
@@ -524,6 +524,9 @@ nothing-this-mission-asks-only-for-answers = Nothing: this mission asks only for
 given-2 = Given
 hint-number = Hint { $number }:
 hint-number-of-count = Hint { $number } of { $count }
+without-an-answer-there-is-no-third-star-any = Without an answer there is no third star: any guess teaches more than none.
+go-on-all-the-same = Go on all the same
+you-have-seen-this-cut-before-another-answer = You have seen this cut before: another answer than that of the first time counts for passing, not for the third star.
 
 ## src/app/panels/learn/verdict.rs
 
@@ -533,10 +536,7 @@ close-the-result = Close the result
 passed-won-of-most-stars = Passed: { $won } of { $most } stars
 not-passed-yet-2 = Not passed yet
 this-is-of-before-your-last-change-check-aga = This is of before your last change: check again.
-exactly = exactly
 off-the-curve-by-percent-of-its-height = off the curve by { $percent } of its height
-percent-below-the-true-value = { $percent } below the true value
-percent-above-the-true-value = { $percent } above the true value
 your-answer-in-step-step-is-right-it-came-wh = Your answer in step { $step } is right; it came when the cut had been seen
 your-answer-in-step-step-is-wrong = Your answer in step { $step } is wrong
 your-prediction-in-step-step-was-right = Your prediction in step { $step } was right
@@ -545,6 +545,15 @@ your-prediction-in-step-step-was-right-off-2 = Your prediction in step { $step }
 your-prediction-in-step-step-was-wrong-off-2 = Your prediction in step { $step } was wrong ({ $off })
 predictions-that-are-right-made-before-the-c = predictions that are right, made before the cut
 for-all-three-stars = For all three stars:
+tries-begun-begun-checked-checked = Tries: begun { $begun }, checked { $checked }
+within-tolerance-of-the-true-value = within { $tolerance } of the true value
+too-low-allowed-is-tolerance-to-either-side = too low; allowed is { $tolerance } to either side
+too-high-allowed-is-tolerance-to-either-side = too high; allowed is { $tolerance } to either side
+words-the-true-value-is-truth = { $words }; the true value is { $truth }
+no-prediction-was-made-in-step-step-that-cos = No prediction was made in step { $step }: that costs the third star
+reached-condition = reached: { $condition }
+missed-condition = missed: { $condition }
+no-answer-was-given-in-step-step-that-costs = No answer was given in step { $step }: that costs the third star
 
 ## src/app/panels/learning/actions.rs
 

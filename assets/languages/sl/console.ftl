@@ -76,6 +76,7 @@ with-before-it-a-value-lies-outside-the-rang = Vrednost z znakom ≈ je zunaj ve
 the-address-that-this-was-opened-with-hides = Naslov, s katerim je bilo to odprto, skriva druge zaslone (hide:screens).
 the-address-that-this-was-opened-with-hides-2 = Naslov, s katerim je bilo to odprto, skriva iskanje (hide:find).
 the-address-that-this-was-opened-with-hides-3 = Naslov, s katerim je bilo to odprto, skriva datoteke in povezave (hide:files).
+locked-the-mission-title-does-not-open-it-le = Zaklenjeno: naloga »{ $title }« tega ne odpira. Za spremembo zapustite nalogo.
 
 ## src/app/jobs/list.rs
 
@@ -331,6 +332,7 @@ scenario = Scenarij
 the-shipped-scenarios = Priloženi scenariji
 as-shipped-about = Kot je priložen: { $about }
 without-the-changes-made-in-the-cut-about = Brez sprememb med rezom: { $about }
+the-cut-of-the-mission-title-its-task-is-on = Rez naloge »{ $title }«; njeno besedilo je na zaslonu Vadnica.
 
 ## src/app/panels/console/disturb.rs
 

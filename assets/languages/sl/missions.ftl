@@ -19,15 +19,22 @@ the-feed-is-the-same-the-chip-is-not-the-edg = Podajanje je isto, odrezek ne: ro
 it-gets-rougher = Postane bolj hrapava
 the-depth-rises-from-2-0-mm-to-2-3-mm-at-45 = Globina se pri 45 mm poveča z 2,0 mm na 2,3 mm in se pri 85 mm vrne na prejšnjo. Podajanje ostane, kot je programirano.
 predict = Napoved
-watch-ra-and-the-force-where-the-depth-chang = Opazujte Ra in silo tam, kjer se globina spremeni. Nato spremenite, kar vam je na voljo, in ponovite rez.
-see-it-and-mend-it = Oglejte si in odpravite
 the-drawing-asks-for-ra-0-81-m-on-the-whole = Risba zahteva Ra 0,81 µm na vsej ploskvi. Program ima eno samo podajanje. V sredini je surovec za 0,3 mm debelejši, zato frezalo tam reže globlje.
 why-a-deeper-stretch-breaks-constant-feed = Zakaj stalno podajanje odpove v globljem odseku
+see-it = Oglejte si
+watch-the-cut-as-it-comes-and-nothing-change = Opazujte rez tak, kakršen je, brez sprememb: Ra in silo pred globljim odsekom in v njem.
+what-does-ra-come-to-in-the-deeper-stretch-a = Kolikšen postane Ra v globljem odseku pri stalnem podajanju?
+cut-from-the-start-at-constant-feed-and-read = Režite od začetka s stalnim podajanjem ter odčitajte Ra pred stopnico in med 60 in 84 mm.
+it-stays-inside-its-tolerance = Ostane v toleranci
+it-grows-by-about-a-third = Naraste za približno tretjino
+it-more-than-doubles = Več kot podvoji se
+mend-it = Odpravite
+change-what-is-open-to-you-and-cut-again = Spremenite, kar vam je na voljo, in ponovite rez.
+ra-k5-f-f-k4-f-n-a-d-a-d0 = Ra = K5(F),  F = K4(f, n) A_D / A_D0
 
 ## assets/missions/gain-leaves-an-error.toml
 
 proportional-control-of-the-force-and-the-er = Proporcionalna regulacija sile in pogrešek, ki ga pusti za seboj.
-in-the-deeper-stretch-the-force-is-still-mor = V globljem odseku je sila še vedno za več kot 7 % nad želeno. Kako nanjo vpliva večje ojačanje?
 the-loop-overshoots-the-gain-is-more-than-th = Zanka prenihava: ojačanje je večje, kot ga dopušča mrtvi čas.
 sdnrp-2007-the-controller-s-structure-remain = SDNRP 2007, zgradba regulatorja; trajni pogrešek proporcionalne regulacije: učbenik
 proportional-control-needs-an-error-to-act-o = Proporcionalna regulacija za svoje delovanje potrebuje pogrešek, zato ga nekaj ostane: čim večje je ojačanje, tem manjši je. Kako veliko sme biti ojačanje, določa mrtvi čas. Trajni pogrešek ni napaka nastavitve; tak regulator pač deluje tako.
@@ -42,26 +49,25 @@ above-it-nearer-than-at-constant-feed = Nad njo, bliže kot pri stalnem podajanj
 nowhere-it-keeps-swinging = Nikjer: niha naprej
 kp-is-small-and-so-is-what-a-measured-error = Kp je majhen, zato izmerjeni pogrešek malo premakne: zanka je tu mirna. Poglejte silo po stopnici.
 kp-is-0-5-the-part-gets-15-deeper-at-45-mm = Kp je 0,5. Rez se pri 45 mm poglobi za 15 %.
-by-how-many-percent-of-the-desired-force-is = Za koliko odstotkov želene sile odstopa sila v globljem odseku, če je Kp tak, kot je bil podan (0,5)?
-cut-once-with-kp-0-5-and-read-force-and-desi = Enkrat obdelajte s Kp = 0,5 ter odčitajte silo in želeno silo med 60 in 84 mm.
 find-the-gain-that-meets-the-goal = Poiščite ojačanje, ki doseže cilj.
 tune = Nastavitev
 the-part-is-the-one-with-the-deeper-stretch = Obdelovanec je tisti z globljim odsekom. Tokrat SDNRP vodi podajanje in vrtilno hitrost: modele vpraša po sili, popravljeni za Kp krat odstopanje sile.
 a-gain-comes-near-and-stays-off = Ojačanje silo približa cilju, a je tja ne spravi
+the-models-are-of-the-shallow-part-15-more-d = Modeli veljajo za plitvi del: 15 % večja globina zahteva 15 % večjo silo, kot se od njih zahteva. Zahteva se želena sila, popravljena za Kp krat pogrešek: v mirovanju je F = 1,15 (F_d + Kp (F_d - F)).
+by-how-many-percent-of-the-desired-force-f-d = Za koliko odstotkov želene sile F_d je sila F v globljem odseku nad njo, če je Kp tak, kot je podan (0,5)?
+solve-f-1-15-f-d-kp-f-d-f-for-f-f-d = Rešite F = 1,15 (F_d + Kp (F_d - F)) za F / F_d.
+in-the-deeper-stretch-the-mean-force-is-stil = V globljem odseku je srednja sila še vedno za več kot 7 % nad želeno. Kjer je zanka mirna, jo približa večje ojačanje; kjer niha, manjše.
+the-force-does-not-come-to-rest-in-the-deepe = Sila se v globljem odseku ne umiri: niha in njena srednja vrednost ne pove ničesar. Ojačanje je večje, kot ga dopušča mrtvi čas.
+f-set-f-d-kp-f-d-f-m-f-k2-f-set-n-k3-f-set = F_set = F_d + Kp (F_d - F_m),  f = K2(F_set),  n = K3(F_set)
 
 ## assets/missions/integral-action-holds.toml
 
-integral-action-brings-the-force-onto-the-de = Integralno delovanje spravi silo na želeno, ne glede na globino.
-the-force-in-the-deeper-stretch-does-not-res = V globljem odseku se sila ne umiri na želeni. Samo ojačanje je ne more spraviti tja: kaj vam je še na voljo?
-it-comes-there-and-too-slowly-or-with-too-mu = Sila sicer pride tja, a prepočasi ali s prevelikim nihanjem: po vsaki stopnici je Ra predolgo zunaj tolerance.
 textbook-form-of-pi-control-the-override-loo = Učbeniška oblika regulacije PI; zanka korekcije v kombiniranem sistemu, 2005
-the-sum-of-the-errors-stops-changing-only-wh = Vsota pogreškov se neha spreminjati šele tam, kjer je pogrešek enak nič. Zato integralno delovanje drži silo pri vsaki globini in v vsakem materialu. Njegova cena: odziva se na to, kar je bilo, zato preveliko ojačanje zaniha.
 let-the-force-in-the-deeper-stretch-rest-wit = Sila v globljem odseku naj se umiri na 0,5 % od želene, Ra pa naj bo v toleranci na 95 % dolžine.
 what-would-an-override-do-that-keeps-falling = Kaj bi dosegla korekcija, ki se zmanjšuje, dokler je še kaj pogreška?
 set-the-integral-gain-ki-above-zero-small-it = Integralno ojačanje Ki nastavite nad nič. Majhno: traja nekaj sekund. Veliko: prenihava. Kar spremenite med rezom, deluje šele od tam naprej: nastavite ga, nato režite od začetka.
 set-ki-to-0-2-press-cut-from-the-start-and-c = Ki nastavite na 0,2, pritisnite »Reži od začetka« in preverite rez.
 with-an-integral-gain-above-zero-where-does = Kje se sila umiri, če je integralno ojačanje večje od nič?
-on-the-desired-force-at-any-depth = Na želeni sili, pri vsaki globini
 on-the-desired-force-at-2-0-mm-only = Na želeni sili samo pri 2,0 mm
 the-sum-goes-on-changing-as-long-as-there-is = Vsota se spreminja, dokler je še kaj pogreška, tudi pri 2,3 mm: umiri se lahko le tam, kjer je pogrešek nič.
 nearer-but-off-as-with-the-gain-alone = Bliže, a ne na njej, kot pri samem ojačanju
@@ -69,6 +75,13 @@ a-gain-needs-an-error-to-hold-its-correction = Ojačanje potrebuje pogrešek, da
 find-an-integral-gain-ki-that-meets-the-goal = Poiščite integralno ojačanje Ki, ki doseže cilj. Obdelovanec se ocenjuje na vsej dolžini, zato je ojačanje, nastavljeno med rezom, prepozno: nastavite ga, nato pritisnite »Reži od začetka«.
 the-same-part-again-now-the-controller-is-p = Spet isti obdelovanec. Zdaj je regulator P: korekcijo podajanja premika za ojačanje krat relativni pogrešek in preostanek pusti, kot ste videli. Pogrešek lahko od vzorca do vzorca tudi sešteva.
 adding-up-the-error-takes-it-away = Seštevanje pogreška ga odpravi
+integral-action-brings-the-force-onto-the-de-2 = Integralno delovanje spravi silo na želeno tudi pri drugi globini, dokler ima prostor za delovanje.
+on-the-desired-force-at-2-3-mm-as-at-2-0-mm = Na želeni sili, pri 2,3 mm tako kot pri 2,0 mm
+the-force-does-not-come-to-rest-in-the-deepe-2 = Sila se v globljem odseku ne umiri: zanka je nestabilna. Vsota deluje na pretekle pogreške: z manjšim Ki ali Kp se umiri.
+the-mean-force-in-the-deeper-stretch-is-not = Srednja sila v globljem odseku ni želena. Samo ojačanje pusti pogrešek; vsota ga odpravi, če ima čas, če ne niha in če korekcija ni na meji.
+ra-is-outside-its-tolerance-over-too-much-of = Ra je na prevelikem delu dolžine zunaj tolerance: po vsaki stopnici pride sila na želeno prepočasi ali pa niha.
+the-sum-of-the-errors-stops-changing-only-wh-2 = Vsota pogreškov se neha spreminjati šele tam, kjer je pogrešek enak nič. Zato integralno delovanje drži silo pri drugi globini ali v drugem materialu, dokler velja troje: korekcija ni na meji, zanka je stabilna in manjše podajanje še pomeni manjšo silo. Na meji vsota obstane in pogrešek ostane. Njegova cena: odziva se na to, kar je bilo, zato preveliko ojačanje zaniha.
+u-1-kp-e-ki-sum-e-e-1-f-m-f-ref = u = 1 + Kp e + Ki sum e,  e = 1 - F_m / F_ref
 
 ## assets/missions/dead-time-against-gain.toml
 
@@ -91,6 +104,7 @@ lower-the-gain-until-the-cut-is-good-and-no = Zmanjšajte ojačanje, dokler rez 
 find-the-edge = Poiščite mejo
 on-this-machine-the-plc-passes-the-override = Na tem stroju PLK posreduje korekcijo dvakrat počasneje: 160 ms po zahtevi. Ojačanja so bila nastavljena na drugem stroju, zdaj pa se miza trese.
 dead-time-against-gain-find-the-edge = Mrtvi čas proti ojačanju: poiščite mejo
+k-l-pi-2-k-rate-of-the-integrator-with-all-t = K L < pi / 2,  K: hitrost integratorja z vsem, kar mu sledi, 1/s,  L: mrtvi čas, s
 
 ## assets/missions/smith-predictor.toml
 
@@ -113,6 +127,7 @@ make-the-controller-s-belief-fit-the-machine = Uskladite regulatorjevo predstavo
 make-it-true = Uskladite
 the-machine-with-160-ms-again-the-gain-must = Spet stroj s 160 ms. Ojačanje mora ostati veliko, ker šef hoče kratke čase. Regulatorju je mogoče dati model poti ukaza: potem ve, kaj je zahteval in česa še ni videl.
 a-model-that-waits-the-smith-predictor = Model, ki čaka: Smithov prediktor
+y-y-u-0-u-a-u-a-with-and-u-0-without-the-ass = y* = y u_0 / u_a,  u_a s predpostavljenim mrtvim časom in u_0 brez njega
 
 ## assets/missions/noise-against-tolerance.toml
 
@@ -133,6 +148,7 @@ first-the-response-time-then-the-tolerance = Najprej odzivni čas, nato toleranc
 tune-then-ask = Nastavite, nato prosite
 steel-is-not-the-same-from-place-to-place-ed = Jeklo ni povsod enako, rezalni robovi opletajo, senzor šumi. Risba dopušča 10 % okoli Ra 0,81 µm. Delovodja sprašuje, zakaj je v najboljšem primeru petina ploskve zunaj tolerance, in to z regulatorjem, ki so ga hvalili.
 what-no-controller-can-hold-noise-against-to = Česar noben regulator ne zmore: šum proti toleranci
+ra-k5-f-an-error-of-1-in-the-force-is-one-of = Ra = K5(F): pogrešek 1 % v sili je nekaj odstotkov v Ra
 
 ## assets/missions/another-material.toml
 
@@ -151,6 +167,7 @@ choose-what-does-not-need-to-know-the-steel = Izberite regulator, ki mu jekla ni
 hold-it = Držite Ra
 the-store-has-run-out-of-ck45-and-brings-16m = V skladišču je zmanjkalo Ck45 in prinesli so 16MnCrSi5. Program, modeli in ojačanje ostanejo, kot so: po modelih je vse v redu.
 another-steel-under-a-model-that-does-not-kn = Drugo jeklo pod modelom, ki ga ne pozna
+gain-estimate-f-m-f-modelled = ocena ojačanja = F_m / F_model
 
 ## assets/missions/wear-heard-and-seen.toml
 
@@ -173,6 +190,7 @@ choose-a-length-that-is-cut-before-the-surfa = Izberite dolžino, ki je obdelana
 stop-in-time = Ustavite pravočasno
 a-tool-cuts-from-its-first-to-its-last-minut = Orodje reže od prve do zadnje minute, prikazano v 52 sekundah: ena sekunda pomeni šest minut. Vajenec pravi, da se nič ne sliši.
 a-tool-s-life-heard-and-seen = Obstojnost orodja, slišana in videna
+f-f-sharp-1-growth-wear-used-life = F = F_ostro (1 + rast * obraba(porabljena obstojnost))
 
 ## assets/missions/choose-for-the-2005-part.toml
 
@@ -194,6 +212,7 @@ the-engagement-does-not-grow-there-look-at-w = Prijem tam ne raste. Poglejte, kj
 choose-and-tune = Izberite in nastavite
 five-straight-cuts-of-different-depth-and-wi = Pet ravnih rezov različne globine in širine, zob za zobom, sila naj se drži pri 665 N. Pri stalnem podajanju je največja sila več kot dvakrat tolikšna. Naročnik plačuje po minutah; orodje se lomi po newtonih.
 choose-and-tune-for-the-part-of-2005 = Izbira in nastavitev za obdelovanec iz 2005
+u-f-ref-f-modelled-1-exponent-corrected-by-t = u = (F_ref / F_model)^(1 / eksponent), popravljeno z izmerjeno silo
 
 ## assets/missions/beat-it-by-hand.toml
 
@@ -213,6 +232,7 @@ read-the-feed-in-the-deeper-stretch-when-a-c = Odčitajte podajanje v globljem o
 cut-and-turn-the-knob-while-it-cuts-pausing = Obdelujte in med rezom vrtite gumb. Premor in vračanje sta dovoljena: kar zavrtite tam, nadomesti, kar je prišlo pozneje.
 forty-years-ago-this-was-done-by-ear-with-a = Pred štiridesetimi leti so to delali po posluhu, z roko na korekciji. Obdelovanec ima globlji odsek in gumb za korekcijo podajanja je vaš: povlecite okoli njega ali ga zavrtite z miškinim kolescem, tipkama + in - ali s prstom. Zaslon Pult kaže, kar vidi operater, in vas na koncu oceni v primerjavi z vsemi regulatorji.
 beat-the-controller-by-hand = Ročno boljši od regulatorja
+f-u-f-n-2-3-mm-f-f-n-2-0-mm-solved-for-the-o = F(u f, n, 2,3 mm) = F(f, n, 2,0 mm), rešeno za korekcijo u
 
 ## assets/missions/teach-in-feed-control.toml
 
@@ -242,6 +262,7 @@ the-machine-s-control-has-adaptive-feed-cont-2 =
     Krmilje stroja ima prilagodljivo regulacijo podajanja, AFC: prvi kos se obdela s programiranim podajanjem in največja sila vsakega reza se shrani kot njegova referenca. Od tedaj podajanje sledi sili. Včeraj se je v drugem rezu okrušil rezalni rob, česar ni opazil nihče, dokler se orodje ni zlomilo. Danes se bo to po 12 s zgodilo znova.
     Taka regulacija zna še dvoje. Preobremenitev javi, kadar sila več kot 1 s ostane nad mejo, podajanje pa je že na FMIN: bolj popustiti ne more. In za preostanek reza se izključi, kadar operater korekcijo zmanjša za več kot 10 %: podajanje tedaj vodi roka.
 set-up-feed-control-by-teach-in = Regulacija podajanja z učenjem
+u-limit-f-1-f-m-fmin-fmax-f-m-1-3-f-1-u-0-6 = u = omeji(F_1 / F_m, FMIN, FMAX),  F_m = 1,3 F_1 u^0,6
 
 ## assets/missions/quiet-speed.toml
 
@@ -264,6 +285,7 @@ choose-a-speed-by-the-chart-and-cut = Izberite vrtilno hitrost po karti in obdel
 find-it = Poiščite jo
 the-deeper-stretch-sings-and-its-marks-can-b = Globlji odsek poje in njegove sledi je mogoče otipati. Globina je na risbi, zato ostane. »Počasneje,« pravi eden. »Hitreje,« pravi drugi.
 a-quiet-speed-between-two-lobes = Mirna hitrost med dvema režnjema
+b-lim-1-2-k-s-mu-re-g-omega-min = b_lim = -1 / (2 K_s mu Re[G(omega)]_min)
 
 ## assets/missions/plan-and-what-binds.toml
 
@@ -287,6 +309,7 @@ program-the-optimum-and-cut-the-part = Programirajte optimum in obdelajte kos.
 program-it = Programirajte
 before-the-first-chip-the-swarm-looks-for-th = Pred prvim odrezkom roj išče podajanje in vrtilno hitrost, ki kos obdelata najhitreje v okviru sedmih omejitev. Vodja obrata sprašuje: kaj naj kupimo, da bomo hitrejši, močnejše vreteno ali boljši rezalni rob?
 plan-a-cut-and-say-what-binds = Načrtujte rez in povejte, kaj ga omejuje
+least-time-within-g-i-f-n-0-i-1-to-7 = najkrajši čas znotraj g_i(f, n) <= 0, i = 1 do 7
 
 ## assets/missions/outside-its-range.toml
 
@@ -305,6 +328,7 @@ lower-the-target-until-the-models-can-be-bel = Zmanjšajte cilj, dokler modelom 
 find-the-end-of-what-is-known = Poiščite konec znanega
 for-a-roughing-cut-somebody-sets-the-target = Za grobi rez nekdo nastavi cilj na Ra 4 µm. Regulator ima formulo tudi za to, kot za vse: formule vedno odgovorijo.
 a-model-outside-its-range = Model zunaj svojega območja
+k1-k5-valid-between-the-least-and-largest-va = K1..K5: veljajo med najmanjšimi in največjimi vrednostmi iz preglednice 3
 
 ## assets/missions/read-the-errata.toml
 
@@ -328,3 +352,4 @@ choose-the-calibration-that-repeats-the-row = Izberite umeritev, ki ponovi vrsti
 repeat-the-table = Ponovite preglednico
 you-are-asked-to-build-what-a-paper-describe = Zgraditi morate, kar opisuje članek. Enačbe so natisnjene, rezultati tudi. Rezultate poskusite dobiti iz enačb in nič se ne ujema.
 read-the-errata = Preberite tiskovne napake
+k2-f-0-for-f-177-07-n-as-printed-table-3-has = K2(F) < 0 za F < 177,07 N, kot je natisnjeno; preglednica 3 ima sile od 166,5 N naprej

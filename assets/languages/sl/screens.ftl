@@ -548,6 +548,9 @@ nothing-this-mission-asks-only-for-answers = Nič: ta naloga zahteva samo odgovo
 given-2 = Podano
 hint-number = Namig { $number }:
 hint-number-of-count = Namig { $number } od { $count }
+without-an-answer-there-is-no-third-star-any = Brez odgovora ni tretje zvezdice: vsaka domneva nauči več kot nobena.
+go-on-all-the-same = Vseeno naprej
+you-have-seen-this-cut-before-another-answer = Ta rez ste že videli: drugačen odgovor kot prvič šteje za opravljeno nalogo, ne pa za tretjo zvezdico.
 
 ## src/app/panels/learn/verdict.rs
 
@@ -557,10 +560,7 @@ close-the-result = Zapri izid
 passed-won-of-most-stars = Opravljeno: { $won } od { $most } zvezdic
 not-passed-yet-2 = Še ni opravljeno
 this-is-of-before-your-last-change-check-aga = To velja za stanje pred zadnjo spremembo: preverite znova.
-exactly = natančno
 off-the-curve-by-percent-of-its-height = od krivulje odstopa za { $percent } njene višine
-percent-below-the-true-value = { $percent } pod pravo vrednostjo
-percent-above-the-true-value = { $percent } nad pravo vrednostjo
 your-answer-in-step-step-is-right-it-came-wh = Vaš odgovor v koraku { $step } je pravilen; podan je bil, ko je bil rez že viden
 your-answer-in-step-step-is-wrong = Vaš odgovor v koraku { $step } je napačen
 your-prediction-in-step-step-was-right = Vaša napoved v koraku { $step } je bila pravilna
@@ -569,6 +569,15 @@ your-prediction-in-step-step-was-right-off-2 = Vaša napoved v koraku { $step } 
 your-prediction-in-step-step-was-wrong-off-2 = Vaša napoved v koraku { $step } je bila napačna ({ $off })
 predictions-that-are-right-made-before-the-c = pravilne napovedi pred rezom
 for-all-three-stars = Za vse tri zvezdice:
+tries-begun-begun-checked-checked = Poskusi: začeto { $begun }, preverjeno { $checked }
+within-tolerance-of-the-true-value = znotraj { $tolerance } od prave vrednosti
+too-low-allowed-is-tolerance-to-either-side = premajhno; dovoljeno je { $tolerance } na vsako stran
+too-high-allowed-is-tolerance-to-either-side = preveliko; dovoljeno je { $tolerance } na vsako stran
+words-the-true-value-is-truth = { $words }; prava vrednost je { $truth }
+no-prediction-was-made-in-step-step-that-cos = V koraku { $step } ni bilo napovedi: to stane tretjo zvezdico
+reached-condition = doseženo: { $condition }
+missed-condition = zgrešeno: { $condition }
+no-answer-was-given-in-step-step-that-costs = V koraku { $step } ni bilo odgovora: to stane tretjo zvezdico
 
 ## src/app/panels/learning/actions.rs
 

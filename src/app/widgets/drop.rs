@@ -1,7 +1,10 @@
 //! Buttons that drop a disturbance: a painted sign, its name, and what it does.
 
-use egui::{Painter, Rect, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
+use egui::{
+    Color32, Painter, Rect, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
+};
 
+use super::super::framed;
 use super::super::theme;
 use crate::base::language::tr;
 use crate::models::disturbances::Disturbance;
@@ -34,11 +37,14 @@ fn short(kind: Disturbance) -> &'static str {
     }
 }
 
-/// A button with the sign alone, of this size; its name and what it does stand in the tooltip.
+/// A button with the sign alone, of this size; its name and what it does stand in the tooltip. Where it is not
+/// open it is greyed, and says why.
 pub fn sign(ui: &mut Ui, kind: Disturbance, size: Vec2, keys: &str) -> Response {
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let closed = framed::closed(ui.ctx(), kind.path());
+    let (rect, response) = ui.allocate_exact_size(size, sense(closed.is_some()));
     let name = tr!("Drop {disturbance}", disturbance = tr(kind.in_text()));
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+    let enabled = ui.is_enabled() && closed.is_none();
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, &name));
     if ui.is_rect_visible(rect) {
         let visuals = ui.style().interact(&response);
         let (corner, inside) = (visuals.corner_radius, egui::StrokeKind::Inside);
@@ -51,17 +57,23 @@ pub fn sign(ui: &mut Ui, kind: Disturbance, size: Vec2, keys: &str) -> Response 
             painter.rect_stroke(rect, corner, ui.visuals().selection.stroke, inside);
         }
         let square = Rect::from_center_size(rect.center(), Vec2::splat(SIGN));
-        paint(painter, kind, square, Stroke::new(1.6, visuals.fg_stroke.color));
+        let color = greyed(ui, closed.is_some(), visuals.fg_stroke.color);
+        paint(painter, kind, square, Stroke::new(1.6, color));
     }
-    response.on_hover_text(format!("{}{keys}: {}", tr(kind.label()), help(kind)))
+    response.on_hover_text(match closed {
+        Some(closed) => format!("{}: {}\n{closed}", tr(kind.label()), help(kind)),
+        None => format!("{}{keys}: {}", tr(kind.label()), help(kind)),
+    })
 }
 
-/// A button of this width; `chosen` where it stays pressed.
+/// A button of this width; `chosen` where it stays pressed. Where it is not open it is greyed, and says why.
 pub fn button(ui: &mut Ui, kind: Disturbance, width: f32, chosen: bool, more: &str) -> Response {
+    let closed = framed::closed(ui.ctx(), kind.path());
     let height = ui.spacing().interact_size.y.max(26.0);
-    let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::click());
+    let (rect, response) = ui.allocate_exact_size(vec2(width, height), sense(closed.is_some()));
     let name = tr!("Drop {disturbance}", disturbance = tr(kind.in_text()));
-    response.widget_info(|| WidgetInfo::selected(Role::Button, true, chosen, &name));
+    let enabled = ui.is_enabled() && closed.is_none();
+    response.widget_info(|| WidgetInfo::selected(Role::Button, enabled, chosen, &name));
     if ui.is_rect_visible(rect) {
         let visuals = ui.style().interact_selectable(&response, chosen);
         let (corner, stroke) = (visuals.corner_radius, visuals.bg_stroke);
@@ -71,7 +83,7 @@ pub fn button(ui: &mut Ui, kind: Disturbance, width: f32, chosen: bool, more: &s
             let focus = ui.visuals().selection.stroke;
             ui.painter().rect_stroke(rect, corner, focus, inside);
         }
-        let color = visuals.fg_stroke.color;
+        let color = greyed(ui, closed.is_some(), visuals.fg_stroke.color);
         let left = rect.left() + GAP + 0.5 * SIGN;
         let square = Rect::from_center_size(pos2(left, rect.center().y), Vec2::splat(SIGN));
         paint(ui.painter(), kind, square, Stroke::new(1.6, color));
@@ -82,7 +94,20 @@ pub fn button(ui: &mut Ui, kind: Disturbance, width: f32, chosen: bool, more: &s
         let at = pos2(from, rect.center().y - 0.5 * text.size().y);
         ui.painter().with_clip_rect(room).galley(at, text, color);
     }
-    response.on_hover_text(format!("{} {more}", help(kind)))
+    response.on_hover_text(match closed {
+        Some(closed) => format!("{}\n{closed}", help(kind)),
+        None => format!("{} {more}", help(kind)),
+    })
+}
+
+/// What is not open is looked at only.
+fn sense(closed: bool) -> Sense {
+    if closed { Sense::hover() } else { Sense::click() }
+}
+
+/// The colour of what is drawn, faded where it is not open.
+fn greyed(ui: &Ui, closed: bool, color: Color32) -> Color32 {
+    if closed { color.gamma_multiply(ui.visuals().disabled_alpha()) } else { color }
 }
 
 /// Width of each of `columns` buttons beside each other.

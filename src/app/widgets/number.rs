@@ -3,9 +3,10 @@
 
 use std::cell::{Cell, RefCell};
 
-use egui::{Context, DragValue, Id, Response, Ui};
+use egui::{Align2, Context, DragValue, Id, Response, TextStyle, Ui};
 
 use super::super::format;
+use super::super::theme::Palette;
 use super::{focus, touch};
 use crate::base::language::{decimal, tr};
 
@@ -28,8 +29,8 @@ pub struct NumberField<'a> {
     pub suffix: &'a str,
 }
 
-/// What stands in a field without a number.
-const BLANK: &str = "\u{2013}";
+/// What is seen in a field without a number; it is no part of its text.
+const HINT: &str = "\u{2013}";
 
 fn typed() -> Id {
     Id::unique("number being typed")
@@ -46,21 +47,35 @@ impl NumberField<'_> {
     /// The field; what there is to say about a text that was typed goes to `said`.
     pub fn show(&self, ui: &mut Ui, value: &mut f64, said: &mut Option<String>) -> Response {
         let (mut some, before) = (Some(*value), *value);
-        let response = self.show_or_blank(ui, &mut some, said);
+        let response = self.field(ui, &mut some, said, false);
         *value = some.unwrap_or(before);
         response
     }
 
-    /// The same for a number that may be none yet: that is no zero, and looks like none.
+    /// The same for a number that may be none yet: that is no zero, and looks like none. It is given letter by letter, so
+    /// that what is pressed next finds it; a text that is no number is none, and is told once it is left.
     pub fn show_or_blank(
         &self,
         ui: &mut Ui,
         number: &mut Option<f64>,
         said: &mut Option<String>,
     ) -> Response {
+        self.field(ui, number, said, true)
+    }
+
+    fn field(
+        &self,
+        ui: &mut Ui,
+        number: &mut Option<f64>,
+        said: &mut Option<String>,
+        at_once: bool,
+    ) -> Response {
         let [min, max] = self.range;
         let is_blank = number.is_none();
-        let before = number.unwrap_or(0.0);
+        // A text that is no number yet has the field go on with the last one.
+        let id = ui.next_auto_id().with("last number");
+        let last = ui.data(|data| data.get_temp::<f64>(id)).filter(|_| is_blank);
+        let before = number.or(last).unwrap_or(0.0);
         let (problem, typed_number) = (RefCell::new(None), Cell::new(None));
         let mut dragged = before;
         let value = &mut dragged;
@@ -70,23 +85,29 @@ impl NumberField<'_> {
             .min_decimals(self.least)
             .max_decimals(self.decimals)
             .suffix(self.suffix.to_owned())
-            .update_while_editing(false)
+            .update_while_editing(at_once)
             .custom_parser(|text| match self.read(text) {
                 Ok((number, note)) => {
                     *problem.borrow_mut() = note;
                     typed_number.set(Some(number));
                     Some(number)
                 }
-                Err(_) if is_blank && text.trim() == BLANK => None,
+                Err(_) if is_blank && text.trim().is_empty() => None,
                 Err(note) => {
                     *problem.borrow_mut() = Some(note);
                     None
                 }
             });
         if is_blank {
-            drag = drag.custom_formatter(|_, _| BLANK.to_owned());
+            drag = drag.custom_formatter(|_, _| String::new());
         }
         let response = ui.add(drag);
+        let has_focus = response.has_focus();
+        if is_blank && !has_focus {
+            let font = TextStyle::Body.resolve(ui.style());
+            let (at, color) = (response.rect.center(), Palette::at(ui).weak);
+            ui.painter().text(at, Align2::CENTER_CENTER, HINT, font, color);
+        }
         touch::only_across(ui, &response, value, before);
         if response.lost_focus() {
             focus::remember(&response);
@@ -95,13 +116,22 @@ impl NumberField<'_> {
             let frame = ui.ctx().cumulative_frame_nr();
             ui.data_mut(|data| data.insert_temp(typed(), frame));
         }
-        if let Some(note) = problem.into_inner() {
+        let problem = problem.into_inner();
+        let is_none = at_once && has_focus && problem.is_some();
+        // What is being typed may become a number still.
+        if let Some(note) = problem.filter(|_| !is_none) {
             *said = Some(note);
         }
         // A zero that was typed is one.
         let given = !is_blank || dragged != before || typed_number.get().is_some();
-        if given {
+        if is_none {
+            *number = None;
+            ui.data_mut(|data| data.insert_temp(id, dragged));
+        } else if given {
             *number = Some(dragged);
+        }
+        if at_once && (given && !is_none || !has_focus) {
+            ui.data_mut(|data| data.remove::<f64>(id));
         }
         response
     }

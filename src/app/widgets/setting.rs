@@ -11,7 +11,6 @@ use egui::{ComboBox, Response, RichText, Slider, Ui};
 use super::super::command::Command;
 use super::super::format;
 use super::super::framed;
-use super::super::session::LOCKED;
 use super::super::theme::Palette;
 use super::beside::help_beside;
 use super::number::NumberField;
@@ -53,8 +52,9 @@ pub fn setting(
     // A model's formula is not used before its calibration is chosen, which using it does.
     let greyed = screen.greyed(scenario, path).filter(|_| !FormulaSettings::is_model(path));
     let locked = framed::is_locked(ui.ctx(), path);
+    let closed = framed::closed(ui.ctx(), path);
     ui.push_id(path, |ui| {
-        if locked || greyed.is_some() {
+        if closed.is_some() || greyed.is_some() {
             ui.disable();
         }
         let mut slider = None;
@@ -86,16 +86,16 @@ pub fn setting(
             }
             _ => unreachable!("the table pairs kinds with values"),
         };
-        let response = match &greyed {
-            _ if locked => response.on_disabled_hover_ui(|ui| {
+        let response = match (&closed, &greyed) {
+            (Some(closed), _) => response.on_disabled_hover_ui(|ui| {
                 describe(ui, param);
-                ui.label(tr!("Cannot be changed: it is {locked}.", locked = tr(LOCKED)));
+                ui.label(closed);
             }),
-            Some(because) => response.on_disabled_hover_ui(|ui| {
+            (None, Some(because)) => response.on_disabled_hover_ui(|ui| {
                 describe(ui, param);
                 ui.label(not_used(&Reason::of(because)));
             }),
-            None => response.on_hover_ui(|ui| describe(ui, param)),
+            (None, None) => response.on_hover_ui(|ui| describe(ui, param)),
         };
         for part in [Some(response), slider].into_iter().flatten() {
             part.context_menu(|ui| {
@@ -136,7 +136,7 @@ fn describe(ui: &mut Ui, param: &Param) {
     let spec = &param.spec;
     ui.set_max_width(320.0);
     ui.strong(tr(spec.label));
-    ui.label(tr(spec.doc).replace('\n', " "));
+    ui.label(format::typeset(&tr(spec.doc).replace('\n', " ")));
     if let Kind::Choice { options } = &spec.allowed {
         let offered = options.iter();
         let offered: Vec<_> =

@@ -26,7 +26,7 @@ pub fn target(ui: &mut Ui, screen: Screen, scenario: &Scenario, commands: &mut V
         return setting(ui, screen, "target.force_n", scenario, Size::Large, commands);
     }
     setting(ui, screen, PATH, scenario, Size::Large, commands);
-    if framed::is_locked(ui.ctx(), PATH) {
+    if framed::closed(ui.ctx(), PATH).is_some() {
         return;
     }
     let (Ok(param), Some(rail)) = (param(PATH), slider_rect(ui.ctx(), PATH)) else { return };

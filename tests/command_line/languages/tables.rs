@@ -113,7 +113,7 @@ fn study_choices() -> Vec<&'static str> {
 }
 
 /// Entries of a mission that people read.
-const READ: [&str; 11] = [
+const READ: [&str; 12] = [
     "title",
     "about",
     "story",
@@ -123,6 +123,7 @@ const READ: [&str; 11] = [
     "ask",
     "otherwise",
     "source",
+    "formula",
     "label",
     "word",
 ];

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use steadycut_core::base::settings::Value;
 use steadycut_core::run::job::Job;
 use steadycut_core::run::metrics::METRICS;
 use steadycut_core::run::one_run::Run;
@@ -314,4 +315,37 @@ fn no_step_of_a_shipped_mission_can_be_passed_over() {
             assert!(step.predict.is_some() || number == last, "{}: {}", mission.id, step.title);
         }
     }
+}
+
+/// The mean of a force that swings may be near the desired one: that is no rest, and is told as what it is.
+#[test]
+fn a_loop_that_swings_passes_no_mission_on_rest() {
+    for (id, settings, told) in [
+        ("gain-leaves-an-error", [("controller.sdnrp.kp", 4.0)], "it swings"),
+        ("integral-action-holds", [("controller.p.ki", 0.7)], "the loop is unstable"),
+    ] {
+        let mission = shipped::load(id).unwrap();
+        let mut answer = MissionAnswer::untouched(&mission);
+        let settings = settings.map(|(path, value)| (path.to_owned(), Value::Float(value)));
+        answer.scenario.set_all(&settings).unwrap();
+        let verdict = marked(&mission, answer);
+        let words: Vec<&str> = verdict.words().collect();
+        assert!(!verdict.passed && words.iter().any(|word| word.contains(told)), "{words:?}");
+    }
+}
+
+/// What is missing for a star is told with the learner's own value.
+#[test]
+fn stars_are_told_condition_by_condition() {
+    let mission = shipped::load("gain-leaves-an-error").unwrap();
+    let mut answer = MissionAnswer::untouched(&mission);
+    let gain = ("controller.sdnrp.kp".to_owned(), Value::Float(3.5));
+    answer.scenario.set_all(&[gain]).unwrap();
+    let verdict = marked(&mission, answer);
+    assert_eq!((verdict.passed, verdict.stars), (true, 1), "{verdict:#?}");
+    let [two, three] = &verdict.stars_asked[..] else { panic!("{verdict:#?}") };
+    assert_eq!((two.star, two.when.as_str(), two.holds), (2, "overshoot_percent <= 5", false));
+    assert!(two.sides[0].is_some_and(|own| own > 5.0) && two.sides[1] == Some(5.0));
+    assert_eq!((three.star, three.holds), (3, false));
+    assert!(!verdict.is_foreseen(), "nothing was predicted");
 }

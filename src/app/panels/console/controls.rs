@@ -181,7 +181,14 @@ pub fn scenarios(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     });
     let help = tr("The shipped scenarios");
     response.on_hover_text(help).on_disabled_hover_text(tr(NO_OTHER_SCENARIO));
-    if !info.description.is_empty() {
+    if let Some(lock) = view.session.mission() {
+        // The scenario's text is of the settings that it is shipped with, another controller among them.
+        let told = tr!(
+            "The cut of the mission \u{201c}{title}\u{201d}; its task is on the screen Learn.",
+            title = tr(&lock.title)
+        );
+        ui.label(RichText::new(told).small().color(Palette::at(ui).weak));
+    } else if !info.description.is_empty() {
         // What was changed since may be other than its text says.
         let told = match (presets::title(&info.name).is_some(), changed) {
             (_, false) => tr(&info.description).to_owned(),

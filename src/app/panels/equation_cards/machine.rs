@@ -16,7 +16,7 @@ pub fn vibration(row: &Row, scenario: &Scenario) -> Live {
             factor = number(machine.directional_factor)
         ),
         tr!(
-            "u = {vibration} um as the last tooth made the surface; velocity {sound} mm/s over the last second",
+            "u = {vibration} µm as the last tooth made the surface; velocity {sound} mm/s over the last second",
             vibration = number(row.vibration_um),
             sound = number(row.sound_mm_s)
         ),
@@ -28,7 +28,7 @@ pub fn marks(row: &Row) -> Live {
     Live::everywhere(
         tr("Ra_{dyn} = Ra + Ra(marks) - Ra(marks without vibration)"),
         format!(
-            "Ra_{{dyn}} = {} + {} = {} um",
+            "Ra_{{dyn}} = {} + {} = {} µm",
             number(row.ra_um),
             number(row.ra_dyn_um - row.ra_um),
             number(row.ra_dyn_um)

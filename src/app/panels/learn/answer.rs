@@ -14,8 +14,10 @@ use crate::app::widgets::standing::Standing;
 use crate::base::language::tr;
 use crate::study::mission::{Mission, shipped};
 
-/// Most of the height that what an answer came to takes.
+/// Most of the height that what an answer came to takes, and of that of a phone: what is to be changed stays in sight.
 const MOST: f32 = 0.6;
+/// See [`MOST`].
+const MOST_NARROW: f32 = 0.45;
 
 /// What hands the answer in.
 pub fn buttons(ui: &mut Ui, lesson: &mut Lesson, view: &View<'_>, commands: &mut Vec<Command>) {
@@ -39,7 +41,8 @@ pub fn buttons(ui: &mut Ui, lesson: &mut Lesson, view: &View<'_>, commands: &mut
         if check.on_hover_text(help).clicked() {
             // What is marked is the whole cut: so it is seen to its end as well.
             commands.push(Command::Playback(PlaybackCommand::SeekToEnd));
-            lesson.mark(view.session, view.jobs);
+            // A number that was being typed is set in this frame.
+            lesson.hands_in = true;
         }
     });
     standing(ui, lesson, view);
@@ -88,26 +91,28 @@ pub fn outcome(
     name: &mut String,
     commands: &mut Vec<Command>,
 ) -> Option<Mission> {
+    let most = if view.narrow { MOST_NARROW } else { MOST };
     let mut area = ScrollArea::vertical()
         .id_salt("what the answer came to")
-        .max_height(MOST * ui.available_height());
+        .max_height(most * ui.available_height());
     if std::mem::take(&mut lesson.is_news) {
         area = area.vertical_scroll_offset(0.0);
     }
+    let verdict = lesson.verdict.clone();
+    let told = verdict.as_deref().and_then(Option::as_ref);
     area.show(ui, |ui| {
         if let Some(because) = &lesson.refused {
             Standing::Bad.label(ui, because, |text| text);
         }
-        let verdict = lesson.verdict.clone()?;
-        let told = Option::as_ref(&verdict)?;
-        if verdict::show(ui, &lesson.mission, told, lesson.is_stale(view.session)) {
+        let Some(told) = told else { return };
+        let (stale, tries) = (lesson.is_stale(view.session), lesson.tries());
+        if verdict::show(ui, &lesson.mission, told, stale, tries) {
             lesson.close_verdict();
         }
-        let next = next_mission(ui, lesson, told.passed);
         save(ui, lesson, name, commands);
-        next
-    })
-    .inner
+    });
+    // Below what is scrolled: it is in sight however much there is to read.
+    next_mission(ui, lesson, told.is_some_and(|told| told.passed))
 }
 
 /// Whether there is something to show of an answer.

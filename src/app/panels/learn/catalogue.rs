@@ -37,20 +37,11 @@ pub fn show(
         let title = tr(&mission.title).to_owned();
         theme::card(palette).show(ui, |ui| {
             ui.set_width(ui.available_width());
-            ui.horizontal_wrapped(|ui| {
-                ui.label(RichText::new(format!("{number}. {title}")).strong());
-                let minutes = format::beside(mission.minutes.to_string(), "min");
-                ui.label(RichText::new(minutes).small().color(palette.weak));
-                match view.remembered.stars(&mission.id) {
-                    Some(0) => {
-                        Standing::Watch.label(ui, tr("not passed yet"), RichText::small);
-                    }
-                    Some(won) => {
-                        let won = tr!("{won} of {most} stars", won = won, most = MOST_STARS);
-                        Standing::Best.label(ui, &won, RichText::small);
-                    }
-                    None => {}
-                }
+            ui.label(RichText::new(format!("{number}. {title}")).strong());
+            // A line of their own, low since nothing in it is pressed: stars are not parted.
+            ui.scope(|ui| {
+                ui.spacing_mut().interact_size.y = 0.0;
+                ui.horizontal(|ui| time_and_stars(ui, view, &mission));
             });
             ui.label(RichText::new(told(&mission.about)).color(palette.weak));
             ui.horizontal(|ui| {
@@ -78,6 +69,22 @@ pub fn show(
     );
     stars(ui, view.remembered, commands);
     chosen
+}
+
+/// How long a mission takes, and the stars that were won in it.
+fn time_and_stars(ui: &mut Ui, view: &View<'_>, mission: &Mission) {
+    let minutes = format::beside(mission.minutes.to_string(), "min");
+    ui.label(RichText::new(minutes).small().color(Palette::at(ui).weak));
+    match view.remembered.stars(&mission.id) {
+        Some(0) => {
+            Standing::Watch.label(ui, tr("not passed yet"), RichText::small);
+        }
+        Some(won) => {
+            let won = tr!("{won} of {most} stars", won = won, most = MOST_STARS);
+            Standing::Best.label(ui, &won, RichText::small);
+        }
+        None => {}
+    }
 }
 
 /// A link that opens a mission, with its code.

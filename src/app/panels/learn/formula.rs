@@ -10,7 +10,7 @@ const FIRM: char = '\u{a0}';
 enum Breaks {
     /// Behind commas, semicolons and colons, and between words.
     Words,
-    /// Before relations, too.
+    /// Behind relations, too: what is defined keeps to its sign.
     Relations,
     /// Before sums and products that stand in no brackets, too.
     Terms,
@@ -24,7 +24,7 @@ impl Breaks {
             piece.chars().count() > 1 && piece.chars().all(char::is_alphabetic)
         };
         let ends = before.is_empty() || before.ends_with([',', ';', ':']);
-        let relation = ["=", "<", ">", "<=", ">="].contains(&after);
+        let relation = ["=", "<", ">", "<=", ">="].contains(&before);
         let term = ["+", "-", "*", "/"].contains(&after);
         let words = depth == 0 && (ends || is_word(before) && is_word(after));
         words
@@ -74,8 +74,8 @@ mod tests {
         let shown = |formula, breaks| firm(formula, breaks).replace(FIRM, "~");
         let two = "Ra = K5(F),  F = K4(f, n) A_D / A_D0";
         assert_eq!(shown(two, Breaks::Words), "Ra~=~K5(F),  F~=~K4(f,~n)~A_D~/~A_D0");
-        assert_eq!(shown(two, Breaks::Relations), "Ra =~K5(F),  F =~K4(f,~n)~A_D~/~A_D0");
-        assert_eq!(shown(two, Breaks::Terms), "Ra =~K5(F),  F =~K4(f,~n)~A_D /~A_D0");
+        assert_eq!(shown(two, Breaks::Relations), "Ra~= K5(F),  F~= K4(f,~n)~A_D~/~A_D0");
+        assert_eq!(shown(two, Breaks::Terms), "Ra~= K5(F),  F~= K4(f,~n)~A_D /~A_D0");
         let words = "F(u f, n) = F(f, n), solved for the override u";
         assert_eq!(shown(words, Breaks::Words), "F(u~f,~n)~=~F(f,~n), solved for the override~u");
     }

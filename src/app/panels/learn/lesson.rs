@@ -8,13 +8,40 @@ use crate::app::jobs::{Jobs, Work};
 use crate::app::session::Session;
 use crate::base::language::text;
 use crate::study::mission::{
-    Marking, Mission, MissionAnswer, MissionError, MissionResult, MissionVerdict, Prediction,
+    Marking, Mission, MissionAnswer, MissionError, MissionResult, MissionTries, MissionVerdict,
+    Prediction,
 };
 
 /// Name of the work that marks an answer.
 const MARKING: &str = text!("Marking of the mission");
 /// Plant steps of the first slice of a marking.
 const FIRST: u64 = 20_000;
+
+/// What earlier beginnings of a mission have shown, as long as the program is open: who begins it again knows it.
+#[derive(Clone)]
+pub struct Past {
+    /// Steps whose answer was seen.
+    seen: BTreeSet<usize>,
+    /// Predictions that were made before that.
+    in_time: BTreeMap<usize, Prediction>,
+    /// How often it was begun, with its cut seen, and checked.
+    pub tries: MissionTries,
+}
+
+impl Default for Past {
+    fn default() -> Self {
+        let tries = MissionTries { begun: 0, checked: 0 };
+        Self { seen: BTreeSet::new(), in_time: BTreeMap::new(), tries }
+    }
+}
+
+impl Past {
+    /// Notes that the whole cut of a mission was to be seen somewhere.
+    pub fn see_all(&mut self, mission: &Mission) {
+        let asked = mission.questions().filter(|(_, question)| !question.look_up);
+        self.seen.extend(asked.map(|(step, _)| step));
+    }
+}
 
 /// A mission with what the learner has done in it.
 pub struct Lesson {
@@ -30,8 +57,16 @@ pub struct Lesson {
     seen: BTreeSet<usize>,
     /// Those of them that were answered, or answered anew, after that.
     late: BTreeSet<usize>,
+    /// What was known of it before.
+    past: Past,
+    /// Whether this beginning is counted among the tries: its cut was seen.
+    counted: bool,
     /// The step under way, from 1 on.
     pub step: usize,
+    /// Whether it is asked again if its question is to be left without an answer.
+    pub leaves: bool,
+    /// Whether the answer is to be handed in, once what was typed last is set.
+    pub hands_in: bool,
     /// Hints that were asked for.
     pub hints: usize,
     marking: Option<Work<Marking>>,
@@ -52,9 +87,9 @@ pub struct Lesson {
 }
 
 impl Lesson {
-    /// A mission at its beginning.
+    /// A mission at its beginning, of which this is known from before.
     #[must_use]
-    pub fn new(mission: Mission) -> Self {
+    pub fn new(mission: Mission, past: Past) -> Self {
         Self {
             mission,
             predictions: BTreeMap::new(),
@@ -62,7 +97,11 @@ impl Lesson {
             skipped: BTreeSet::new(),
             seen: BTreeSet::new(),
             late: BTreeSet::new(),
+            past,
+            counted: false,
             step: 1,
+            leaves: false,
+            hands_in: false,
             hints: 0,
             marking: None,
             answer: None,
@@ -81,6 +120,20 @@ impl Lesson {
         let left = self.taken && !here;
         self.taken |= here;
         left
+    }
+
+    /// The mission is put away: what is known of it from now on.
+    #[must_use]
+    pub fn into_past(mut self) -> Past {
+        self.see();
+        self.past.seen.extend(&self.seen);
+        self.past
+    }
+
+    /// In which try this is.
+    #[must_use]
+    pub fn tries(&self) -> MissionTries {
+        self.past.tries
     }
 
     /// Whether the question of a step is neither answered nor left.
@@ -133,15 +186,24 @@ impl Lesson {
         }
     }
 
+    /// Takes what stands in the question of the step under way, and was not said, out of it.
+    pub fn put_draft_away(&mut self) {
+        self.drafts.remove(&self.step);
+    }
+
     /// Says what stands in the question of the step under way.
     pub fn say(&mut self) {
         let step = self.step;
         if let Some(prediction) = self.drafts.remove(&step) {
+            // Who has begun it before knows the cut; what was predicted in time then is still foreseen.
+            let repeated = || self.past.in_time.get(&step) == Some(&prediction);
+            if self.is_seen() || self.was_seen() && !repeated() {
+                self.late.insert(step);
+            } else {
+                self.past.in_time.insert(step, prediction.clone());
+            }
             self.predictions.insert(step, prediction);
             self.skipped.remove(&step);
-            if self.is_seen() {
-                self.late.insert(step);
-            }
             self.go_on();
         }
     }
@@ -155,6 +217,7 @@ impl Lesson {
 
     /// Goes on to the next step, if there is one.
     pub fn go_on(&mut self) {
+        self.leaves = false;
         self.step = (self.step + 1).min(self.mission.steps.len());
     }
 
@@ -162,6 +225,12 @@ impl Lesson {
     #[must_use]
     pub fn is_seen(&self) -> bool {
         self.seen.contains(&self.step)
+    }
+
+    /// Whether it was seen when the mission was begun before.
+    #[must_use]
+    pub fn was_seen(&self) -> bool {
+        self.past.seen.contains(&self.step)
     }
 
     /// Whether that question was answered, or answered anew, after that.
@@ -173,6 +242,8 @@ impl Lesson {
     /// Notes what the cut shows now: all that was to be predicted so far.
     fn see(&mut self) {
         if !self.hides_the_cut() {
+            self.past.tries.begun += u32::from(!self.counted);
+            self.counted = true;
             let asked = self.mission.questions().filter(|(_, question)| !question.look_up);
             let asked = asked.map(|(step, _)| step).filter(|step| *step <= self.step);
             self.seen.extend(asked.collect::<Vec<usize>>());
@@ -181,6 +252,8 @@ impl Lesson {
 
     /// Hands the answer in; what it comes to tells the answers to all questions.
     pub fn mark(&mut self, session: &Session, jobs: &Jobs) {
+        self.hands_in = false;
+        self.past.tries.checked += 1;
         self.seen.extend(self.mission.questions().map(|(step, _)| step));
         self.marked_at = session.changes();
         let answer = MissionAnswer {
@@ -231,7 +304,7 @@ impl Lesson {
         let answer = self.answer.as_ref()?;
         let result =
             MissionResult::new(&self.mission, answer, verdict, self.hints, self.marked.clone());
-        Some(result.named(name))
+        Some(result.tried(self.tries()).named(name))
     }
 
     /// Puts the verdict away.

@@ -13,7 +13,9 @@ mod verdict;
 
 use std::collections::BTreeMap;
 
-use egui::{CentralPanel, CollapsingHeader, Context, Id, Response, RichText, Ui, UiBuilder};
+use egui::{
+    CentralPanel, CollapsingHeader, Context, Frame, Id, Margin, Response, RichText, Ui, UiBuilder,
+};
 
 use super::console::charts;
 use super::{BroughtFile, Panel, View};
@@ -27,10 +29,12 @@ use crate::app::widgets::scaffold;
 use crate::base::language::{text, tr};
 use crate::study::mission::Mission;
 use crate::study::opening::LinkedMission;
-use lesson::Lesson;
+use lesson::{Lesson, Past};
 
 /// Charts that a lesson shows, by their ids on the console.
 const CHARTS: [&str; 4] = ["roughness", "force", "feed", "depth"];
+/// Room at the right of the charts for the half of a label that stands at the end of their axis, points.
+const AXIS_END: i8 = 16;
 /// So many of them stand before the settings on a phone.
 const WATCHED: usize = 2;
 
@@ -38,6 +42,12 @@ const WATCHED: usize = 2;
 #[derive(Default)]
 pub struct LearnPanel {
     lesson: Option<Lesson>,
+    /// What is known of missions that were begun before, by their parts of a link.
+    past: BTreeMap<String, Past>,
+    /// A mission that was left before its cut was shown: on any other screen it is to be seen now.
+    unseen: Option<Mission>,
+    /// Whether another screen is shown.
+    away: bool,
     axes: Axes,
     /// A mission that a file or a link brought, to be begun in the next frame.
     brought: Option<Box<LinkedMission>>,
@@ -64,6 +74,13 @@ impl Panel for LearnPanel {
         self.lesson.is_some()
     }
 
+    fn left(&mut self) {
+        self.away = true;
+        if let Some(mission) = self.unseen.take() {
+            self.past.entry(mission.link()).or_default().see_all(&mission);
+        }
+    }
+
     fn take(&mut self, file: &BroughtFile) {
         match file {
             BroughtFile::Mission { name, text } => match Mission::read(text) {
@@ -82,9 +99,18 @@ impl Panel for LearnPanel {
             self.begin(*linked, commands);
         }
         if self.lesson.as_mut().is_some_and(|lesson| lesson.is_left(view.session)) {
-            self.lesson = None;
+            // Left on another screen, its cut was shown there from then on.
+            let shown = self.away;
+            self.unseen = self.put_away();
+            if shown {
+                self.left();
+            }
         }
+        self.away = false;
         if let Some(lesson) = &mut self.lesson {
+            if lesson.hands_in {
+                lesson.mark(view.session, view.jobs);
+            }
             if lesson.refresh()
                 && let Some(result) = lesson.result("")
             {
@@ -127,13 +153,25 @@ impl LearnPanel {
         catalogue::show(ui, view, self.refused.as_deref(), commands)
     }
 
+    /// Puts the mission under way away, and keeps what is known of it; gives it where its cut was not shown.
+    fn put_away(&mut self) -> Option<Mission> {
+        let lesson = self.lesson.take()?;
+        let unseen = lesson.hides_the_cut().then(|| lesson.mission.clone());
+        self.past.insert(lesson.mission.link(), lesson.into_past());
+        unseen
+    }
+
     fn begin(&mut self, linked: LinkedMission, commands: &mut Vec<Command>) {
         let LinkedMission { mission, cut: (scenario, edits) } = linked;
-        let lesson = Lesson::new(mission);
+        self.put_away();
+        self.unseen = None;
+        let link = mission.link();
+        let past = self.past.get(&link).cloned().unwrap_or_default();
+        let lesson = Lesson::new(mission, past);
         let mission = &lesson.mission;
         let lock = MissionLock {
             title: mission.title.clone(),
-            link: mission.link(),
+            link,
             scenario: mission.scenario.clone(),
             open: mission.controls.open.clone(),
             options: mission.controls.options.clone(),
@@ -233,9 +271,12 @@ fn cut(
         room.max(theme::PLOT_HEIGHT_MIN)
     };
     let mut draw = |ui: &mut Ui| {
-        for chart in &charts {
-            chart::show(ui, chart, view.session, axes, height);
-        }
+        let frame = Frame::new().inner_margin(Margin { right: AXIS_END, ..Margin::ZERO });
+        frame.show(ui, |ui| {
+            for chart in &charts {
+                chart::show(ui, chart, view.session, axes, height);
+            }
+        });
     };
     if some.is_some() {
         draw(ui);
@@ -291,7 +332,7 @@ pub fn places(ctx: &Context) -> Places {
 
 /// A text of a mission: its paragraphs.
 fn paragraphs(ui: &mut Ui, text: &str) {
-    for paragraph in told(text).trim().split("\n\n") {
+    for paragraph in told(text).trim().split("\n\n").filter(|paragraph| !paragraph.is_empty()) {
         ui.label(paragraph);
     }
 }

@@ -3,6 +3,7 @@
 use egui::{RichText, Ui};
 
 use super::{note_place, sketch, told};
+use crate::app::command::Command;
 use crate::app::format;
 use crate::app::session::Session;
 use crate::app::widgets::number::NumberField;
@@ -15,6 +16,7 @@ pub fn show(
     question: &Question,
     given: Option<&Prediction>,
     session: &Session,
+    commands: &mut Vec<Command>,
 ) -> Option<Prediction> {
     ui.label(told(&question.ask));
     if question.must {
@@ -35,7 +37,7 @@ pub fn show(
             }
             chosen.map(Prediction::Choice)
         }
-        QuestionKind::Number { unit, .. } => number(ui, unit, given),
+        QuestionKind::Number { unit, .. } => number(ui, unit, given, commands),
         QuestionKind::Curve { of, .. } => {
             let points = match given {
                 Some(Prediction::Curve(points)) => points.as_slice(),
@@ -47,7 +49,12 @@ pub fn show(
 }
 
 /// A number with its unit; what is not touched is not answered.
-fn number(ui: &mut Ui, unit: &str, given: Option<&Prediction>) -> Option<Prediction> {
+fn number(
+    ui: &mut Ui,
+    unit: &str,
+    given: Option<&Prediction>,
+    commands: &mut Vec<Command>,
+) -> Option<Prediction> {
     /// Beyond what any question asks for.
     const MOST: f64 = 1e6;
     let before = match given {
@@ -67,11 +74,10 @@ fn number(ui: &mut Ui, unit: &str, given: Option<&Prediction>) -> Option<Predict
             least: 0,
             suffix: "",
         };
-        field.show_or_blank(ui, &mut value, &mut said).labelled_by(label.id);
+        let field = field.show_or_blank(ui, &mut value, &mut said).labelled_by(label.id);
+        note_place(ui, "number", &field);
         ui.label(format::unit(unit));
     });
-    if let Some(said) = said {
-        ui.label(RichText::new(said).small());
-    }
+    commands.extend(said.map(Command::notify));
     value.map(Prediction::Number)
 }

@@ -11,6 +11,7 @@ use crate::app::panels::console::operator;
 use crate::app::session::hand::is_for_the_hand;
 use crate::app::theme::Palette;
 use crate::app::widgets::setting::{Size, setting};
+use crate::app::widgets::standing::Standing;
 use crate::base::language::tr;
 use crate::study::compare::by_hand::HAND;
 use crate::study::mission::Question;
@@ -22,7 +23,7 @@ const KNOB: f32 = 190.0;
 /// What the mission is about, and the step under way.
 pub fn show(ui: &mut Ui, lesson: &mut Lesson, view: &View<'_>, commands: &mut Vec<Command>) {
     head(ui, lesson, view, commands);
-    steps(ui, lesson, view);
+    steps(ui, lesson, view, commands);
     ui.add_space(6.0);
 }
 
@@ -43,7 +44,7 @@ fn head(ui: &mut Ui, lesson: &Lesson, view: &View<'_>, commands: &mut Vec<Comman
     ui.add_space(4.0);
 }
 
-fn steps(ui: &mut Ui, lesson: &mut Lesson, view: &View<'_>) {
+fn steps(ui: &mut Ui, lesson: &mut Lesson, view: &View<'_>, commands: &mut Vec<Command>) {
     let count = lesson.mission.steps.len();
     let Some(step) = lesson.mission.steps.get(lesson.step - 1).cloned() else { return };
     ui.separator();
@@ -53,22 +54,27 @@ fn steps(ui: &mut Ui, lesson: &mut Lesson, view: &View<'_>) {
         count = count,
         title = tr(&step.title)
     );
-    ui.label(RichText::new(title).strong());
+    let title = ui.label(RichText::new(title).strong());
+    note_place(ui, &format!("step {}", lesson.step), &title);
     paragraphs(ui, &step.text);
     if let Some(question) = &step.predict {
-        ask(ui, lesson, question, view);
+        ask(ui, lesson, question, view, commands);
     }
     let say = step.predict.as_ref().filter(|_| lesson.asks() || lesson.has_draft());
     ui.horizontal_wrapped(|ui| {
         if ui.add_enabled(lesson.step > 1, Button::new(tr("Back"))).clicked() {
             lesson.step -= 1;
+            lesson.leaves = false;
             return;
         }
         let Some(question) = say else {
-            let next = ui.add_enabled(lesson.step < count, Button::new(tr("Next")));
-            note_place(ui, "next", &next);
-            if next.clicked() {
-                lesson.go_on();
+            // After the last step there is none.
+            if lesson.step < count {
+                let next = ui.button(tr("Next"));
+                note_place(ui, "next", &next);
+                if next.clicked() {
+                    lesson.go_on();
+                }
             }
             return;
         };
@@ -86,25 +92,55 @@ fn steps(ui: &mut Ui, lesson: &mut Lesson, view: &View<'_>) {
             let skip = ui.button(leave);
             note_place(ui, "skip", &skip);
             if skip.clicked() {
-                lesson.leave_open();
+                lesson.leaves = !lesson.leaves;
             }
         }
     });
+    if lesson.leaves && lesson.asks() {
+        leave_open(ui, lesson);
+    }
+}
+
+/// Asks again before a question is left without an answer, at another place than the first time: a finger that comes
+/// down twice leaves nothing.
+fn leave_open(ui: &mut Ui, lesson: &mut Lesson) {
+    let words = tr("Without an answer there is no third star: any guess teaches more than none.");
+    Standing::Watch.label(ui, words, |text| text);
+    let sure = ui.button(tr("Go on all the same"));
+    note_place(ui, "skip all the same", &sure);
+    if sure.clicked() {
+        lesson.leave_open();
+    }
 }
 
 /// The question of a step, as far as it can still be answered.
-fn ask(ui: &mut Ui, lesson: &mut Lesson, question: &Question, view: &View<'_>) {
+fn ask(
+    ui: &mut Ui,
+    lesson: &mut Lesson,
+    question: &Question,
+    view: &View<'_>,
+    commands: &mut Vec<Command>,
+) {
     let fixed = lesson.is_seen() && !question.must && !question.look_up;
     let before = lesson.said().cloned();
     let now = ui
-        .add_enabled_ui(!fixed, |ui| questions::show(ui, question, before.as_ref(), view.session))
+        .add_enabled_ui(!fixed, |ui| {
+            questions::show(ui, question, before.as_ref(), view.session, commands)
+        })
         .inner;
-    if let Some(now) = now.filter(|now| !fixed && before.as_ref() != Some(now)) {
-        lesson.draft(now);
+    if !fixed && before != now {
+        match now {
+            Some(now) => lesson.draft(now),
+            // What was typed is no number any more.
+            None => lesson.put_draft_away(),
+        }
     }
     let note = match (fixed, before.is_some()) {
         (true, true) => tr("Your prediction stays as it is: the cut has been shown."),
         (true, false) => tr("It was left without a prediction: the cut has been shown."),
+        (false, _) if lesson.was_seen() && !lesson.is_seen() => tr(
+            "You have seen this cut before: another answer than that of the first time counts for passing, not for the third star.",
+        ),
         (false, _) if lesson.is_late() || lesson.is_seen() && lesson.has_draft() => tr(
             "Answered after the cut or a check has shown it: that counts for passing, not for the third star.",
         ),

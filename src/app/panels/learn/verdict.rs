@@ -8,19 +8,33 @@ use crate::app::theme::{self, Palette};
 use crate::app::widgets::icon::{self, Icon};
 use crate::app::widgets::standing::Standing;
 use crate::base::language::{decimal, tr};
-use crate::study::mission::{MOST_STARS, Mission, MissionVerdict, PredictionVerdict, QuestionKind};
+use crate::study::mission::{
+    MOST_STARS, Mission, MissionTries, MissionVerdict, PredictionVerdict, QuestionKind,
+};
 
 /// Shows the verdict; `stale` where something was changed since. Whether it was put away.
-pub fn show(ui: &mut Ui, mission: &Mission, verdict: &MissionVerdict, stale: bool) -> bool {
+pub fn show(
+    ui: &mut Ui,
+    mission: &Mission,
+    verdict: &MissionVerdict,
+    stale: bool,
+    tries: MissionTries,
+) -> bool {
     let palette = Palette::at(ui);
     theme::card(palette)
         .show(ui, |ui| {
             ui.set_width(ui.available_width());
             let closed = head(ui, verdict, stale);
-            for prediction in verdict.predictions.iter().filter(|prediction| prediction.answered) {
-                let text = foreseen(mission, prediction);
-                Standing::either(prediction.right).label(ui, &text, |text| text);
-                if !prediction.right {
+            for prediction in &verdict.predictions {
+                let text = foreseen(mission, prediction, verdict.passed);
+                let standing = match (prediction.answered, prediction.is_foreseen()) {
+                    (false, _) => Standing::Watch,
+                    (true, true) => Standing::Good,
+                    (true, false) if prediction.right => Standing::Watch,
+                    (true, false) => Standing::Bad,
+                };
+                standing.label(ui, &text, |text| text);
+                if !prediction.right && !prediction.word.is_empty() {
                     ui.label(told(&prediction.word));
                 }
             }
@@ -28,13 +42,19 @@ pub fn show(ui: &mut Ui, mission: &Mission, verdict: &MissionVerdict, stale: boo
                 Standing::Bad.label(ui, &told(&check.otherwise), |text| text);
             }
             if verdict.passed {
-                debrief(ui, mission, palette);
                 if verdict.stars < MOST_STARS {
-                    more_stars(ui, mission, palette);
+                    more_stars(ui, mission, verdict);
                 }
+                debrief(ui, mission, palette);
             }
+            let small = |text: String| RichText::new(text).small().color(palette.weak);
+            ui.label(small(tr!(
+                "Tries: begun {begun}, checked {checked}",
+                begun = tries.begun,
+                checked = tries.checked
+            )));
             let digest = tr!("Digest of the cut: {digest}", digest = verdict.digest);
-            ui.label(RichText::new(digest).small().color(palette.weak));
+            ui.label(small(digest));
             closed
         })
         .inner
@@ -70,21 +90,60 @@ fn head(ui: &mut Ui, verdict: &MissionVerdict, stale: bool) -> bool {
     closed
 }
 
-/// Whether a prediction was right, and by how much it was off.
-fn foreseen(mission: &Mission, prediction: &PredictionVerdict) -> String {
-    let step = prediction.step;
-    let question = mission.questions().find(|(number, _)| *number == step);
-    let is_curve =
-        question.is_some_and(|(_, question)| matches!(question.kind, QuestionKind::Curve { .. }));
-    let off = |off: f64| {
-        let percent = format::beside(format!("{:.0}", off.abs()), "%");
-        match (is_curve, off < 0.0) {
-            _ if off.abs() < 0.5 => tr("exactly").to_owned(),
-            (true, _) => tr!("off the curve by {percent} of its height", percent = percent),
-            (false, true) => tr!("{percent} below the true value", percent = percent),
-            (false, false) => tr!("{percent} above the true value", percent = percent),
+/// By how much a number or a curve was off. What the true number is, is told once the mission is passed: until then
+/// that it is too high or too low, since by how much gives the true one away.
+fn off(mission: &Mission, prediction: &PredictionVerdict, passed: bool) -> Option<String> {
+    let off = prediction.off_percent?;
+    let (_, question) = mission.questions().find(|(number, _)| *number == prediction.step)?;
+    let percent = |of: f64| format::beside(decimal(of.to_string()), "%");
+    let words = match &question.kind {
+        QuestionKind::Choice(_) => return None,
+        QuestionKind::Curve { .. } => {
+            let percent = percent(off.round());
+            tr!("off the curve by {percent} of its height", percent = percent)
+        }
+        QuestionKind::Number { tolerance_percent, .. } => {
+            let tolerance = percent(*tolerance_percent);
+            match (prediction.right, off < 0.0) {
+                (true, _) => tr!("within {tolerance} of the true value", tolerance = tolerance),
+                (false, true) => {
+                    tr!("too low; allowed is {tolerance} to either side", tolerance = tolerance)
+                }
+                (false, false) => {
+                    tr!("too high; allowed is {tolerance} to either side", tolerance = tolerance)
+                }
+            }
         }
     };
+    let is_number = question.kind.is_number();
+    let truth = true_number(&prediction.solution).filter(|_| is_number && passed);
+    Some(match truth {
+        Some(truth) => tr!("{words}; the true value is {truth}", words = words, truth = truth),
+        None => words,
+    })
+}
+
+/// A right answer that is a number with its unit, in as many digits as people read.
+fn true_number(solution: &str) -> Option<String> {
+    let (number, unit) = solution.split_once(' ')?;
+    Some(format::fine(number.parse().ok()?, unit))
+}
+
+/// Whether a prediction was right, and by how much it was off.
+fn foreseen(mission: &Mission, prediction: &PredictionVerdict, passed: bool) -> String {
+    let step = prediction.step;
+    if !prediction.answered {
+        let asked = mission.questions().find(|(number, _)| *number == step);
+        return match asked.is_some_and(|(_, question)| question.look_up) {
+            true => {
+                tr!("No answer was given in step {step}: that costs the third star", step = step)
+            }
+            false => {
+                tr!("No prediction was made in step {step}: that costs the third star", step = step)
+            }
+        };
+    }
+    let off = |_: f64| off(mission, prediction, passed).unwrap_or_default();
     if prediction.late {
         return match prediction.right {
             true => tr!(
@@ -111,22 +170,31 @@ fn debrief(ui: &mut Ui, mission: &Mission, palette: &Palette) {
     ui.add_space(4.0);
     paragraphs(ui, &debrief.text);
     if !debrief.formula.is_empty() {
-        formula::show(ui, &debrief.formula);
+        formula::show(ui, tr(&debrief.formula));
     }
     if !debrief.source.is_empty() {
         ui.label(RichText::new(tr(&debrief.source)).small().color(palette.weak));
     }
 }
 
-fn more_stars(ui: &mut Ui, mission: &Mission, palette: &Palette) {
-    let [two, three] = &mission.stars;
-    let asked = two.iter().chain(three).map(|asked| mission.in_words(asked, &written));
-    let predicted = tr("predictions that are right, made before the cut").to_owned();
-    ui.label(RichText::new(tr("For all three stars:")).small().color(palette.weak));
-    for asked in asked.chain([predicted]) {
-        let line = RichText::new(format!("\u{2022} {asked}")).small().color(palette.weak);
-        ui.label(line);
+/// What all three stars ask for: what of it is reached, and what is missed with the learner's own value.
+fn more_stars(ui: &mut Ui, mission: &Mission, verdict: &MissionVerdict) {
+    ui.add_space(4.0);
+    ui.label(RichText::new(tr("For all three stars:")).small().strong());
+    let line = |ui: &mut Ui, holds: bool, words: &str| {
+        let words = match holds {
+            true => tr!("reached: {condition}", condition = words),
+            false => tr!("missed: {condition}", condition = words),
+        };
+        Standing::either(holds).label(ui, &words, RichText::small);
+    };
+    let conditions = mission.stars.iter().flatten();
+    for (condition, asked) in conditions.zip(&verdict.stars_asked) {
+        let words = mission.in_words(condition, &written);
+        let own = mission.came_to(condition, asked.sides, &written);
+        line(ui, asked.holds, &format!("{words} ({own})"));
     }
+    line(ui, verdict.is_foreseen(), tr("predictions that are right, made before the cut"));
 }
 
 /// A number of a mission's file with its unit.
