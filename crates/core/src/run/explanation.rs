@@ -97,12 +97,13 @@ fn curves(scenario: &Scenario, row: &Row) -> Vec<Live> {
     if let Some(material) = scenario.formula.material_factor(hardness_hb) {
         line(scenario.formula.material.get(), "material", &[("HB", hardness_hb)], material);
     }
-    if scenario.plant.force_model.tooth_by_tooth()
-        && let Some(own) = scenario.formula.specific_force.get()
-    {
+    if scenario.plant.force_model.tooth_by_tooth() {
         // At the thickest chip.
         let thickness_mm = tool.feed_per_tooth_mm(row.feed_mm_min, row.spindle_rpm.max(1.0));
-        line(Some(own), "k_c", &[("h", thickness_mm)], own.at(&[thickness_mm]));
+        let forces = scenario.formula.specific_forces().into_iter().zip(["k_c", "k_r", "k_a"]);
+        for (own, symbol) in forces.filter_map(|(own, symbol)| Some((own?, symbol))) {
+            line(Some(own), symbol, &[("h", thickness_mm)], own.at(&[thickness_mm]));
+        }
     }
     if wear.model == WearModel::Life {
         let worn = wear.wear_valued(row.used_life);

@@ -100,6 +100,27 @@ fn the_specific_cutting_force_stands_in_the_place_of_kienzle_s() {
     let doubled = last(&with("4440*h^-0.14", 0.5));
     let ratio = doubled.force_n / last(&own).force_n;
     assert!((1.5..2.0).contains(&ratio), "the radial force is Kienzle's still: {ratio}");
+    // All three as formulas are Kienzle's as well, and all three doubled are twice the force of a rigid tool.
+    let all = |factor: f64| {
+        let mut own = plain.with(|s| s.tool.compliance_um_n = 0.0).unwrap();
+        for (path, k, m) in [
+            ("formula.specific_force", 2220.0, 0.14),
+            ("formula.specific_radial_force", 450.0, 0.45),
+            ("formula.specific_axial_force", 200.0, 0.20),
+        ] {
+            let text = format!(
+                r#"{{"version":1,"formula":"{}*h^-{m}","output":{{"name":"k","unit":"N/mm^2"}},"inputs":[{{"name":"h","unit":"mm","low":1e-9,"high":0.5}}]}}"#,
+                factor * k
+            );
+            own.set(path, Value::Text(text)).unwrap();
+        }
+        last(&rows(&own)).force_n
+    };
+    let rigid_n = last(&rows(&plain.with(|s| s.tool.compliance_um_n = 0.0).unwrap())).force_n;
+    for factor in [1.0, 2.0] {
+        let ratio = all(factor) / rigid_n;
+        assert!((ratio - factor).abs() < 1e-6, "{factor}: {ratio}");
+    }
     // 430 mm/min by two teeth at 1571 1/min are 0.137 mm a tooth.
     assert!(last(&with("2220*h^-0.14", 0.13)).has(flag::K4_OUTSIDE));
     assert!(!last(&with("2220*h^-0.14", 0.14)).has(flag::K4_OUTSIDE));

@@ -6,6 +6,7 @@
 //! scales it by its k_c at a chip thickness of 0.1 mm, times (HB / HB_ref)^0.4 (chosen).
 
 use crate::base::math;
+use crate::models::mechanistic::{CK45, MNCRSI5, Steel};
 
 crate::choice! {
     /// A workpiece material.
@@ -69,6 +70,26 @@ impl Material {
     #[must_use]
     pub fn feed_exponent(self) -> f64 {
         1.0 - self.constants().1
+    }
+
+    /// The steel whose laws of force its teeth meet, and the factor on them at a hardness in HB: materials but the two
+    /// of the 2005 paper are Ck45 times the ratio of their forces.
+    #[must_use]
+    pub fn steel(self, hardness_hb: f64) -> (Steel, f64) {
+        let (steel, base) = match self {
+            Self::MnCrSi5 => (MNCRSI5, Self::MnCrSi5),
+            Self::Ck45
+            | Self::S235
+            | Self::Crmo42
+            | Self::X5CrNi
+            | Self::NiCrMoV
+            | Self::Gjl250
+            | Self::Gjs600
+            | Self::Al7075
+            | Self::Brass
+            | Self::Ti64 => (CK45, Self::Ck45),
+        };
+        (steel, self.force_factor(hardness_hb) / base.force_factor(base.hardness_hb()))
     }
 
     /// Force relative to Ck45 at 200 HB.

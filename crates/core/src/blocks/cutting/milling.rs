@@ -74,7 +74,7 @@ impl Milling {
             setup: *setup,
             surface: SurfaceLeft::new(sliced.teeth()),
             sliced,
-            law: OwnEdgeLaw { law, specific: None, corrections: 1.0 },
+            law: OwnEdgeLaw { law, specific: [const { None }; 3], corrections: 1.0 },
             speed_rpm: 0.0,
             speed_factor: 0.0,
             last_n: [0.0; 2],
@@ -85,9 +85,10 @@ impl Milling {
         }
     }
 
-    /// The same with a specific cutting force of one's own: N/mm^2 of the chip thickness in mm, uncorrected.
+    /// The same with specific forces of one's own, cutting, radial, axial: N/mm^2 of the chip thickness in mm,
+    /// uncorrected.
     #[must_use]
-    pub fn with_specific_force(mut self, specific: Option<Arc<FormulaModel>>) -> Self {
+    pub fn with_specific_forces(mut self, specific: [Option<Arc<FormulaModel>>; 3]) -> Self {
         let MillingSetup { steel, rake_deg, hardness_hb, .. } = self.setup;
         let corrections = Kienzle::corrections(&steel, LAW_SPEED_M_MIN, rake_deg, hardness_hb);
         self.law = OwnEdgeLaw { specific, corrections, ..self.law };

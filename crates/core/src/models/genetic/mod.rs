@@ -26,7 +26,7 @@ use self::exponential::Exponential;
 use self::force_formula::ForceFormula;
 pub use self::own::{
     FeedOfForce, ForceOfCut, ForceOfRa, FormulaSettings, MaterialOfHardness, OwnModels, RaOfForce,
-    SpecificForce, SpeedOfForce,
+    SpecificAxialForce, SpecificForce, SpecificRadialForce, SpeedOfForce,
 };
 use self::quartic::Quartic;
 use super::Valued;

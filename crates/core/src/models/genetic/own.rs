@@ -46,11 +46,22 @@ role!(
     SpecificForce, "formula_specific_force", &["mm"], "the chip thickness in mm", "N/mm^2",
     r#"{"version":1,"formula":"1700*(h + 0.01)^-0.22","output":{"name":"kc","unit":"N/mm^2"},"inputs":[{"name":"h","unit":"mm","low":0,"high":0.4}]}"#
 );
+role!(
+    /// Specific radial force of a chip thickness.
+    SpecificRadialForce, "formula_specific_radial_force", &["mm"], "the chip thickness in mm", "N/mm^2",
+    r#"{"version":1,"formula":"350*(h + 0.01)^-0.5","output":{"name":"kr","unit":"N/mm^2"},"inputs":[{"name":"h","unit":"mm","low":0,"high":0.4}]}"#
+);
+
+role!(
+    /// Specific axial force of a chip thickness.
+    SpecificAxialForce, "formula_specific_axial_force", &["mm"], "the chip thickness in mm", "N/mm^2",
+    r#"{"version":1,"formula":"180*(h + 0.01)^-0.2","output":{"name":"ka","unit":"N/mm^2"},"inputs":[{"name":"h","unit":"mm","low":0,"high":0.4}]}"#
+);
 
 crate::settings! {
     /// Formulas of one's own, which the calibration `formula` puts in the place of identified models, of plant
     /// and controller alike; each is the text of a model file (`steadycut formula --save`). Beyond its ranges
-    /// a formula goes straight on, and is marked. Those of material and specific cutting force need no calibration.
+    /// a formula goes straight on, and is marked. Those of material and specific forces need no calibration.
     pub struct FormulaSettings {
         /// Model 1, K1 or M1: the force in N for a target Ra in um.
         force_of_ra: OwnFormula<ForceOfRa> = OwnFormula::default(), [], "", live, "Force for a target Ra";
@@ -69,6 +80,12 @@ crate::settings! {
         /// Specific cutting force k_c in N/mm^2 of the chip thickness in mm, tooth by tooth, in place of Kienzle's
         /// k_c1.1 h^-m_c: of the steel, before the corrections for rake, speed and hardness.
         specific_force: OwnFormula<SpecificForce> = OwnFormula::default(), [], "", live, "Specific cutting force";
+        /// Specific radial force k_r in N/mm^2 of the chip thickness in mm, tooth by tooth, as the specific cutting
+        /// force: in place of Kienzle's k_r1.1 h^-m_r, before the same corrections.
+        specific_radial_force: OwnFormula<SpecificRadialForce> = OwnFormula::default(), [], "", live, "Specific radial force";
+        /// Specific axial force k_a in N/mm^2 of the chip thickness in mm, tooth by tooth, as the specific cutting
+        /// force: in place of Kienzle's k_a1.1 h^-m_a, before the same corrections.
+        specific_axial_force: OwnFormula<SpecificAxialForce> = OwnFormula::default(), [], "", live, "Specific axial force";
     }
 }
 
@@ -87,8 +104,24 @@ impl FormulaSettings {
     /// Whether no model 1 to 5 is a formula of one's own.
     #[must_use]
     pub fn has_no_model(&self) -> bool {
-        let (material, specific_force) = (self.material.clone(), self.specific_force.clone());
-        *self == Self { material, specific_force, ..Self::default() }
+        *self
+            == Self {
+                material: self.material.clone(),
+                specific_force: self.specific_force.clone(),
+                specific_radial_force: self.specific_radial_force.clone(),
+                specific_axial_force: self.specific_axial_force.clone(),
+                ..Self::default()
+            }
+    }
+
+    /// The specific forces that are formulas: cutting, radial, axial.
+    #[must_use]
+    pub fn specific_forces(&self) -> [Option<&Arc<FormulaModel>>; 3] {
+        [
+            self.specific_force.get(),
+            self.specific_radial_force.get(),
+            self.specific_axial_force.get(),
+        ]
     }
 
     /// The force of the material over that of Ck45 at 200 HB by its formula, where there is one; never negative.

@@ -77,29 +77,29 @@ impl EdgeLaw for Kienzle {
     }
 }
 
-/// Kienzle's laws, the tangential one by a formula of one's own where there is one.
+/// Kienzle's laws, or formulas of one's own in the place of some.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OwnEdgeLaw {
     /// Kienzle's laws.
     pub law: Kienzle,
-    /// Specific cutting force k_c in N/mm^2 of the chip thickness in mm, uncorrected.
-    pub specific: Option<Arc<FormulaModel>>,
-    /// The factor of the corrections on it.
+    /// Specific forces k_c, k_r, k_a in N/mm^2 of the chip thickness in mm, uncorrected, where there are such.
+    pub specific: [Option<Arc<FormulaModel>>; 3],
+    /// The factor of the corrections on them.
     pub corrections: f64,
 }
 
-/// F/b = k_c(h) h; never negative.
+/// F/b = k_i(h) h; never negative.
 impl EdgeLaw for OwnEdgeLaw {
     #[inline]
     fn per_width(&self, thickness_mm: f64) -> [f64; 3] {
-        let [c, r, a] = self.law.per_width(thickness_mm);
-        match &self.specific {
-            None => [c, r, a],
-            Some(own) => {
+        let mut forces = self.law.per_width(thickness_mm);
+        for (force, specific) in forces.iter_mut().zip(&self.specific) {
+            if let Some(own) = specific {
                 let specific_n_mm2 = math::positive(own.at(&[thickness_mm]).value);
-                [self.corrections * specific_n_mm2 * thickness_mm, r, a]
+                *force = self.corrections * specific_n_mm2 * thickness_mm;
             }
         }
+        forces
     }
 }
 

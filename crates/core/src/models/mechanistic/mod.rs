@@ -45,7 +45,7 @@ mod static_cut;
 
 pub use kienzle::{CK45, EdgeLaw, Kienzle, MNCRSI5, OwnEdgeLaw, Steel};
 pub use peak_table::PeakTable;
-pub use static_cut::{StaticCut, StaticPeak, static_peak};
+pub use static_cut::{StaticCut, StaticPeak, static_peak, static_turn};
 
 /// Most teeth of a cutter.
 pub const MAX_TEETH: usize = 8;

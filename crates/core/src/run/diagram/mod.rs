@@ -210,6 +210,8 @@ pub const BLOCKS: &[BlockInfo] = &[
             "formula.force",
             "formula.material",
             "formula.specific_force",
+            "formula.specific_radial_force",
+            "formula.specific_axial_force",
         ],
         lamps: &[
             lamp(flag::K4_OUTSIDE, "K4"),

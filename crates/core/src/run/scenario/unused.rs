@@ -184,7 +184,14 @@ pub const UNUSED: &[Unused] = &[
         text!("only the off-line plan bends the cutter"),
     ),
     unused(
-        &["tool.compliance_um_n", "tool.runout_um", "plant.slice_mm", "formula.specific_force"],
+        &[
+            "tool.compliance_um_n",
+            "tool.runout_um",
+            "plant.slice_mm",
+            "formula.specific_force",
+            "formula.specific_radial_force",
+            "formula.specific_axial_force",
+        ],
         |s| !by_teeth(s),
         text!("`plant.force_model` is a map, not mechanistic"),
     ),

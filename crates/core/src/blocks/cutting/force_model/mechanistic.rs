@@ -7,12 +7,11 @@ use crate::base::language::{text, tr};
 use crate::base::math;
 use crate::base::units::mm_from_um;
 use crate::base::window::WindowMax;
-use crate::blocks::cutting::material::Material;
 use crate::blocks::cutting::milling::{Milling, MillingSetup};
 use crate::blocks::cutting::process::{CutStep, Force, PlantSettings};
 use crate::models::Valued;
 use crate::models::genetic::{FormulaSettings, ModelSet};
-use crate::models::mechanistic::{CK45, Cutter, Cutting, MNCRSI5};
+use crate::models::mechanistic::{CK45, Cutter, Cutting};
 use crate::models::printed::Printed;
 use crate::models::spindle::SLOWEST_RPM;
 use crate::models::tool::Tool;
@@ -48,30 +47,17 @@ pub struct Mechanistic {
     known_per_turn_mm: f64,
 }
 
-/// The tool in the plant's material. Materials but the two of the 2005 paper are Ck45
-/// times the ratio of their forces, hardness included; by a formula it is Ck45 times that.
+/// The tool in the plant's material; by a formula it is Ck45 times that.
 fn milling_setup(
     plant: &PlantSettings,
     own: Option<Valued>,
     tool: &Tool,
     dt_s: f64,
 ) -> MillingSetup {
-    let material = if own.is_some() { Material::Ck45 } else { plant.material };
-    let (steel, base) = match material {
-        Material::MnCrSi5 => (MNCRSI5, Material::MnCrSi5),
-        Material::Ck45
-        | Material::S235
-        | Material::Crmo42
-        | Material::X5CrNi
-        | Material::NiCrMoV
-        | Material::Gjl250
-        | Material::Gjs600
-        | Material::Al7075
-        | Material::Brass
-        | Material::Ti64 => (CK45, Material::Ck45),
+    let (steel, factor) = match own {
+        Some(own) => (CK45, own.value),
+        None => plant.material.steel(plant.hardness_hb),
     };
-    let usual = || material.force_factor(plant.hardness_hb) / base.force_factor(base.hardness_hb());
-    let factor = own.map_or_else(usual, |own| own.value);
     MillingSetup {
         cutter: Cutter::new(tool, mm_from_um(tool.runout_um), plant.slice_mm),
         steel,
@@ -82,11 +68,12 @@ fn milling_setup(
     }
 }
 
-/// Feed per turn up to which a formula of the specific cutting force holds: no chip is thicker than the feed per
+/// Feed per turn up to which the formulas of the specific forces hold: no chip is thicker than the feed per
 /// tooth, run-out aside. Below its range, where every chip runs out, it goes on without being marked.
 fn known_per_turn_mm(formulas: &FormulaSettings, tool: &Tool) -> f64 {
-    let input = formulas.specific_force.get().and_then(|own| own.inputs().first());
-    input.map_or(f64::INFINITY, |input| input.range.high * f64::from(tool.teeth))
+    let inputs = formulas.specific_forces().into_iter().flatten().flat_map(|own| own.inputs());
+    let thickest_mm = inputs.map(|input| input.range.high).fold(f64::INFINITY, f64::min);
+    thickest_mm * f64::from(tool.teeth)
 }
 
 impl ForceModelLaw for Mechanistic {
@@ -102,7 +89,7 @@ impl ForceModelLaw for Mechanistic {
         let milling = milling_setup(setup.plant, own, setup.tool, setup.dt_s);
         Self {
             milling: Milling::new(&milling, setup.depth_max_mm)
-                .with_specific_force(setup.formulas.specific_force.get().cloned()),
+                .with_specific_forces(setup.formulas.specific_forces().map(Option::<&_>::cloned)),
             largest: WindowMax::new(setup.window),
             now: Cutting::default(),
             wear_factor: setup.plant.wear_factor,
