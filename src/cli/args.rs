@@ -9,6 +9,10 @@ use super::afc::args::AfcArgs;
 use super::experiment::args::ExperimentArgs;
 use super::files::{FormulaPath, InPath, OutFolder, OutPath, ScenarioPath};
 use super::identify_drive::IdentifyDriveArgs;
+use super::identify_force::IdentifyForceArgs;
+use super::identify_material::IdentifyMaterialArgs;
+use super::identify_noise::IdentifyNoiseArgs;
+use super::identify_wear::IdentifyWearArgs;
 use super::machine::args::MachineArgs;
 use super::measured::args::MeasuredArgs;
 use super::mission::args::MissionArgs;
@@ -287,6 +291,14 @@ pub enum IdentifyWhat {
     Gp(IdentifyGpArgs),
     /// A feed drive's dead time, order and lag from a step that was recorded: several structures compared.
     Drive(IdentifyDriveArgs),
+    /// Force coefficients, run-out and angle of a cutter from the forces of a steady cut, tooth by tooth.
+    Force(Box<IdentifyForceArgs>),
+    /// Taylor's constants from readings of the wear land: life over speed, feed and depth.
+    Wear(Box<IdentifyWearArgs>),
+    /// Sizes of noise and ripple in the force of a steady cut: sensor, band, inhomogeneity, tooth passing.
+    Noise(Box<IdentifyNoiseArgs>),
+    /// The force of the material that was cut over that of Ck45, and its hardness.
+    Material(Box<IdentifyMaterialArgs>),
 }
 
 /// Whether formulas have to be right in their units.

@@ -62,6 +62,10 @@ pub fn execute(args: &IdentifyArgs) -> Outcome {
     match &args.what {
         Some(IdentifyWhat::Gp(args)) => return super::identify_gp::execute(args),
         Some(IdentifyWhat::Drive(args)) => return super::identify_drive::execute(args),
+        Some(IdentifyWhat::Force(args)) => return super::identify_force::execute(args),
+        Some(IdentifyWhat::Wear(args)) => return super::identify_wear::execute(args),
+        Some(IdentifyWhat::Noise(args)) => return super::identify_noise::execute(args),
+        Some(IdentifyWhat::Material(args)) => return super::identify_material::execute(args),
         None => {}
     }
     let mut out = report(args.json, args.out.as_ref())?;

@@ -121,6 +121,14 @@ fn folder(name: &str) -> PathBuf {
     fs::write(folder.join("my-cut.csv"), cut).unwrap();
     fs::write(folder.join("my-part.nc"), EXAMPLE_GCODE).unwrap();
     fs::write(folder.join("my-part.csv"), EXAMPLE_CSV).unwrap();
+    let readings = "speed_m_min,time_min,vb_mm\n130,20,0.2\n130,35,0.35\n200,4,0.2\n200,7,0.36\n";
+    fs::write(folder.join("my-readings.csv"), readings).unwrap();
+    let turn = ["run", "square-12-4-42crmo4", "--set", "controller.kind=constant_feed"];
+    let turn = Command::new(env!("CARGO_BIN_EXE_steadycut"))
+        .args(turn)
+        .args(["--revolution", "2"])
+        .output();
+    fs::write(folder.join("my-forces.csv"), turn.unwrap().stdout).unwrap();
     let answer = include_str!("../../crates/study/tests/data/missions/quiet-speed.right.toml");
     fs::write(folder.join("my-answer.toml"), answer).unwrap();
     fs::write(folder.join("quiet-speed-result.json"), saved_result(answer)).unwrap();

@@ -21,6 +21,7 @@ mod profilometer;
 mod program;
 mod reading;
 mod recommending;
+mod recordings;
 mod scripts;
 mod training;
 mod twin;

@@ -363,6 +363,38 @@ the-recording-has-count-samples-allowed-are = die Aufzeichnung hat { $count } We
 the-recording-has-samples-that-are-no-number = die Aufzeichnung hat Werte, die keine Zahlen sind
 the-command-never-changes-record-a-step = der Sollwert ändert sich nie: einen Sprung aufzeichnen
 
+## crates/study/src/identify/force/fit.rs
+
+the-run-out = Rundlauffehler
+the-angle = Winkel
+no-place-to-begin-the-fit = die Anpassung hat keinen Anfang
+the-model-gives-no-forces-in-this-cut = das Modell ergibt in diesem Schnitt keine Kräfte
+
+## crates/study/src/identify/force/fold.rs
+
+axis-is-value-n-throughout-no-cut-was-record = { $axis } ist durchweg { $value } N: es wurde kein Schnitt aufgezeichnet; erwartet wird eine Kraft, die sich mit den Zähnen ändert
+the-samples-do-not-fill-places-places-of-a-t = die Werte füllen { $places } Stellen einer Umdrehung nicht: erwartet wird eine längere Aufzeichnung oder mehr Werte je Umdrehung als { $count }
+the-forces-do-not-repeat-with-the-turns-of-t = die Kräfte wiederholen sich nicht mit den Umdrehungen der Spindel bei { $speed } 1/min: erwartet wird ein gleichmäßiger Schnitt mit dieser Drehzahl
+
+## crates/study/src/identify/force/mod.rs
+
+these-forces-tell-nothing-of-k-letter-and-m = diese Kräfte sagen nichts über k_{ $letter } und m_{ $letter }: es sind die des Stahls, mit dem die Anpassung begann
+this-cut-cannot-tell-names-apart-condition-c = dieser Schnitt kann { $names } nicht trennen (Kondition { $condition }): eine weitere Komponente oder einen anderen Vorschub aufzeichnen, oder einen Exponenten festhalten
+a-tooth-stands-rest-um-off-what-a-shift-of-t = ein Zahn steht { $rest } um neben dem, was eine Verschiebung der Achse ergibt: der Fräser des Programms hat nur diese
+what-is-left-repeats-from-turn-to-turn-place = was übrig bleibt, wiederholt sich von Umdrehung zu Umdrehung ({ $place } N): der Schnitt weicht vom Modell ab, und Werte können außerhalb ihrer Intervalle liegen
+spindle-speed-2 = Spindeldrehzahl
+axial-depth-2 = axiale Schnitttiefe
+radial-depth-2 = Schnittbreite
+slice-height-2 = Scheibenhöhe
+the-name-is-value-unit-nothing-is-cut-expect = { $name }: { $value } { $unit }, es wird nichts geschnitten; erwartet wird eine Zahl über 0
+axis-sample-sample-is-no-number = { $axis }: Wert { $sample } ist keine Zahl
+the-recording-has-turns-turns-of-the-spindle = die Aufzeichnung hat { $turns } Umdrehungen der Spindel: erwartet wird mindestens eine
+the-model-explains-share-of-the-forces-expec = das Modell erklärt { $share } % der Kräfte: erwartet werden Kräfte auf das Werkzeug in N, längs (Fx) und quer (Fy) zum Vorschub oder längs der Achse (Fz), aus dem angegebenen Schnitt
+
+## crates/study/src/identify/force/settings.rs
+
+plant-force-model-is-id-expected-is-a-scenar = `plant.force_model` ist { $id }: erwartet wird ein Szenario, dessen Kraft Zahn für Zahn simuliert wird, mechanistic
+
 ## crates/study/src/identify/genetic.rs
 
 models = Modelle
@@ -444,6 +476,42 @@ t-name-name-is-no-input-inputs-are-list = T({ $name }): `{ $name }` ist kein Ein
 part-beside-t-every-part-needs-one-constant = `{ $part }`: Neben T braucht jeder Teil eine Konstante, die ihn multipliziert, und keine andere
 t-has-to-stand-in-the-sum-by-itself-as-in-a = T muss in der Summe für sich stehen, wie in `a + b*n^3 + T(f)`
 a-part-of-the-template-has-no-finite-value-o = ein Teil der Vorlage hat in einer Zeile keinen endlichen Wert
+
+## crates/study/src/identify/material.rs
+
+plant-force-model-is-id-tooth-by-tooth-expec = `plant.force_model` ist { $id }, Zahn für Zahn: erwartet wird ein Szenario, dessen Kraft ein Kennfeld ist; die Zähne passt `steadycut identify force` an
+the-recording-has-count-samples-of-the-force = die Aufzeichnung hat { $count } Werte der Kraft: erwartet werden mindestens { $least } und ebenso viele von Vorschub, Drehzahl und Position
+position-2 = Position
+name-sample-sample-is-no-number = { $name }: Wert { $sample } ist keine Zahl
+the-position-falls-expected-is-that-along-th = die Position fällt: erwartet wird die längs der Bahn
+the-model-has-a-force-in-count-samples-expec = das Modell hat in { $count } Werten eine Kraft: erwartet werden mindestens { $least } im Schnitt, mit Vorschub in mm/min und Drehzahl in 1/min
+the-forces-are-not-above-0-expected-is-the-s = die Kräfte liegen nicht über 0: erwartet wird der Betrag der Kraft
+
+## crates/study/src/identify/noise.rs
+
+what-count-samples-allowed-are-least-to-most = { $what }: { $count } Werte: erlaubt sind { $least } bis { $most }
+what-sample-sample-is-no-number = { $what }: Wert { $sample } ist keine Zahl
+the-cut-2 = Schnitt
+expected-are-a-period-speed-feed-corners-of = erwartet werden Abtastzeit, Drehzahl, Vorschub, Eckfrequenzen des Bandes und Korrelationslänge über 0 und ein Zahn
+the-force-does-not-vary-nothing-is-told-of-i = die Kraft ändert sich nicht: über ihr Rauschen sagt sie nichts
+the-mean-force-is-mean-n-expected-is-a-cut-w = die mittlere Kraft ist { $mean } N: erwartet wird ein Schnitt mit einer Kraft über 0
+at-rest = in Ruhe
+
+## crates/study/src/identify/wear.rs
+
+there-is-no-column-name-there-are-names = eine Spalte `{ $name }` gibt es nicht; es gibt { $names }
+reading-number-expected-are-a-speed-feed-and = Ablesung { $number }: erwartet werden Geschwindigkeit, Vorschub und Schnitttiefe über 0, Zeit und Verschleißmarke von mindestens 0
+reading-number-its-time-time-min-is-not-behi = Ablesung { $number }: ihre Zeit, { $time } min, liegt nicht hinter der Ablesung davor bei { $speed } m/min: eine Spalte mit der Nummer des Werkzeugs angeben
+speed-m-min = { $speed } m/min
+a-limit-of-land-mm-expected-is-a-number-abov = eine Grenze von { $land } mm: erwartet wird eine Zahl über 0
+at-cut-the-first-reading-is-already-above-th = bei { $cut } liegt schon die erste Ablesung über der Grenze: die Standzeit liegt auf der Geraden vom neuen Werkzeug
+at-cut-the-wear-land-does-not-come-to-land-m = bei { $cut } erreicht die Verschleißmarke { $land } mm nicht: weggelassen
+count-tools-came-to-land-mm-all-at-one-cutti = { $count } Werkzeuge erreichten { $land } mm, alle bei einer Schnittgeschwindigkeit: erwartet werden mindestens zwei
+count-tools-came-to-land-mm-expected-are-at = { $count } Werkzeuge erreichten { $land } mm: erwartet werden mindestens { $least }, eines je Konstante
+speed-feed-and-depth-were-varied-only-togeth = Geschwindigkeit, Vorschub und Schnitttiefe wurden nur gemeinsam geändert: erwartet werden Schnitte, in denen sich eines allein ändert
+the-life-does-not-fall-with-the-cutting-spee = die Standzeit fällt nicht mit der Schnittgeschwindigkeit: erwartet werden die Spalten mit Geschwindigkeit, Zeit und Verschleißmarke
+depth-2 = Schnitttiefe
+the-name-was-not-varied-its-exponent-stays-a = { $name } wurde nicht geändert: der Exponent bleibt, wie er im Szenario ist
 
 ## crates/study/src/machine_life/adaptive.rs
 

@@ -355,6 +355,38 @@ the-recording-has-count-samples-allowed-are = the recording has { $count } sampl
 the-recording-has-samples-that-are-no-number = the recording has samples that are no numbers
 the-command-never-changes-record-a-step = the command never changes: record a step
 
+## crates/study/src/identify/force/fit.rs
+
+the-run-out = the run-out
+the-angle = the angle
+no-place-to-begin-the-fit = no place to begin the fit
+the-model-gives-no-forces-in-this-cut = the model gives no forces in this cut
+
+## crates/study/src/identify/force/fold.rs
+
+axis-is-value-n-throughout-no-cut-was-record = { $axis } is { $value } N throughout: no cut was recorded; expected is a force that changes as the teeth pass
+the-samples-do-not-fill-places-places-of-a-t = the samples do not fill { $places } places of a turn: expected is a longer recording, or more samples a turn than { $count }
+the-forces-do-not-repeat-with-the-turns-of-t = the forces do not repeat with the turns of the spindle at { $speed } 1/min: expected is a steady cut at this speed
+
+## crates/study/src/identify/force/mod.rs
+
+these-forces-tell-nothing-of-k-letter-and-m = these forces tell nothing of k_{ $letter } and m_{ $letter }: they are those of the steel that the fit began with
+this-cut-cannot-tell-names-apart-condition-c = this cut cannot tell { $names } apart (condition { $condition }): record another component, another feed, or hold an exponent
+a-tooth-stands-rest-um-off-what-a-shift-of-t = a tooth stands { $rest } um off what a shift of the axis gives it: the program's own cutter has only that shift
+what-is-left-repeats-from-turn-to-turn-place = what is left repeats from turn to turn ({ $place } N): the cut differs from the model, and values may be off by more than their intervals
+spindle-speed-2 = spindle speed
+axial-depth-2 = axial depth
+radial-depth-2 = radial depth
+slice-height-2 = slice height
+the-name-is-value-unit-nothing-is-cut-expect = the { $name } is { $value } { $unit }: nothing is cut; expected is a number above 0
+axis-sample-sample-is-no-number = { $axis }: sample { $sample } is no number
+the-recording-has-turns-turns-of-the-spindle = the recording has { $turns } turns of the spindle: expected is at least one
+the-model-explains-share-of-the-forces-expec = the model explains { $share } % of the forces: expected are forces on the tool in N, along (Fx) and across (Fy) the feed or along the axis (Fz), of the cut that is given
+
+## crates/study/src/identify/force/settings.rs
+
+plant-force-model-is-id-expected-is-a-scenar = `plant.force_model` is { $id }: expected is a scenario whose force is simulated tooth by tooth, mechanistic
+
 ## crates/study/src/identify/genetic.rs
 
 models = models
@@ -428,6 +460,42 @@ t-name-name-is-no-input-inputs-are-list = T({ $name }): `{ $name }` is no input;
 part-beside-t-every-part-needs-one-constant = `{ $part }`: beside T, every part needs one constant that multiplies it, and no other
 t-has-to-stand-in-the-sum-by-itself-as-in-a = T has to stand in the sum by itself, as in `a + b*n^3 + T(f)`
 a-part-of-the-template-has-no-finite-value-o = a part of the template has no finite value on some row
+
+## crates/study/src/identify/material.rs
+
+plant-force-model-is-id-tooth-by-tooth-expec = `plant.force_model` is { $id }, tooth by tooth: expected is a scenario whose force is a map; `steadycut identify force` fits the teeth
+the-recording-has-count-samples-of-the-force = the recording has { $count } samples of the force: expected are at least { $least }, and as many of feed, speed and position
+position-2 = position
+name-sample-sample-is-no-number = { $name }: sample { $sample } is no number
+the-position-falls-expected-is-that-along-th = the position falls: expected is that along the path
+the-model-has-a-force-in-count-samples-expec = the model has a force in { $count } samples: expected are at least { $least } in the cut, with feed in mm/min and speed in 1/min
+the-forces-are-not-above-0-expected-is-the-s = the forces are not above 0: expected is the size of the force
+
+## crates/study/src/identify/noise.rs
+
+what-count-samples-allowed-are-least-to-most = { $what }: { $count } samples: allowed are { $least } to { $most }
+what-sample-sample-is-no-number = { $what }: sample { $sample } is no number
+the-cut-2 = the cut
+expected-are-a-period-speed-feed-corners-of = expected are a period, speed, feed, corners of the band and a correlation length above 0, and a tooth
+the-force-does-not-vary-nothing-is-told-of-i = the force does not vary: nothing is told of its noise
+the-mean-force-is-mean-n-expected-is-a-cut-w = the mean force is { $mean } N: expected is a cut, with a force above 0
+at-rest = at rest
+
+## crates/study/src/identify/wear.rs
+
+there-is-no-column-name-there-are-names = there is no column `{ $name }`; there are { $names }
+reading-number-expected-are-a-speed-feed-and = reading { $number }: expected are a speed, feed and depth above 0, a time and a wear land of at least 0
+reading-number-its-time-time-min-is-not-behi = reading { $number }: its time, { $time } min, is not behind that of the reading before it at { $speed } m/min: give a column with the tool's number
+speed-m-min = { $speed } m/min
+a-limit-of-land-mm-expected-is-a-number-abov = a limit of { $land } mm: expected is a number above 0
+at-cut-the-first-reading-is-already-above-th = at { $cut } the first reading is already above the limit: its life is on the line from a new tool
+at-cut-the-wear-land-does-not-come-to-land-m = at { $cut } the wear land does not come to { $land } mm: left out
+count-tools-came-to-land-mm-all-at-one-cutti = { $count } tools came to { $land } mm, all at one cutting speed: expected are at least two speeds
+count-tools-came-to-land-mm-expected-are-at = { $count } tools came to { $land } mm: expected are at least { $least }, one for each constant
+speed-feed-and-depth-were-varied-only-togeth = speed, feed and depth were varied only together: expected are cuts in which one of them changes alone
+the-life-does-not-fall-with-the-cutting-spee = the life does not fall with the cutting speed: expected are the columns of speed, time and wear land
+depth-2 = depth
+the-name-was-not-varied-its-exponent-stays-a = the { $name } was not varied: its exponent stays as it is in the scenario
 
 ## crates/study/src/machine_life/adaptive.rs
 

@@ -367,6 +367,38 @@ the-recording-has-count-samples-allowed-are = vzorcev v posnetku: { $count }, do
 the-recording-has-samples-that-are-no-number = v posnetku so vzorci, ki niso števila
 the-command-never-changes-record-a-step = ukaz se nikoli ne spremeni: posnemite stopnico
 
+## crates/study/src/identify/force/fit.rs
+
+the-run-out = opletanje
+the-angle = kot
+no-place-to-begin-the-fit = prilagajanje se nima kje začeti
+the-model-gives-no-forces-in-this-cut = model v tem rezu ne da sil
+
+## crates/study/src/identify/force/fold.rs
+
+axis-is-value-n-throughout-no-cut-was-record = { $axis } je ves čas { $value } N: rez ni bil posnet; pričakovana je sila, ki se spreminja s prehodi zob
+the-samples-do-not-fill-places-places-of-a-t = vzorci ne zapolnijo { $places } mest vrtljaja: pričakovan je daljši posnetek ali več kot { $count } vzorcev na vrtljaj
+the-forces-do-not-repeat-with-the-turns-of-t = sile se ne ponavljajo z vrtljaji vretena pri { $speed } 1/min: pričakovan je enakomeren rez pri tej hitrosti
+
+## crates/study/src/identify/force/mod.rs
+
+these-forces-tell-nothing-of-k-letter-and-m = te sile o k_{ $letter } in m_{ $letter } ne povedo ničesar: vrednosti sta tisti jekla, pri katerem se je prilagajanje začelo
+this-cut-cannot-tell-names-apart-condition-c = ta rez ne loči { $names } (pogojenost { $condition }): posnemite še eno komponento, drugo podajanje ali zadržite eksponent
+a-tooth-stands-rest-um-off-what-a-shift-of-t = zob stoji { $rest } um drugje, kot ga postavi premik osi: frezalo v programu ima le ta premik
+what-is-left-repeats-from-turn-to-turn-place = preostanek se ponavlja iz vrtljaja v vrtljaj ({ $place } N): rez se razlikuje od modela in vrednosti so lahko zunaj svojih intervalov
+spindle-speed-2 = vrtilna hitrost
+axial-depth-2 = aksialna globina
+radial-depth-2 = radialna globina
+slice-height-2 = višina rezine
+the-name-is-value-unit-nothing-is-cut-expect = { $name }: { $value } { $unit }, nič se ne reže; pričakovano je število nad 0
+axis-sample-sample-is-no-number = { $axis }: vzorec { $sample } ni število
+the-recording-has-turns-turns-of-the-spindle = vrtljajev vretena v posnetku: { $turns }; pričakovan je vsaj eden
+the-model-explains-share-of-the-forces-expec = model pojasni { $share } % sil: pričakovane so sile na orodje v N, vzdolž (Fx) in prečno (Fy) na podajanje ali vzdolž osi (Fz), iz podanega reza
+
+## crates/study/src/identify/force/settings.rs
+
+plant-force-model-is-id-expected-is-a-scenar = `plant.force_model` je { $id }: pričakovan je scenarij, katerega sila se simulira zob za zobom, mechanistic
+
 ## crates/study/src/identify/genetic.rs
 
 models = modeli
@@ -440,6 +472,42 @@ t-name-name-is-no-input-inputs-are-list = T({ $name }): `{ $name }` ni vhod; vho
 part-beside-t-every-part-needs-one-constant = `{ $part }`: ob T potrebuje vsak del eno konstanto, ki ga množi, in nobene druge
 t-has-to-stand-in-the-sum-by-itself-as-in-a = T mora v vsoti stati sam, kot v `a + b*n^3 + T(f)`
 a-part-of-the-template-has-no-finite-value-o = del predloge v kaki vrstici nima končne vrednosti
+
+## crates/study/src/identify/material.rs
+
+plant-force-model-is-id-tooth-by-tooth-expec = `plant.force_model` je { $id }, zob za zobom: pričakovan je scenarij, katerega sila je funkcija; zobe prilagodi `steadycut identify force`
+the-recording-has-count-samples-of-the-force = vzorcev sile v posnetku: { $count }; pričakovanih je vsaj { $least } in prav toliko podajanj, vrtljajev in leg
+position-2 = lega
+name-sample-sample-is-no-number = { $name }: vzorec { $sample } ni število
+the-position-falls-expected-is-that-along-th = lega pada: pričakovana je lega vzdolž poti
+the-model-has-a-force-in-count-samples-expec = vzorcev, v katerih ima model silo: { $count }; pričakovanih je vsaj { $least } v rezu, s podajanjem v mm/min in vrtljaji v 1/min
+the-forces-are-not-above-0-expected-is-the-s = sile niso nad 0: pričakovana je velikost sile
+
+## crates/study/src/identify/noise.rs
+
+what-count-samples-allowed-are-least-to-most = { $what }: vzorcev je { $count }, dovoljeno { $least } do { $most }
+what-sample-sample-is-no-number = { $what }: vzorec { $sample } ni število
+the-cut-2 = rez
+expected-are-a-period-speed-feed-corners-of = pričakovani so perioda, vrtljaji, podajanje, meji pasu in korelacijska dolžina nad 0 ter vsaj en zob
+the-force-does-not-vary-nothing-is-told-of-i = sila se ne spreminja: o njenem šumu ne pove ničesar
+the-mean-force-is-mean-n-expected-is-a-cut-w = povprečna sila je { $mean } N: pričakovan je rez s silo nad 0
+at-rest = v mirovanju
+
+## crates/study/src/identify/wear.rs
+
+there-is-no-column-name-there-are-names = stolpca `{ $name }` ni; so { $names }
+reading-number-expected-are-a-speed-feed-and = odčitek { $number }: pričakovani so hitrost, podajanje in globina nad 0 ter čas in širina obrabe vsaj 0
+reading-number-its-time-time-min-is-not-behi = odčitek { $number }: njegov čas, { $time } min, ni za časom prejšnjega odčitka pri { $speed } m/min: podajte stolpec s številko orodja
+speed-m-min = { $speed } m/min
+a-limit-of-land-mm-expected-is-a-number-abov = meja { $land } mm: pričakovano je število nad 0
+at-cut-the-first-reading-is-already-above-th = pri { $cut } je že prvi odčitek nad mejo: obstojnost leži na premici od novega orodja
+at-cut-the-wear-land-does-not-come-to-land-m = pri { $cut } obraba proste ploskve ne doseže { $land } mm: izpuščeno
+count-tools-came-to-land-mm-all-at-one-cutti = orodij, ki so dosegla { $land } mm: { $count }, vsa pri eni rezalni hitrosti; pričakovani sta vsaj dve
+count-tools-came-to-land-mm-expected-are-at = orodij, ki so dosegla { $land } mm: { $count }; pričakovana so vsaj { $least }, po eno za vsako konstanto
+speed-feed-and-depth-were-varied-only-togeth = hitrost, podajanje in globina so se spreminjali le skupaj: pričakovani so rezi, v katerih se spremeni eno samo
+the-life-does-not-fall-with-the-cutting-spee = obstojnost z rezalno hitrostjo ne pada: pričakovani so stolpci hitrosti, časa in širine obrabe
+depth-2 = globina
+the-name-was-not-varied-its-exponent-stays-a = { $name } se ni spreminjala: eksponent ostane, kot je v scenariju
 
 ## crates/study/src/machine_life/adaptive.rs
 

@@ -1,17 +1,25 @@
 //! Identification of the shipped models: from the published tables by least squares (`steadycut identify
 //! tables`) and by genetic programming (`steadycut identify genetic`), and from the mechanistic force model
-//! (`steadycut identify milling`). A feed drive from a step that was recorded: [`drive`].
+//! (`steadycut identify milling`). From recordings: a feed drive by a step ([`drive`]), the cutting force tooth by tooth
+//! ([`force`]), Taylor's constants by readings of the wear land ([`wear`]), noise and ripple ([`noise`]),
+//! the material by its force ([`material`]).
 
 pub mod drive;
+mod estimate;
+pub mod force;
 pub mod genetic;
 pub mod gp;
 mod least_squares;
+pub mod material;
 mod milling_2005;
+pub mod noise;
 mod sdnrp_2007;
 mod strategy_2013;
+pub mod wear;
 
 use std::fmt::Write as _;
 
+pub use estimate::EstimatedValue;
 pub use milling_2005::identify_milling;
 
 use super::published::{PaperId, TableRow};

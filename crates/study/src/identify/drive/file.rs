@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use super::{DriveFit, EstimatedValue};
+use super::DriveFit;
+use crate::identify::estimate::EstimatedValue;
 
 /// Version of the format.
 const VERSION: u32 = 1;

@@ -1,16 +1,15 @@
 //! The fit of one structure: simulated exactly, with a dead time of any length, and least squares from several starts.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
-use super::{DriveFit, DriveRecording, DriveStructure, EstimatedValue};
+use super::{DriveFit, DriveRecording, DriveStructure};
 use crate::base::math;
+use crate::identify::estimate::LinearisedFit;
 use crate::identify::least_squares::minimise;
 use crate::models::feed_drive::{DriveState, ExactDrive};
 
 /// How far parameters may go from where they begin: by a factor of e^6.
 const FARTHEST: f64 = 6.0;
-/// Standard deviations of half a 95 % interval.
-const OF_95: f64 = 1.959_963_984_540_054;
 /// Step of the central differences of the Jacobian, of parameters of size one.
 const DIFFERENCE: f64 = 1e-4;
 /// Shares of the time to the first movement that the dead time begins with.
@@ -148,34 +147,8 @@ fn told_of<const N: usize>(scaled: &Scaled<'_>, found: &SVector<f64, N>, sum: f6
     let x = found.as_slice();
     let residuals = scaled.residuals(x);
     let n = residuals.len() as f64;
-    let columns: Vec<Vec<f64>> = (0..N)
-        .map(|i| {
-            let moved = |by: f64| {
-                let mut at = *found;
-                at[i] += by;
-                scaled.residuals(at.as_slice())
-            };
-            let (up, down) = (moved(DIFFERENCE), moved(-DIFFERENCE));
-            up.iter().zip(&down).map(|(u, d)| (u - d) / (2.0 * DIFFERENCE)).collect()
-        })
-        .collect();
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let normal = SMatrix::<f64, N, N>::from_fn(|i, j| dot(&columns[i], &columns[j]));
-    let variance = sum / (n - N as f64).max(1.0);
-    let covariance = normal.try_inverse().map(|inverse| inverse * variance);
-    let estimated = |of: &dyn Fn(&[f64]) -> f64| {
-        let slope = SVector::<f64, N>::from_fn(|i, _| {
-            let moved = |by: f64| {
-                let mut at = *found;
-                at[i] += by;
-                of(at.as_slice())
-            };
-            (moved(DIFFERENCE) - moved(-DIFFERENCE)) / (2.0 * DIFFERENCE)
-        });
-        let spread = covariance.map(|covariance| slope.dot(&(covariance * slope)));
-        let half = spread.filter(|x| x.is_finite() && *x >= 0.0).map(|x| OF_95 * x.sqrt());
-        EstimatedValue { value: of(x), half }
-    };
+    let fit = LinearisedFit::new(x, &[DIFFERENCE; N], &|x| scaled.residuals(x));
+    let estimated = |of: &dyn Fn(&[f64]) -> f64| fit.estimated(of);
     let own = scaled.own(x);
     let structure = scaled.structure;
     let parameters = structure.parameters().iter().enumerate();

@@ -23,6 +23,7 @@ mod structure;
 pub use file::drive_file;
 pub use structure::DriveStructure;
 
+use super::estimate::EstimatedValue;
 use crate::base::language::tr;
 use fit::fitted;
 
@@ -39,15 +40,6 @@ pub struct DriveRecording {
     pub command: Vec<f64>,
     /// Feed that was measured, in the same unit.
     pub feed: Vec<f64>,
-}
-
-/// A quantity with the half of its 95 % interval.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EstimatedValue {
-    /// The value.
-    pub value: f64,
-    /// Half of the interval; none where the recording does not determine it.
-    pub half: Option<f64>,
 }
 
 /// A structure fitted to a recording.
