@@ -115,6 +115,13 @@ pub enum SessionCommand {
         /// The path.
         path: Box<PartPath>,
     },
+    /// Takes the settings of a file of one's own: cutter, structure, material or machine.
+    LoadOwn {
+        /// Where it came from, for messages.
+        name: String,
+        /// The file's text.
+        text: String,
+    },
     /// Begins with the networks of a file's text, UNKS chosen.
     LoadNetworks {
         /// Where it came from, for messages.

@@ -32,6 +32,7 @@ impl Console {
                         | SessionCommand::Disturb(_)
                         | SessionCommand::Hand(_)
                         | SessionCommand::LoadFormula { .. }
+                        | SessionCommand::LoadOwn { .. }
                 ) {
                     self.since_change_s = 0.0;
                 }

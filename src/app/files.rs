@@ -13,6 +13,7 @@ use crate::run::presets;
 use crate::run::scenario::Scenario;
 use crate::study::identify::gp::state::GpState;
 use crate::study::mission::{Mission, MissionResult};
+use crate::study::own_file::OwnFileKind;
 use crate::study::part::PartPath;
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -271,6 +272,9 @@ pub fn loaded(name: String, bytes: &[u8]) -> Command {
             if Mission::is_meant_by(&text) {
                 return Command::File(FileCommand::Bring(BroughtFile::Mission { name, text }));
             }
+            if OwnFileKind::recognised(&text).is_some() {
+                return Command::Session(SessionCommand::LoadOwn { name, text });
+            }
             SessionCommand::LoadText { name, text }
         } else if MissionResult::is_meant_by(&text) {
             return Command::notify(tr!(
@@ -412,6 +416,10 @@ mod tests {
         }
         let plain = loaded("x.txt".to_owned(), b"x");
         assert!(matches!(plain, Command::Session(SessionCommand::LoadText { .. })), "{plain:?}");
+        for kind in OwnFileKind::ALL {
+            let own = loaded("x.toml".to_owned(), kind.template().as_bytes());
+            assert!(matches!(own, Command::Session(SessionCommand::LoadOwn { .. })), "{own:?}");
+        }
         assert!(matches!(
             loaded("x.JSON".to_owned(), b"x"),
             Command::Session(SessionCommand::LoadNetworks { .. })

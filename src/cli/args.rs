@@ -16,6 +16,7 @@ use super::identify_wear::IdentifyWearArgs;
 use super::machine::args::MachineArgs;
 use super::measured::args::MeasuredArgs;
 use super::mission::args::MissionArgs;
+use super::own::{OwnArgs, OwnCutArgs, OwnMachineArgs, OwnStructureArgs};
 use super::part::args::PartArgs;
 use crate::base::network::Activation;
 use crate::blocks::control::ControllerKind;
@@ -91,6 +92,8 @@ pub enum CliCommand {
     Mission(MissionArgs),
     /// A part of one's own: from G-code over a blank, or a table of depths along a path; into a scenario, and back.
     Part(PartArgs),
+    /// Files of your own: begin one for a cutter, a structure, a material or a machine, and check it.
+    Own(OwnArgs),
     /// Judge how robust a controller is: many runs with plant and belief drawn at random.
     Robust(RobustArgs),
     /// Print what makes a shell complete this program's commands, options and files.
@@ -112,6 +115,15 @@ pub struct RunArgs {
     /// from-gcode` writes it too. A row's depths hold up to the next one, the last row ends the path.
     #[arg(long, value_name = "FILE.csv")]
     pub part: Option<InPath>,
+    /// Cutter and material of one's own.
+    #[command(flatten)]
+    pub own_cut: OwnCutArgs,
+    /// Drives of one's own.
+    #[command(flatten)]
+    pub own_machine: OwnMachineArgs,
+    /// Structure of one's own.
+    #[command(flatten)]
+    pub own_structure: OwnStructureArgs,
     /// Networks that UNKS begins with: a file that `steadycut unks --save` or the console wrote.
     #[arg(long, value_name = "FILE.json")]
     pub networks: Option<InPath>,
@@ -541,6 +553,9 @@ pub struct PlanArgs {
     /// A part of one's own: a table (CSV) of depths along a path; see `steadycut part`.
     #[arg(long, value_name = "FILE.csv")]
     pub part: Option<InPath>,
+    /// Cutter and material of one's own.
+    #[command(flatten)]
+    pub own_cut: OwnCutArgs,
     /// Limits of another machine, in the format of the shipped file of the papers' machine, whose
     /// values are placeholders.
     #[arg(long, value_name = "FILE.toml")]
@@ -573,6 +588,12 @@ pub struct RobustArgs {
     /// A part of one's own: a table (CSV) of depths along a path; see `steadycut part`.
     #[arg(long, value_name = "FILE.csv")]
     pub part: Option<InPath>,
+    /// Cutter and material of one's own.
+    #[command(flatten)]
+    pub own_cut: OwnCutArgs,
+    /// Drives of one's own.
+    #[command(flatten)]
+    pub own_machine: OwnMachineArgs,
     /// Number of runs.
     #[arg(long, default_value_t = 500, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_RUNS)))]
     pub runs: u32,

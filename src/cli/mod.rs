@@ -24,6 +24,7 @@ mod machine;
 mod manual;
 mod measured;
 mod mission;
+mod own;
 mod papers;
 mod papers_2005;
 mod papers_2019;
@@ -75,6 +76,7 @@ pub fn execute(command: &CliCommand) -> ExitCode {
         CliCommand::Measured(args) => measured::execute(args),
         CliCommand::Mission(args) => mission::execute(args),
         CliCommand::Part(args) => part::execute(args),
+        CliCommand::Own(args) => own::execute(args),
         CliCommand::Robust(args) => robust::execute(args),
         CliCommand::Completions(args) => manual::completions(args),
         CliCommand::Man(args) => manual::man(args),

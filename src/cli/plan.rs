@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::args::PlanArgs;
 use super::files::{InPath, report as report_to};
 use super::scenarios::{apply, load};
-use super::{Outcome, given, part, progress};
+use super::{Outcome, own, part, progress};
 use crate::run::edits::Edits;
 use crate::run::scenario_file;
 use crate::study::plan::PlanJob;
@@ -49,10 +49,11 @@ struct Report<'a> {
 /// Runs the command.
 pub fn execute(args: &PlanArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
+    let brought = own::take(&mut scenario, Some(&args.own_cut), None, None)?;
     apply(&mut scenario, &args.set)?;
     part::take(&mut scenario, args.part.as_ref(), &args.set)?;
     let reader = if args.per_cut.is_some() { Reader::PlanPerCut } else { Reader::Plan };
-    given::all_used(reader, &scenario, &Edits::none(), &args.set)?;
+    own::all_used(reader, &scenario, &Edits::none(), &args.set, &brought)?;
     let machine = read_machine(args.machine.as_ref())?;
     if let Some(sized_by) = args.per_cut {
         return super::schedule::execute(args, &scenario, &edits, &machine, sized_by);

@@ -7,7 +7,7 @@ use serde_json::json;
 
 use super::args::RobustArgs;
 use super::scenarios::{apply, load};
-use super::{Outcome, given, part, progress};
+use super::{Outcome, given, own, part, progress};
 use crate::study::robust::{DRAWN, LIMIT_KN, Percentiles, RobustFindings, Robustness};
 use crate::study::uses::Reader;
 
@@ -15,13 +15,14 @@ use crate::study::uses::Reader;
 pub fn execute(args: &RobustArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
     given::no_edits(Reader::Robust, &scenario.info.name, &edits)?;
+    let brought = own::take(&mut scenario, Some(&args.own_cut), Some(&args.own_machine), None)?;
     apply(&mut scenario, &args.set)?;
     part::take(&mut scenario, args.part.as_ref(), &args.set)?;
     if let Some(kind) = args.controller {
         given::once("--controller", &["controller.kind"], &args.set)?;
         scenario.change(|settings| settings.controller.kind = kind)?;
     }
-    given::all_used(Reader::Robust, &scenario, &edits, &args.set)?;
+    own::all_used(Reader::Robust, &scenario, &edits, &args.set, &brought)?;
     let kind = scenario.controller.kind;
     let mut study = Robustness::new(&scenario, kind, args.runs, args.seed);
     progress::work(&mut study, "robustness", args.json)?;

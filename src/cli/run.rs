@@ -9,7 +9,7 @@ use super::args::RunArgs;
 use super::files::report;
 use super::scenarios::{apply, load, load_networks};
 use super::twin::{TwinCut, TwinTold};
-use super::{Outcome, given, part, profile, progress, story};
+use super::{Outcome, given, own, part, profile, progress, story};
 use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
 use crate::blocks::control::script::ScriptProgram;
@@ -113,6 +113,12 @@ fn own_script(args: &RunArgs, scenario: &mut Scenario) -> Result<(), Box<dyn std
 
 pub fn execute(args: &RunArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
+    let brought = own::take(
+        &mut scenario,
+        Some(&args.own_cut),
+        Some(&args.own_machine),
+        Some(&args.own_structure),
+    )?;
     apply(&mut scenario, &args.set)?;
     part::take(&mut scenario, args.part.as_ref(), &args.set)?;
     if let Some(path) = &args.networks {
@@ -145,7 +151,7 @@ pub fn execute(args: &RunArgs) -> Outcome {
     if let Some(unfit) = unfit.first() {
         return Err(unfit.to_string().into());
     }
-    given::all_used(reader, &scenario, &checked, &args.set)?;
+    own::all_used(reader, &scenario, &checked, &args.set, &brought)?;
     if let Some(at_s) = args.revolution {
         return print_revolution(&scenario, &checked, at_s);
     }

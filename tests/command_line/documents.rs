@@ -20,7 +20,8 @@ use steadycut::study::part::{EXAMPLE_CSV, EXAMPLE_GCODE};
 use crate::packing;
 
 /// Start of a command, and an option that is given this value in place of the one it has.
-const SHORTER: [(&str, &str, &str); 6] = [
+const SHORTER: [(&str, &str, &str); 7] = [
+    ("machine stability", "--speeds", "2"),
     ("experiment way", "--batches", "2"),
     ("robust", "--runs", "2"),
     ("unks", "--passes", "1"),
@@ -117,6 +118,8 @@ fn folder(name: &str) -> PathBuf {
     fs::write(folder.join("my-scenario.toml"), text).unwrap();
     let table = include_str!("../../assets/data/table3_2007.csv");
     fs::write(folder.join("my-table.csv"), table).unwrap();
+    let tip = include_str!("../../assets/structures/slender-cutter.toml");
+    fs::write(folder.join("my-tip.toml"), tip).unwrap();
     let cut = include_str!("../../crates/measured/tests/data/excel.csv");
     fs::write(folder.join("my-cut.csv"), cut).unwrap();
     fs::write(folder.join("my-part.nc"), EXAMPLE_GCODE).unwrap();

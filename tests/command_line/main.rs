@@ -14,6 +14,7 @@ mod languages;
 mod manual;
 mod measuring;
 mod missions;
+mod own_files;
 mod packing;
 mod parts;
 mod planning;

@@ -125,6 +125,7 @@ const TRIED: &[Tried] = &[
                     "tool.corner_radius_mm=4",
                 ],
             ),
+            ("", &["machine.tip_modes=[[0.0, 122.0, 0.05, 3.0], [1.0, 140.0, 0.05, 3.0]]"]),
         ],
     },
     Tried {

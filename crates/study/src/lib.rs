@@ -48,6 +48,7 @@ pub mod identify;
 pub mod machine_life;
 pub mod mission;
 pub mod opening;
+pub mod own_file;
 pub mod papers;
 pub mod papers_2019;
 pub mod part;

@@ -19,6 +19,7 @@ use crate::run::edits::{Edit, Edits, Unfit};
 use crate::run::scenario::{Scenario, param};
 use crate::run::story::ONE_DRAG_S;
 use crate::run::{presets, scenario_file};
+use crate::study::own_file::OwnFile;
 use crate::study::part::PartPath;
 use crate::study::unks_passes::beginning_with;
 
@@ -161,6 +162,10 @@ impl Session {
                     self.notify(format!("{name}: {error}"));
                 }
             }
+            SessionCommand::LoadOwn { name, text } => match self.load_own(&text) {
+                Ok(told) => self.notify(format!("{name}: {told}")),
+                Err(error) => self.notify(format!("{name}: {error}")),
+            },
             SessionCommand::LoadNetworks { name, text } => {
                 if let Err(error) = self.load_networks(&text) {
                     self.notify(format!("{name}: {error}"));
@@ -530,6 +535,17 @@ impl Session {
         );
         self.notify([vec![is_now], part.told].concat().join(" "));
         Ok(())
+    }
+
+    /// Takes the settings of a file of one's own, and says what it was.
+    fn load_own(&mut self, text: &str) -> Result<String, SettingError> {
+        let file = OwnFile::read(text)?;
+        self.set_up(&file.changes)?;
+        Ok(tr!(
+            "{title} is taken as the {kind} of this cut",
+            title = &file.title,
+            kind = tr(file.kind.label())
+        ))
     }
 
     /// Begins with the networks of a file, with the controller that has networks.

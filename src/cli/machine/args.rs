@@ -4,6 +4,7 @@ use clap::{Args, Subcommand};
 
 use crate::cli::args::one_of;
 use crate::cli::files::OutPath;
+use crate::cli::own::{OwnCutArgs, OwnStructureArgs};
 use crate::models::structure::parameters::Parameters;
 
 /// Arguments of `machine`.
@@ -66,6 +67,12 @@ pub struct MachineModel {
     /// Change a setting, for example `--set machine.variant=B`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+    /// Cutter and material of one's own.
+    #[command(flatten)]
+    pub own_cut: OwnCutArgs,
+    /// Structure of one's own.
+    #[command(flatten)]
+    pub own_structure: OwnStructureArgs,
     /// Write the result into a file.
     #[arg(long, value_name = "FILE")]
     pub out: Option<OutPath>,

@@ -3,8 +3,9 @@
 use std::io::Write as _;
 
 use super::args::MachineModel;
-use crate::cli::given;
 use crate::cli::scenarios::apply;
+use crate::cli::{given, own};
+use crate::models::tip_modes::TipMode;
 use crate::run::edits::Edits;
 use crate::run::scenario::Scenario;
 use crate::study::uses::Reader;
@@ -15,12 +16,13 @@ pub(super) fn scenario(
     reader: Reader,
 ) -> Result<Scenario, Box<dyn std::error::Error>> {
     let mut scenario = Scenario::default();
+    let brought = own::take(&mut scenario, Some(&model.own_cut), None, Some(&model.own_structure))?;
     apply(&mut scenario, &model.set)?;
     if let Some(parameters) = model.parameters {
         given::once("--parameters", &["machine.parameters"], &model.set)?;
         scenario.change(|settings| settings.machine.parameters = parameters)?;
     }
-    given::all_used(reader, &scenario, &Edits::none(), &model.set)?;
+    own::all_used(reader, &scenario, &Edits::none(), &model.set, &brought)?;
     Ok(scenario)
 }
 
@@ -41,4 +43,18 @@ pub(super) fn name(scenario: &Scenario) -> String {
         machine.parameters.id(),
         machine.spindle_quality
     )
+}
+
+/// The structure of the stability chart in words.
+pub(super) fn charted_name(scenario: &Scenario) -> String {
+    let modes = &scenario.machine.tip_modes;
+    if modes.is_empty() {
+        return name(scenario);
+    }
+    let told = |mode: &TipMode| {
+        let TipMode { axis, frequency_hz, damping_ratio, mass_kg } = mode;
+        format!("{} {frequency_hz} Hz, damping {damping_ratio}, {mass_kg} kg", axis.id())
+    };
+    let told: Vec<String> = modes.all().iter().map(told).collect();
+    format!("measured modes at the tool's tip: {}", told.join("; "))
 }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use serde_json::json;
 
 use super::args::StabilityArgs;
-use super::model::{deliver, name, scenario};
+use super::model::{charted_name, deliver, scenario};
 use crate::cli::{Outcome, progress};
 use crate::study::stability::chart::{BAND_PERCENT, ChartJob, DT_S, LobePoint, Range};
 use crate::study::uses::Reader;
@@ -33,20 +33,22 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
     progress::work(&mut job, "stability", args.model.json)?;
     let points = job.points();
     let worst = [0, 1].map(|which| worst(&points, which));
-    let agreed = worst.iter().all(|(speeds, _)| *speeds >= CHECKED_SPEEDS)
-        && points.iter().all(LobePoint::agrees);
-    let cut = job.cut();
+    let (cut, asked) = (job.cut(), if job.cut().simulates_mean() { 0..2 } else { 1..2 });
+    let agreed = worst[asked.clone()].iter().all(|(speeds, _)| *speeds >= CHECKED_SPEEDS)
+        && points.iter().all(|point| point.agrees(cut));
+    let ([radial_depth_mm, diameter_mm], (teeth, mean_teeth)) = (cut.width_mm(), cut.teeth());
     let mut text = String::new();
     if args.model.json {
         let mut object = json!({
             "variant": scenario.machine.variant.id(),
             "parameters": scenario.machine.parameters.id(),
             "spindle_quality": scenario.machine.spindle_quality,
-            "radial_depth_mm": cut.radial_depth_mm,
-            "diameter_mm": cut.diameter_mm,
-            "teeth": cut.engagement.teeth,
-            "mean_teeth": cut.engagement.mean_teeth(),
-            "stiffness_per_mm": cut.stiffness_per_mm,
+            "tip_modes": scenario.machine.tip_modes.all().len(),
+            "radial_depth_mm": radial_depth_mm,
+            "diameter_mm": diameter_mm,
+            "teeth": teeth,
+            "mean_teeth": mean_teeth,
+            "stiffness_per_mm": cut.stiffness_per_mm(),
             "any_speed_mm": job.any_speed_mm(),
             "highest_mm": range.highest_mm,
             "points": points,
@@ -54,7 +56,9 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
         if args.check {
             let verdict = |(speeds, percent): (usize, f64)| json!({"speeds": speeds, "worst_percent": percent});
             object["check"] = json!({
-                "mean": verdict(worst[0]), "interrupted": verdict(worst[1]), "agreed": agreed,
+                "mean": cut.simulates_mean().then(|| verdict(worst[0])),
+                "interrupted": verdict(worst[1]),
+                "agreed": agreed,
             });
         }
         writeln!(text, "{object:#}")?;
@@ -62,10 +66,10 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
         writeln!(
             text,
             "{}\ncut: {};\n{:.4} teeth in the cut on the average, {:.4e} N/m per mm of depth",
-            name(&scenario),
+            charted_name(&scenario),
             cut.engagement_text(),
-            cut.engagement.mean_teeth(),
-            cut.stiffness_per_mm
+            mean_teeth,
+            cut.stiffness_per_mm()
         )?;
         if job.any_speed_mm().is_finite() {
             writeln!(
@@ -79,10 +83,16 @@ pub fn execute(args: &StabilityArgs) -> Outcome {
         }
         print(&mut text, args.check, &points)?;
         if args.check {
-            for (label, (speeds, percent)) in ["mean", "interrupted"].iter().zip(worst) {
+            let how = match cut.simulates_mean() {
+                true => format!("steps of {DT_S} s"),
+                false => "Runge-Kutta, 60 steps to a period of the highest mode".to_owned(),
+            };
+            for (label, (speeds, percent)) in
+                ["mean", "interrupted"].iter().zip(worst).skip(asked.start)
+            {
                 writeln!(
                     text,
-                    "{label}: simulation (steps of {DT_S} s) off its chart by at most {percent:+.2} % at \
+                    "{label}: simulation ({how}) off its chart by at most {percent:+.2} % at \
                      {speeds} of {} speeds",
                     points.len()
                 )?;

@@ -150,6 +150,17 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, String> {
     })
 }
 
+/// The line of a TOML text, counted from 1, in which the `nth` entry named `key` stands, counted from 0; none where
+/// there are not so many. Dotted and quoted keys are not looked into.
+#[must_use]
+pub fn line_of_entry(text: &str, key: &str, nth: usize) -> Option<usize> {
+    let names = |line: &str| {
+        line.trim_start().strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
+    };
+    let lines = text.lines().enumerate().filter(|(_, line)| names(line));
+    lines.map(|(line, _)| line + 1).nth(nth)
+}
+
 /// How a JSON text is laid out.
 #[derive(Clone, Copy, Debug)]
 pub enum JsonLayout {

@@ -3,6 +3,7 @@
 pub mod cholesky;
 pub mod column_unit;
 pub mod crc32;
+pub mod dense;
 pub mod equation;
 pub mod fft;
 pub mod files;

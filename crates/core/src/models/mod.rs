@@ -17,8 +17,10 @@ pub mod roughness_profile;
 pub mod roughness_trend;
 pub mod spindle;
 pub mod structure;
+pub mod tip_modes;
 pub mod tool;
 pub mod tool_life;
+pub mod transfer;
 pub mod unks;
 pub mod wear;
 

@@ -51,6 +51,16 @@ const BASES: &[(&str, &[&str])] = &[
             r#"spindle_drive.curve={"version":1,"formula":"0.98*x","output":{"name":"y","unit":"1/min"},"inputs":[{"name":"x","unit":"1/min","low":1,"high":9000}]}"#,
         ],
     ),
+    (
+        "table3-5",
+        &[
+            "feed_drive.poles=[[-22.0, 0.0], [-60.0, 140.0]]",
+            "feed_drive.gain=0.98",
+            "spindle_drive.poles=[[-5.0, 0.0]]",
+            "spindle_drive.gain=0.99",
+        ],
+    ),
+    ("machine-dynamics", &["machine.tip_modes=[[1.0, 160.0, 0.05, 20.0]]"]),
     ("afc", &["controller.afc.references_n=[150.0]", "controller.afc.overload_s=0.1"]),
     ("afc", &["controller.afc.references_n=[900.0]", "controller.afc.entry_percent=119"]),
     ("afc", &["controller.afc.f_min_percent=100", "controller.afc.f_max_percent=100"]),

@@ -13,6 +13,7 @@ use crate::run::digest::Digest;
 use crate::run::job::Job;
 use crate::run::scenario::{Param, Scenario, TwinKind, table};
 use crate::safe_feed::{SafeFeedJob, SafeFeedProblem, twin_scenario};
+use crate::stability::tip::window_rad;
 
 /// The name of the variant that holds a value of a setting.
 #[must_use]
@@ -96,6 +97,13 @@ fn seen(scenario: &Scenario, param: &Param) -> String {
             let mut digest = Digest::default();
             let response = frf::tree(&FiveMass::new(&scenario.machine), 580.0).grel;
             [response.re, response.im].into_iter().for_each(|part| digest.word(part.to_bits()));
+            // Up-milling is how it always was: only the other way is seen in the angles of the teeth.
+            if scenario.machine.down_milling {
+                let [radial, diameter] =
+                    [scenario.workpiece.radial_depth_mm, scenario.tool.diameter_mm];
+                let angles = window_rad(radial, diameter, true);
+                angles.into_iter().for_each(|angle| digest.word(angle.to_bits()));
+            }
             undisturbed(scenario) + digest.hex().as_str()
         }
         _ => undisturbed(scenario),

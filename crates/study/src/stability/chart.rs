@@ -3,8 +3,7 @@
 
 use serde::Serialize;
 
-use super::simulated::{self, ForcedTeeth};
-use super::{StabilityCut, interrupted, lobes};
+use super::charted::ChartedCut;
 use crate::base::language::text;
 use crate::base::settings::SettingError;
 use crate::run::job::{Budget, Job, Progress};
@@ -69,11 +68,11 @@ fn agree(simulated: Option<f64>, chart: Option<f64>) -> bool {
 
 impl LobePoint {
     /// Whether the time simulation gives the charts' limits within the band, a jump's two sides
-    /// both counting.
+    /// both counting; the lobes count where the mean cut is simulated.
     #[must_use]
-    pub fn agrees(&self) -> bool {
+    pub fn agrees(&self, cut: &ChartedCut) -> bool {
         let simulated = self.simulated_interrupted_mm;
-        agree(self.simulated_mean_mm, self.mean_mm)
+        (!cut.simulates_mean() || agree(self.simulated_mean_mm, self.mean_mm))
             && (agree(simulated, self.interrupted_mm) || self.interrupted_beside_mm.is_some())
     }
 
@@ -90,7 +89,7 @@ impl LobePoint {
 /// The chart in the making.
 #[derive(Clone, Debug)]
 pub struct ChartJob {
-    cut: StabilityCut,
+    cut: ChartedCut,
     range: Range,
     any_speed_mm: f64,
     points: Parts<PointJob, LobePoint>,
@@ -99,7 +98,7 @@ pub struct ChartJob {
 /// One speed in the making: a step is a curve.
 #[derive(Clone, Debug)]
 struct PointJob {
-    cut: StabilityCut,
+    cut: ChartedCut,
     range: Range,
     point: LobePoint,
     /// Curves that are done.
@@ -110,10 +109,10 @@ impl ChartJob {
     /// A chart of the scenario's machine, not yet begun.
     ///
     /// # Errors
-    /// As [`StabilityCut::new`].
+    /// As [`ChartedCut::new`].
     pub fn new(scenario: &Scenario, range: Range) -> Result<Self, SettingError> {
-        let cut = StabilityCut::new(scenario)?;
-        let any_speed_mm = cut.depth_mm(lobes::at_any_speed(&cut).stiffness_n_m);
+        let cut = ChartedCut::new(scenario)?;
+        let any_speed_mm = cut.any_speed_mm();
         Ok(Self { cut, range, any_speed_mm, points: Parts::default() })
     }
 
@@ -132,7 +131,7 @@ impl ChartJob {
 
     /// The cut that is charted.
     #[must_use]
-    pub fn cut(&self) -> &StabilityCut {
+    pub fn cut(&self) -> &ChartedCut {
         &self.cut
     }
 }
@@ -159,24 +158,19 @@ impl PointJob {
         let speed = point.speed_rpm;
         match self.curves {
             0 => {
-                if let Some(limit) = lobes::limit(cut, speed) {
-                    let depth = cut.depth_mm(limit.stiffness_n_m);
+                if let Some([depth, frequency_hz]) = cut.lobe(speed) {
                     point.mean_mm = Some(depth).filter(|depth| *depth < highest_mm);
-                    point.mean_chatter_hz = point.mean_mm.map(|_| limit.frequency_hz);
+                    point.mean_chatter_hz = point.mean_mm.map(|_| frequency_hz);
                 }
             }
-            1 => point.interrupted_mm = interrupted::limit_mm(cut, speed, highest_mm),
-            2 => {
-                point.simulated_mean_mm =
-                    simulated::limit_mm(cut, ForcedTeeth::Mean, speed, DT_S, highest_mm);
-            }
+            1 => point.interrupted_mm = cut.interrupted_mm(speed, highest_mm),
+            2 => point.simulated_mean_mm = cut.simulated_mean_mm(speed, highest_mm),
             _ => {
-                let simulated =
-                    simulated::limit_mm(cut, ForcedTeeth::Interrupted, speed, DT_S, highest_mm);
+                let simulated = cut.simulated_mm(speed, highest_mm);
                 point.simulated_interrupted_mm = simulated;
                 if !agree(simulated, point.interrupted_mm) {
                     let beside = [1.0 - BESIDE, 1.0 + BESIDE];
-                    let beside = beside.map(|x| interrupted::limit_mm(cut, x * speed, highest_mm));
+                    let beside = beside.map(|x| cut.interrupted_mm(x * speed, highest_mm));
                     point.interrupted_beside_mm =
                         beside.into_iter().find(|limit| agree(simulated, *limit)).flatten();
                 }

@@ -7,12 +7,15 @@
 //! - [`interrupted`]: w as it is, by semi-discretisation; the reference;
 //! - [`simulated`]: the running cut's own recursion, and whether a disturbance grows.
 //!
-//! [`chart`] puts them side by side over the speed.
+//! [`chart`] puts them side by side over the speed. Where the structure is given as modes at the tool's tip
+//! (`machine.tip_modes`), [`tip`] has the same three ways for it.
 
 pub mod chart;
+pub mod charted;
 pub mod interrupted;
 pub mod lobes;
 pub mod simulated;
+pub mod tip;
 
 use crate::base::language::tr;
 use crate::base::math;
@@ -52,14 +55,7 @@ impl StabilityCut {
         let machine = FiveMass::new(&scenario.machine);
         let Tool { teeth, diameter_mm, .. } = scenario.tool;
         let settings = &scenario.machine;
-        let radial_depth_mm = charted_radial_mm(scenario);
-        if radial_depth_mm <= 0.0 {
-            return Err(SettingError::Refused {
-                path: "workpiece.radial_depth_mm".to_owned(),
-                value: format!("{radial_depth_mm} mm"),
-                allowed: tr("above 0 mm for a stability chart").to_owned(),
-            });
-        }
+        let radial_depth_mm = charted_radial_mm(scenario)?;
         Ok(Self {
             machine,
             reduction: Reduction::new(&machine)?,
@@ -100,14 +96,26 @@ impl StabilityCut {
 }
 
 /// The radial depth in mm of a scenario's cut: that of the path, or the largest of its cuts' sections.
-fn charted_radial_mm(scenario: &Scenario) -> f64 {
+///
+/// # Errors
+/// A radial depth of 0 cuts nothing.
+fn charted_radial_mm(scenario: &Scenario) -> Result<f64, SettingError> {
     let (workpiece, outline) = (&scenario.workpiece, scenario.tool.outline());
-    if workpiece.cuts.is_empty() {
-        return widest_mm(workpiece);
+    let radial_mm = if workpiece.cuts.is_empty() {
+        widest_mm(workpiece)
+    } else {
+        let sections = workpiece.cuts.iter().flatten();
+        let radial = sections.map(|[_, axial, wall]| radial_depth_mm(&outline, *axial, *wall));
+        radial.fold(0.0, f64::max).min(outline.diameter_mm)
+    };
+    if radial_mm <= 0.0 {
+        return Err(SettingError::Refused {
+            path: "workpiece.radial_depth_mm".to_owned(),
+            value: format!("{radial_mm} mm"),
+            allowed: tr("above 0 mm for a stability chart").to_owned(),
+        });
     }
-    let sections = workpiece.cuts.iter().flatten();
-    let radial = sections.map(|[_, axial, wall]| radial_depth_mm(&outline, *axial, *wall));
-    radial.fold(0.0, f64::max).min(outline.diameter_mm)
+    Ok(radial_mm)
 }
 
 /// The largest radial depth of the one path, mm.

@@ -168,6 +168,9 @@ const CHART: &[&str] = &[
     "machine.spindle_quality",
     "machine.specific_cutting_force_n_mm2",
     "machine.directional_factor",
+    "machine.tip_modes",
+    "machine.radial_ratio",
+    "machine.down_milling",
     "tool.name",
     "tool.shape",
     "tool.diameter_mm",
@@ -178,6 +181,25 @@ const CHART: &[&str] = &[
     "workpiece.cuts",
 ];
 const CHART_UNUSED: &[Unused] = &[
+    Unused {
+        paths: &[
+            "machine.variant",
+            "machine.parameters",
+            "machine.spindle_quality",
+            "machine.directional_factor",
+        ],
+        but: &[],
+        when: Some(|s| !s.machine.tip_modes.is_empty()),
+        because: text!(
+            "`machine.tip_modes` gives the machine, and the teeth's angles the direction"
+        ),
+    },
+    Unused {
+        paths: &["machine.radial_ratio", "machine.down_milling"],
+        but: &[],
+        when: Some(|s| s.machine.tip_modes.is_empty()),
+        because: text!("`machine.tip_modes` is empty: the five masses have one direction"),
+    },
     Unused {
         paths: &["workpiece.radial_depth_mm", "workpiece.radial_steps"],
         but: &[],

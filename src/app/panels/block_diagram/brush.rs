@@ -30,6 +30,11 @@ fn told(x: f64) -> String {
     format::signed(decimal(number(x)))
 }
 
+/// A drive of one's own.
+fn own_drive(order: usize) -> String {
+    tr!("your own, order {order}", order = order)
+}
+
 /// A line or two about a block's settings.
 fn detail(block: Block, now: &Now<'_>) -> String {
     let scenario = now.moment.scenario;
@@ -58,6 +63,12 @@ fn detail(block: Block, now: &Now<'_>) -> String {
             format!("{range}\n{rate}")
         }
         Block::DeadTime => format!("{} s", told(scenario.cnc.dead_time_s)),
+        Block::FeedDrive if !scenario.feed_drive.poles.is_empty() => {
+            own_drive(scenario.feed_drive.poles.order())
+        }
+        Block::SpindleDrive if !scenario.spindle_drive.poles.is_empty() => {
+            own_drive(scenario.spindle_drive.poles.order())
+        }
         Block::FeedDrive => tr(scenario.feed_drive.kind.label()).to_owned(),
         Block::SpindleDrive => {
             let drive = &scenario.spindle_drive;

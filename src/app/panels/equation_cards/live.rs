@@ -12,6 +12,7 @@ use crate::base::language::tr;
 use crate::base::units::percent_from_ratio;
 use crate::models::formula_model::FormulaModel;
 use crate::models::structure::RoughnessFrom;
+use crate::models::transfer::TransferPoles;
 use crate::run::explanation::{explain_force, of_own};
 use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
@@ -86,7 +87,40 @@ fn reached(own: &FormulaModel, [symbol, input]: [&str; 2], command: f64) -> Live
     of_own(own, symbol, &[(input, command)], own.at(&[command]))
 }
 
+/// A drive of one's own: K over the product of its lags, what it was asked for and what it does.
+fn own_drive(
+    poles: &TransferPoles,
+    gain: f64,
+    symbol: &str,
+    [command, actual]: [f64; 2],
+    unit: &str,
+) -> Live {
+    let pole = |[re, im]: &[f64; 2]| match *im == 0.0 {
+        true => number(*re),
+        false => format!("{} ± {}i", number(*re), number(*im)),
+    };
+    let poles: Vec<String> = poles.all().iter().map(pole).collect();
+    Live::everywhere(
+        format!(
+            "{symbol}_a / {symbol}_c = {} / Π (1 - s / p_i)  (p = {})",
+            number(gain),
+            poles.join(", ")
+        ),
+        tr!(
+            "{symbol}_c = {command} gives {symbol}_a = {actual} {unit}",
+            symbol = symbol,
+            command = number(command),
+            actual = number(actual),
+            unit = unit
+        ),
+    )
+}
+
 fn feed_drive(row: &Row, scenario: &Scenario, command: f64) -> Live {
+    let own = &scenario.feed_drive;
+    if !own.poles.is_empty() {
+        return own_drive(&own.poles, own.gain, "f", [command, row.feed_mm_min], "mm/min");
+    }
     let kind = scenario.feed_drive.kind;
     let ([a0, a1, a2], order) = kind.denominator();
     let polynomial = match order {
@@ -106,6 +140,9 @@ fn feed_drive(row: &Row, scenario: &Scenario, command: f64) -> Live {
 
 fn spindle_drive(row: &Row, scenario: &Scenario, command: f64) -> Live {
     let drive = &scenario.spindle_drive;
+    if !drive.poles.is_empty() {
+        return own_drive(&drive.poles, drive.gain, "n", [command, row.spindle_rpm], "1/min");
+    }
     let (tau, rate) = (drive.time_constant_s, drive.rate_rpm_s);
     let asked = (command - row.spindle_rpm) / tau;
     let slope = asked.max(-rate).min(rate);

@@ -24,12 +24,10 @@ use crate::models::structure::MachineSettings;
 use crate::models::structure::parameters::{QUALITY_PRINTED, SPINDLE_QUALITY};
 use crate::models::tool::Tool;
 use crate::run::scenario::Scenario;
-use crate::study::stability::StabilityCut;
 use crate::study::stability::chart::{ChartJob, LobePoint, Range};
-use crate::study::stability::interrupted::multiplier;
+use crate::study::stability::charted::ChartedCut;
 
-/// Speeds of the chart, 1/min, and their number.
-const SPEEDS_RPM: [f64; 2] = [800.0, 4000.0];
+/// Number of speeds of the chart.
 const SPEEDS: u32 = 65;
 /// Greatest depth that is looked at and the greatest that is shown, in depths that are stable at
 /// every speed.
@@ -142,22 +140,23 @@ impl Charted {
 
 /// A chart on its way.
 struct Chart {
-    cut: StabilityCut,
+    cut: ChartedCut,
+    /// From and to, 1/min.
+    speeds_rpm: [f64; 2],
     any_speed_mm: f64,
     work: Work<ChartJob>,
     points: Arc<Vec<LobePoint>>,
 }
 
 fn begin(scenario: &Scenario, jobs: &Jobs) -> Result<Chart, String> {
-    let [from_rpm, to_rpm] = SPEEDS_RPM;
-    let mut range =
-        Range { from_rpm, to_rpm, speeds: SPEEDS, highest_mm: f64::MAX, simulate: false };
-    let of = |range| ChartJob::new(scenario, range).map_err(|error| error.to_string());
-    range.highest_mm = HIGHEST * of(range)?.any_speed_mm();
-    let job = of(range)?;
-    let (cut, any_speed_mm) = (job.cut().clone(), job.any_speed_mm());
+    let cut = ChartedCut::new(scenario).map_err(|error| error.to_string())?;
+    let speeds_rpm = cut.usual_speeds_rpm();
+    let ([from_rpm, to_rpm], highest_mm) = (speeds_rpm, HIGHEST * cut.any_speed_mm());
+    let range = Range { from_rpm, to_rpm, speeds: SPEEDS, highest_mm, simulate: false };
+    let job = ChartJob::new(scenario, range).map_err(|error| error.to_string())?;
+    let any_speed_mm = job.any_speed_mm();
     let work = jobs.begin(text!("Stability chart"), job, 1);
-    Ok(Chart { cut, any_speed_mm, points: work.partial(), work })
+    Ok(Chart { cut, speeds_rpm, any_speed_mm, points: work.partial(), work })
 }
 
 impl StabilityView {
@@ -180,7 +179,7 @@ impl StabilityView {
             }
             // One a frame: each is a moment's work.
             if let Some((cut, grown)) = of_run.iter_mut().find(|(_, grown)| grown.is_none()) {
-                *grown = Some(multiplier(&chart.cut, cut.at.speed_rpm, cut.at.depth_mm));
+                *grown = Some(chart.cut.multiplier(cut.at.speed_rpm, cut.at.depth_mm));
             }
         }
         if let Some(Charted { chart: Ok(chart), limit, .. }) = &mut self.charted {
@@ -205,9 +204,9 @@ impl StabilityView {
             return ui.ctx().request_repaint();
         };
         let top = ui.cursor().top();
-        let damper = charted.settings.0.spindle_quality;
+        let machine = charted.settings.0.clone();
         if !narrow {
-            quality(ui, damper, commands);
+            structure(ui, &machine, commands);
         }
         let chart = match &charted.chart {
             Ok(chart) => chart,
@@ -219,14 +218,14 @@ impl StabilityView {
                     ui.label(error);
                 });
                 if narrow {
-                    quality(ui, damper, commands);
+                    structure(ui, &machine, commands);
                 }
                 return;
             }
         };
         let cuts = now.speed_rpm > 0.0 && now.depth_mm > 0.0;
         if cuts && charted.judged.is_none_or(|(judged, _)| far(judged, now)) {
-            let grown = multiplier(&chart.cut, now.speed_rpm, now.depth_mm);
+            let grown = chart.cut.multiplier(now.speed_rpm, now.depth_mm);
             charted.judged = Some((now, grown));
         }
         let grown = charted.judged.map(|(_, grown)| grown).filter(|_| cuts);
@@ -254,7 +253,7 @@ impl StabilityView {
         let height = height - (ui.cursor().top() - top);
         figure.show(ui, height.max(theme::PLOT_HEIGHT_SCROLLED), Sense::hover());
         if narrow {
-            quality(ui, damper, commands);
+            structure(ui, &machine, commands);
         }
     }
 }
@@ -262,6 +261,22 @@ impl StabilityView {
 fn far(judged: Operating, now: Operating) -> bool {
     (judged.speed_rpm - now.speed_rpm).abs() > VERDICT_STEP[0]
         || (judged.depth_mm - now.depth_mm).abs() > VERDICT_STEP[1]
+}
+
+/// The measured modes that are charted, or the choice of the spindle's damper.
+fn structure(ui: &mut Ui, machine: &MachineSettings, commands: &mut Vec<Command>) {
+    let modes = machine.tip_modes.all().len();
+    if modes == 0 {
+        return quality(ui, machine.spindle_quality, commands);
+    }
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new(tr("Structure")).strong());
+        ui.label(tr!("{n} measured modes at the tool's tip", n = modes));
+        let help = tr("Takes the measured modes away: the five masses of 2019 stand again");
+        if ui.button(tr("Back to the five masses")).on_hover_text(help).clicked() {
+            commands.push(Command::set("machine.tip_modes", Value::List(Vec::new())));
+        }
+    });
 }
 
 /// The two readings of the spindle's damper.
@@ -414,9 +429,9 @@ fn figure(
     worst: Option<(CutOfRun, f64)>,
     palette: &Palette,
 ) -> Figure {
-    let [from_rpm, to_rpm] = SPEEDS_RPM;
+    let [from_rpm, to_rpm] = chart.speeds_rpm;
     let across = [from_rpm.min(now.speed_rpm), to_rpm.max(now.speed_rpm)];
-    let across = if grown.is_some() { across } else { SPEEDS_RPM };
+    let across = if grown.is_some() { across } else { chart.speeds_rpm };
     let mut figure = Figure::new(text!("Limit depth"), ["1/min", "mm"], across);
     figure.long_title = text!("Limit depth [mm] over the speed [1/min]: quiet below the line");
     let curve = |name, look, of: fn(&LobePoint) -> Option<f64>| {

@@ -1,9 +1,11 @@
 //! The spindle drive: a first-order lag with a rate limit (chosen: no paper gives one;
 //! [`crate::models::spindle`]). The defaults are those of a machine of this class.
 
+use crate::base::math;
 use crate::models::drive_curve::{DriveCurve, SpeedReached};
 use crate::models::formula_model::OwnFormula;
 use crate::models::spindle::ExactSpindle;
+use crate::models::transfer::{TransferDrive, TransferPoles};
 
 crate::settings! {
     /// The spindle drive.
@@ -14,6 +16,10 @@ crate::settings! {
         rate_rpm_s: f64 = 1000.0, [50.0, 100000.0], "1/min/s", live, "Spindle rate limit";
         /// Speed that is reached at rest as a formula of one's own over the speed that is asked for.
         curve: OwnFormula<SpeedReached> = OwnFormula::default(), [], "", live, "Speed reached";
+        /// Poles of a drive of one's own, in the place of lag and rate limit: up to order 8, stable; a pair by the pole with positive imaginary part.
+        poles: TransferPoles = TransferPoles::default(), [], "", live, "Own spindle drive";
+        /// Speed over the speed that is asked for at rest, of a drive of one's own.
+        gain: f64 = 1.0, [0.1, 10.0], "", live, "Own spindle gain";
     }
 }
 
@@ -23,6 +29,8 @@ pub struct SpindleDrive {
     exact: ExactSpindle,
     curve: DriveCurve,
     speed_rpm: f64,
+    /// A drive of one's own, which then stands in the place of lag and rate limit.
+    own: Option<TransferDrive>,
 }
 
 impl SpindleDrive {
@@ -31,20 +39,32 @@ impl SpindleDrive {
     pub fn new(settings: &SpindleDriveSettings, dt_s: f64, speed_rpm: f64) -> Self {
         let exact = ExactSpindle::new(settings.time_constant_s, settings.rate_rpm_s, dt_s);
         let mut curve = DriveCurve::new(&settings.curve);
-        let speed_rpm = curve.reached(speed_rpm);
-        Self { exact, curve, speed_rpm }
+        let reached_rpm = curve.reached(speed_rpm);
+        let mut own = TransferDrive::new(&settings.poles, settings.gain, dt_s, reached_rpm);
+        if let Some(own) = &mut own {
+            own.settle(reached_rpm);
+        }
+        let speed_rpm = own.map_or(reached_rpm, |own| math::positive(own.output()));
+        Self { exact, curve, speed_rpm, own }
     }
 
     /// Takes over changed settings at the present speed.
     pub fn reconfigure(&mut self, settings: &SpindleDriveSettings, dt_s: f64) {
         self.exact = ExactSpindle::new(settings.time_constant_s, settings.rate_rpm_s, dt_s);
         self.curve = DriveCurve::new(&settings.curve);
+        let own = TransferDrive::new(&settings.poles, settings.gain, dt_s, self.speed_rpm);
+        self.own = own.map(|own| own.going_on(self.own));
     }
 
     /// The actual speed n_a in 1/min after one step.
     #[inline]
     pub fn update(&mut self, command_rpm: f64) -> f64 {
-        self.speed_rpm = self.exact.advance(self.speed_rpm, self.curve.reached(command_rpm));
+        let reached_rpm = self.curve.reached(command_rpm);
+        self.speed_rpm = match &mut self.own {
+            // A spindle does not turn back when its drive rings.
+            Some(own) => math::positive(own.advance(reached_rpm)),
+            None => self.exact.advance(self.speed_rpm, reached_rpm),
+        };
         self.speed_rpm
     }
 

@@ -22,6 +22,7 @@ pub mod reduction;
 use nalgebra::SMatrix;
 use nalgebra::SVector;
 
+use super::tip_modes::TipModes;
 use parameters::{Elements, Parameters};
 
 /// Complex numbers; their four operations give the same bits everywhere.
@@ -50,7 +51,7 @@ crate::choice! {
 }
 
 crate::settings! {
-    /// The five-mass model of the machine (2019).
+    /// The machine: five masses (2019), or measured modes in their place.
     pub struct MachineSettings {
         /// Which of slides and table is the outer one; their relative frequency responses differ by 3 %.
         variant: Variant = Variant::Equations, [], "", setup, "Variant";
@@ -66,6 +67,12 @@ crate::settings! {
         coupled: bool = false, [], "", setup, "Machine in the cut";
         /// Where Ra with machine dynamics comes from in a coupled run.
         roughness_from: RoughnessFrom = RoughnessFrom::Vibration, [], "", setup, "Ra with dynamics from";
+        /// Structure at the tool's tip as measured modes, in the place of the five masses; the running cut has those across the feed.
+        tip_modes: TipModes = TipModes::default(), [], "", setup, "Modes at the tool's tip";
+        /// Radial over tangential force K_r in the stability chart of measured modes, whose K_t is the specific cutting force; chosen.
+        radial_ratio: f64 = 0.3, [0.0, 2.0], "", setup, "Radial force ratio";
+        /// Whether the teeth cut against the feed (down-milling) in the stability chart of measured modes.
+        down_milling: bool = false, [], "", setup, "Down-milling";
     }
 }
 

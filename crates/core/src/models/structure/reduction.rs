@@ -10,7 +10,9 @@
 
 use super::modes::{eigenvalues, from_starts};
 use super::{Complex, FiveMass};
+use crate::base::language::tr;
 use crate::base::settings::SettingError;
+use crate::models::tip_modes::{TipAxis, TipModes};
 
 /// Poles, residues and feedthrough of the reduced machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,6 +65,34 @@ impl Reduction {
         })
     }
 
+    /// Measured modes across the feed as the machine of the running cut: the tooth is stiff, all compliance is in the
+    /// modes. Of a mode with mass m and pole l the residue is 1 / (2 i m Im l); places that are left over give way by
+    /// nothing.
+    ///
+    /// # Errors
+    /// No mode across the feed, or more than four.
+    pub fn of_tip(modes: &TipModes) -> Result<Self, SettingError> {
+        let across: Vec<_> = modes.along(TipAxis::Y).collect();
+        if across.is_empty() || across.len() > 4 {
+            return Err(SettingError::Refused {
+                path: "machine.tip_modes".to_owned(),
+                value: tr!("{n} modes across the feed in a running cut", n = across.len()),
+                allowed: tr("1 to 4 modes across the feed, which the surface sees").to_owned(),
+            });
+        }
+        let mut reduction = Self {
+            poles: [Complex::new(-1e3, 1e3); 4],
+            residues: [Complex::from(0.0); 4],
+            feedthrough_m_n: 0.0,
+        };
+        for (r, mode) in across.iter().enumerate() {
+            let pole = mode.pole();
+            reduction.poles[r] = pole;
+            reduction.residues[r] = Complex::new(0.0, -0.5 / (mode.mass_kg * pole.im));
+        }
+        Ok(reduction)
+    }
+
     /// How many machines this thread's tests have reduced.
     #[cfg(test)]
     pub(crate) fn solved() -> u32 {
@@ -101,6 +131,30 @@ mod tests {
 
     fn size(z: Complex) -> f64 {
         z.norm_sqr().sqrt()
+    }
+
+    #[test]
+    fn modes_at_the_tip_are_their_own_reduction() {
+        use crate::models::tip_modes::TipMode;
+        let mode = |axis, frequency_hz, mass_kg| TipMode {
+            axis,
+            frequency_hz,
+            damping_ratio: 0.03,
+            mass_kg,
+        };
+        let across = [mode(TipAxis::Y, 310.0, 2.0), mode(TipAxis::Y, 890.0, 0.4)];
+        let along = mode(TipAxis::X, 500.0, 1.0);
+        let modes = TipModes::new(vec![across[0], along, across[1]]).unwrap();
+        let reduction = Reduction::of_tip(&modes).unwrap();
+        for f_hz in [0.0, 100.0, 310.0, 700.0, 895.0, 3000.0] {
+            let s = Complex::new(0.0, TAU * f_hz);
+            let known = modes.compliance(TipAxis::Y, s);
+            assert!(size(reduction.at(s) - known) < 1e-12 * size(known), "{f_hz}");
+        }
+        for wrong in [vec![along], vec![across[0]; 5]] {
+            let error = Reduction::of_tip(&TipModes::new(wrong).unwrap()).unwrap_err().to_string();
+            assert!(error.contains("machine.tip_modes") && error.contains("1 to 4"), "{error}");
+        }
     }
 
     #[test]

@@ -19,6 +19,7 @@
 //! ```
 
 use super::{EndShape, Tool};
+use crate::base::files::line_of_entry;
 use crate::base::language::tr;
 use crate::base::settings::{Group, SettingError, Value};
 
@@ -67,11 +68,12 @@ fn value(found: &toml::Value) -> Option<Value> {
     }
 }
 
-fn refused(key: &str, found: &toml::Value, allowed: &str) -> SettingError {
+fn refused(text: &str, key: &str, found: &toml::Value, allowed: &str) -> SettingError {
     let found: String = found.to_string().chars().take(60).collect();
     fault(tr!(
-        "`{path}` cannot be {value}: allowed is {allowed}",
-        path = key,
+        "line {line}: `{entry}` cannot be {value}: allowed is {allowed}",
+        line = line_of_entry(text, key, 0).unwrap_or(1),
+        entry = key,
         value = found,
         allowed = allowed
     ))
@@ -81,15 +83,15 @@ impl ToolFile {
     /// Reads a tool file.
     ///
     /// # Errors
-    /// Names the entry that is missing, unknown, of the wrong type or outside its range, with what is
-    /// allowed.
+    /// Names the entry that is missing, unknown, of the wrong type or outside its range, with its line and
+    /// what is allowed.
     pub fn parse(toml: &str) -> Result<Self, SettingError> {
         let mut table: toml::Table =
             toml.parse().map_err(|error: toml::de::Error| fault(error.to_string()))?;
         match table.remove("version") {
             Some(toml::Value::Integer(FORMAT_VERSION)) => {}
             Some(other) => {
-                return Err(refused("version", &other, &FORMAT_VERSION.to_string()));
+                return Err(refused(toml, "version", &other, &FORMAT_VERSION.to_string()));
             }
             None => {
                 return Err(fault(tr!(
@@ -117,7 +119,7 @@ impl ToolFile {
             };
             value(&found)
                 .and_then(|value| tool.set(spec.key, &value, &spec.allowed))
-                .ok_or_else(|| refused(spec.key, &found, &allowed()))?;
+                .ok_or_else(|| refused(toml, spec.key, &found, &allowed()))?;
         }
         if let Some(key) = table.keys().next() {
             let known: Vec<&str> = specs.iter().map(|spec| spec.key).collect();
@@ -131,7 +133,9 @@ impl ToolFile {
         }
         if let Some(most) = tool.corner_too_large_mm() {
             let problem = tr!(
-                "`corner_radius_mm` cannot be {radius} mm: allowed is at most half of `diameter_mm`, {most} mm",
+                "line {line}: `corner_radius_mm` cannot be {radius} mm: allowed is at most half of `diameter_mm`, \
+                 {most} mm",
+                line = line_of_entry(toml, "corner_radius_mm", 0).unwrap_or(1),
                 radius = tool.corner_radius_mm,
                 most = most
             );
@@ -155,7 +159,11 @@ mod tests {
             ToolFile::parse(&text).unwrap_err().to_string()
         };
         for (from, to, wanted) in [
-            ("diameter_mm = 16.0", "diameter_mm = 1.5", ["`diameter_mm`", "1.5", "2 to 50 mm"]),
+            (
+                "diameter_mm = 16.0",
+                "diameter_mm = 1.5",
+                ["line 8: `diameter_mm`", "1.5", "2 to 50 mm"],
+            ),
             ("diameter_mm = 16.0", "diameter_mm = nan", ["`diameter_mm`", "nan", "2 to 50 mm"]),
             ("teeth = 4", "teeth = 2.5", ["`teeth`", "2.5", "1 to 8"]),
             ("teeth = 4", "teeth = true", ["`teeth`", "true", "1 to 8"]),

@@ -170,7 +170,7 @@ pub const BLOCKS: &[BlockInfo] = &[
         ),
         own: &[],
         of_machine: &[],
-        settings: &["feed_drive.kind", "feed_drive.curve"],
+        settings: &["feed_drive.kind", "feed_drive.curve", "feed_drive.poles", "feed_drive.gain"],
         lamps: &[],
     },
     BlockInfo {
@@ -188,6 +188,8 @@ pub const BLOCKS: &[BlockInfo] = &[
             "spindle_drive.time_constant_s",
             "spindle_drive.rate_rpm_s",
             "spindle_drive.curve",
+            "spindle_drive.poles",
+            "spindle_drive.gain",
         ],
         lamps: &[],
     },

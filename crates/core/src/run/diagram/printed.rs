@@ -25,6 +25,13 @@ const M2: Printed = eq(
 const M3: Printed = eq("n_c = 7641.3 e^{-0.004 F}", text!("Control strategy 2013, eq. 4"));
 const M5: Printed = eq("Ra = 0.0001 F^2 - 0.0341 F + 3.018", text!("Control strategy 2013, eq. 6"));
 
+const OWN_FEED_DRIVE: Printed =
+    eq("f_a / f_c = K / Π (1 - s / p_i)", text!("a drive of your own, by its poles and gain"));
+const OWN_SPINDLE_DRIVE: Printed =
+    eq("n_a / n_c = K / Π (1 - s / p_i)", text!("a drive of your own, by its poles and gain"));
+const OWN_DEAD_TIME: Printed =
+    eq("G(s) = e^{-t s}", text!("the dead time of the command channel; the drive is your own"));
+
 /// The transfer function of a drive.
 fn drive(kind: FeedDriveKind) -> Printed {
     match kind {
@@ -90,8 +97,13 @@ impl Block {
                     "Control strategy 2013, section 2; whole percents and rate: CNC practice, chosen"
                 ),
             )],
+            Self::DeadTime if !scenario.feed_drive.poles.is_empty() => vec![OWN_DEAD_TIME],
             Self::DeadTime => vec![dead_time(kind)],
+            Self::FeedDrive if !scenario.feed_drive.poles.is_empty() => vec![OWN_FEED_DRIVE],
             Self::FeedDrive => vec![drive(kind)],
+            Self::SpindleDrive if !scenario.spindle_drive.poles.is_empty() => {
+                vec![OWN_SPINDLE_DRIVE]
+            }
             Self::SpindleDrive => vec![eq(
                 "n_a' = limit((n_c - n_a) / τ, ± rate)",
                 text!("chosen: no paper gives a spindle drive"),

@@ -32,6 +32,7 @@ pub use unused::{ANOTHER_CONTROLLER, BY_CURVES, LEFT_OUT, NOT_BELIEVED, UNUSED, 
 use crate::base::settings::{SettingError, Value};
 use crate::models::structure::FiveMass;
 use crate::models::structure::reduction::Reduction;
+use crate::models::tip_modes::TipModes;
 use rules::Candidate;
 use table::{TABLE, index_of, refused};
 
@@ -50,6 +51,7 @@ pub struct Scenario {
 #[derive(Debug)]
 struct CoupledMachine {
     of: FiveMass,
+    tip_modes: TipModes,
     reduction: Reduction,
 }
 
@@ -195,11 +197,16 @@ impl Scenario {
             return Ok(None);
         }
         let of = FiveMass::new(&next.machine);
-        if let Some(known) = self.machine.as_ref().filter(|known| known.of == of) {
+        let tip_modes = &next.machine.tip_modes;
+        let alike = |known: &&Arc<CoupledMachine>| known.of == of && known.tip_modes == *tip_modes;
+        if let Some(known) = self.machine.as_ref().filter(alike) {
             return Ok(Some(known.clone()));
         }
-        let reduction = Reduction::new(&of)?;
-        Ok(Some(Arc::new(CoupledMachine { of, reduction })))
+        let reduction = match tip_modes.is_empty() {
+            true => Reduction::new(&of)?,
+            false => Reduction::of_tip(tip_modes)?,
+        };
+        Ok(Some(Arc::new(CoupledMachine { of, tip_modes: tip_modes.clone(), reduction })))
     }
 
     /// The machine in the running cut, where `machine.coupled` is on.

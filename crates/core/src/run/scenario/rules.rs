@@ -8,6 +8,7 @@ use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::cutting::workpiece::Workpiece;
 use crate::models::disturbances::{CHATTER_RESOLVED, DEEPEST_MM};
 use crate::models::genetic::{Calibration, ModelSet};
+use crate::models::tip_modes::{TipAxis, TipModes};
 
 /// Most rows that a run may record: a row takes 184 bytes, and 256 more where steps are left out; a console holds up to four recordings,
 /// and a page in the browser has 4 GiB at most.
@@ -94,6 +95,22 @@ pub const RULES: &[Rule] = &[
                      (576 give 28.8 kHz)",
                     longest = longest_s,
                     steps = steps
+                ),
+            ]
+        },
+    },
+    Rule {
+        paths: &["machine.tip_modes", "machine.coupled"],
+        words: "measured modes in the running cut are 1 to 4 across the feed, slow enough for its steps",
+        keeps: |c| !c.settings.machine.coupled || tip_modes_run(&c.settings.machine.tip_modes),
+        broken: |s| {
+            let across = s.machine.tip_modes.along(TipAxis::Y).count();
+            [
+                tr!("{n} modes across the feed with `machine.coupled` = true", n = across),
+                tr!(
+                    "1 to 4 modes across the feed (axis 1) there, of at most {most} Hz: ten steps of 0.1 ms to a \
+                     period",
+                    most = MOST_TIP_HZ
                 ),
             ]
         },
@@ -318,6 +335,17 @@ pub const RULES: &[Rule] = &[
         },
     },
 ];
+
+/// The highest natural frequency of a measured mode in the running cut, Hz: ten steps of the machine to a period.
+const MOST_TIP_HZ: f64 = 1000.0;
+
+/// Whether measured modes, or none, can stand in the running cut.
+fn tip_modes_run(modes: &TipModes) -> bool {
+    let mut across = modes.along(TipAxis::Y);
+    let count = modes.along(TipAxis::Y).count();
+    modes.is_empty()
+        || ((1..=4).contains(&count) && across.all(|mode| mode.frequency_hz <= MOST_TIP_HZ))
+}
 
 /// The highest frequency of a chatter that the plant steps show, Hz.
 fn most_chatter_hz(settings: &Settings) -> f64 {

@@ -111,6 +111,10 @@ fn breaking(rule: &Rule) -> Settings {
         "machine.parameters" => {
             (s.machine.parameters, s.machine.coupled) = (Parameters::Printed, true);
         }
+        "machine.tip_modes" => {
+            list(&mut s, rule.paths[0], vec![vec![0.0, 120.0, 0.05, 10.0]]);
+            s.machine.coupled = true;
+        }
         "wear.adjust_speed" => s.wear.adjust_speed = true,
         "controller.unks.networks" => {
             let origin = |i| crate::base::network::parse(crate::models::unks::FILES[i]).unwrap().1;

@@ -231,6 +231,26 @@ pub const UNUSED: &[Unused] = &[
         |s| !s.cnc.override_rate_limited,
         text!("`cnc.override_rate_limited` is false"),
     ),
+    unused(
+        &["feed_drive.kind"],
+        |s| !s.feed_drive.poles.is_empty(),
+        text!("`feed_drive.poles` gives the drive"),
+    ),
+    unused(
+        &["feed_drive.gain"],
+        |s| s.feed_drive.poles.is_empty(),
+        text!("`feed_drive.poles` is empty: the papers' drives have a gain of 1"),
+    ),
+    unused(
+        &["spindle_drive.time_constant_s", "spindle_drive.rate_rpm_s"],
+        |s| !s.spindle_drive.poles.is_empty(),
+        text!("`spindle_drive.poles` gives the drive"),
+    ),
+    unused(
+        &["spindle_drive.gain"],
+        |s| s.spindle_drive.poles.is_empty(),
+        text!("`spindle_drive.poles` is empty: lag and rate limit have a gain of 1"),
+    ),
     unused(&["cnc.force_stop_n"], |s| !s.cnc.force_stop, text!("`cnc.force_stop` is false")),
     unused(
         &["program.cut_feeds_mm_min"],
@@ -259,6 +279,20 @@ pub const UNUSED: &[Unused] = &[
         when: Some(|s| !s.machine.coupled),
         because: text!("`machine.coupled` is false: the cut does not feel the machine"),
     },
+    unused(
+        &["machine.variant", "machine.parameters", "machine.spindle_quality"],
+        |s| !s.machine.tip_modes.is_empty(),
+        text!("`machine.tip_modes` gives the machine"),
+    ),
+    never(
+        &["machine.radial_ratio", "machine.down_milling"],
+        text!("only the stability chart of measured modes has it"),
+    ),
+    unused(
+        &["wear.tooth_softening", "wear.stiffness_curve"],
+        |s| !s.machine.tip_modes.is_empty(),
+        text!("`machine.tip_modes` gives the machine: its tooth is stiff"),
+    ),
     Unused {
         paths: &["wear."],
         but: &["wear.model", "wear.used_life"],

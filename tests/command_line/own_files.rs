@@ -1,0 +1,72 @@
+//! Files of a user's own on the command line: begun, checked, taken, refused.
+
+use steadycut::study::own_file::OwnFileKind;
+
+use super::program::{json, refused, steadycut, temporary};
+
+/// A file with a text, under a name of this test's own.
+fn written(name: &str, text: &str) -> String {
+    let path = temporary(name);
+    std::fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn what_is_begun_is_checked_and_a_run_takes_it() {
+    let plain = json(&["run", "first-cut", "--json"])["digest"].clone();
+    for (kind, option) in [("tool", "--tool"), ("material", "--material"), ("machine", "--machine")]
+    {
+        let begun = steadycut(&["own", "new", kind]);
+        let file = written(&format!("own-{kind}.toml"), &String::from_utf8(begun.stdout).unwrap());
+        let told = json(&["own", "check", &file, "--json"]);
+        assert_eq!(told["kind"], kind);
+        assert!(!told["settings"].as_object().unwrap().is_empty(), "{told}");
+        let run = json(&["run", "first-cut", option, &file, "--json"]);
+        assert_ne!(run["digest"], plain, "{kind}");
+    }
+}
+
+#[test]
+fn set_comes_after_a_file() {
+    let file = written("own-later.toml", OwnFileKind::Tool.template());
+    let args = ["run", "first-cut", "--tool", &file, "--set", "tool.name=r216-16b20-040", "--json"];
+    assert_eq!(json(&args)["digest"], json(&["run", "first-cut", "--json"])["digest"]);
+}
+
+#[test]
+fn the_chart_of_measured_modes_is_printed_and_agrees_with_its_simulation() {
+    let file = written("own-tip.toml", OwnFileKind::Structure.template());
+    let speeds = ["--from", "12000", "--to", "17000", "--speeds", "2"];
+    let args = [&["machine", "stability", "--structure", &file, "--json", "--check"], &speeds[..]];
+    // Two speeds are fewer than the check wants, so that its answer is 1.
+    let output = steadycut(&args.concat());
+    let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((&told["tip_modes"], &told["check"]["mean"]), (&2.into(), &serde_json::Value::Null));
+    for point in told["points"].as_array().unwrap() {
+        let number = |key: &str| point[key].as_f64().unwrap();
+        let (chart, simulated) = (number("interrupted_mm"), number("simulated_interrupted_mm"));
+        assert!((simulated / chart - 1.0).abs() < 0.03, "{point}");
+        assert!(number("mean_mm") > 0.0 && point["simulated_mean_mm"].is_null());
+    }
+    let text = steadycut(&[&["machine", "stability", "--structure", &file], &speeds[..]].concat());
+    let text = String::from_utf8(text.stdout).unwrap();
+    assert!(text.contains("x 922 Hz") && text.contains("up-milling"), "{text}");
+}
+
+#[test]
+fn faults_name_the_file_and_what_a_command_has_no_use_for_is_refused() {
+    let bad = OwnFileKind::Tool.template().replacen("teeth = 3", "teeth = 30", 1);
+    let bad = written("own-bad.toml", &bad);
+    let error = refused(&["run", "first-cut", "--tool", &bad]);
+    assert!(
+        error.contains(&bad) && error.contains("line 9") && error.contains("1 to 8"),
+        "{error}"
+    );
+    let tip = written("own-unused.toml", OwnFileKind::Structure.template());
+    let error = refused(&["run", "first-cut", "--structure", &tip]);
+    assert!(error.contains("--structure") && error.contains("machine.coupled"), "{error}");
+    let error = refused(&["machine", "modes", "--structure", &tip]);
+    assert!(error.contains("--structure") && error.contains("no use"), "{error}");
+    let none = written("own-none.toml", "a = 1\n");
+    assert!(refused(&["own", "check", &none]).contains("kc11_n_mm2"));
+}
