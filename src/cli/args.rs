@@ -13,6 +13,7 @@ use super::identify_force::IdentifyForceArgs;
 use super::identify_material::IdentifyMaterialArgs;
 use super::identify_noise::IdentifyNoiseArgs;
 use super::identify_wear::IdentifyWearArgs;
+use super::identify_structure::IdentifyStructureArgs;
 use super::machine::args::MachineArgs;
 use super::measured::args::MeasuredArgs;
 use super::mission::args::MissionArgs;
@@ -311,6 +312,8 @@ pub enum IdentifyWhat {
     Noise(Box<IdentifyNoiseArgs>),
     /// The force of the material that was cut over that of Ck45, and its hardness.
     Material(Box<IdentifyMaterialArgs>),
+    /// The structure at the tool's tip from a measured frequency response: modes, with what is left.
+    Structure(IdentifyStructureArgs),
 }
 
 /// Whether formulas have to be right in their units.

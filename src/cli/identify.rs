@@ -66,6 +66,7 @@ pub fn execute(args: &IdentifyArgs) -> Outcome {
         Some(IdentifyWhat::Wear(args)) => return super::identify_wear::execute(args),
         Some(IdentifyWhat::Noise(args)) => return super::identify_noise::execute(args),
         Some(IdentifyWhat::Material(args)) => return super::identify_material::execute(args),
+        Some(IdentifyWhat::Structure(args)) => return super::identify_structure::execute(args),
         None => {}
     }
     let mut out = report(args.json, args.out.as_ref())?;

@@ -18,6 +18,7 @@ mod identify_force;
 mod identify_gp;
 mod identify_material;
 mod identify_noise;
+mod identify_structure;
 mod identify_wear;
 mod list;
 mod machine;

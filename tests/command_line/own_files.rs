@@ -70,3 +70,30 @@ fn faults_name_the_file_and_what_a_command_has_no_use_for_is_refused() {
     let none = written("own-none.toml", "a = 1\n");
     assert!(refused(&["own", "check", &none]).contains("kc11_n_mm2"));
 }
+
+#[test]
+fn a_measured_response_becomes_a_structure_that_the_chart_takes() {
+    let data = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/data/tip_response_example.csv");
+    let file = temporary("own-identified.toml");
+    let file = file.to_str().unwrap();
+    let told = json(&["identify", "structure", "--x", data, "--out", file, "--json"]);
+    let fit = &told["fits"][0];
+    let modes = fit["modes"].as_array().unwrap();
+    assert_eq!(modes.len(), 2, "{fit}");
+    for (mode, [hz, damping, kg]) in
+        modes.iter().zip([[922.0, 0.011, 0.03993], [1740.0, 0.02, 0.11]])
+    {
+        let near = |key: &str, known: f64, share: f64| {
+            let found = mode[key].as_f64().unwrap();
+            assert!((found / known - 1.0).abs() < share, "{key}: {found} {known}");
+        };
+        near("frequency_hz", hz, 1e-4);
+        near("damping_ratio", damping, 1e-2);
+        near("mass_kg", kg, 1e-2);
+    }
+    assert!(fit["rest"].as_f64().unwrap() < 1e-3, "{fit}");
+    assert_eq!(json(&["own", "check", file, "--json"])["kind"], "structure");
+    let chart =
+        ["machine", "stability", "--structure", file, "--speeds", "1", "--from", "9000", "--json"];
+    assert!(json(&chart)["points"][0]["interrupted_mm"].as_f64().unwrap() > 0.0);
+}

@@ -2,7 +2,7 @@
 //! tables`) and by genetic programming (`steadycut identify genetic`), and from the mechanistic force model
 //! (`steadycut identify milling`). From recordings: a feed drive by a step ([`drive`]), the cutting force tooth by tooth
 //! ([`force`]), Taylor's constants by readings of the wear land ([`wear`]), noise and ripple ([`noise`]),
-//! the material by its force ([`material`]).
+//! the material by its force ([`material`]); modes by a frequency response ([`response`]).
 
 pub mod drive;
 mod estimate;
@@ -13,6 +13,7 @@ mod least_squares;
 pub mod material;
 mod milling_2005;
 pub mod noise;
+pub mod response;
 mod sdnrp_2007;
 mod strategy_2013;
 pub mod wear;
