@@ -284,7 +284,8 @@ test("statements reach the store, wait while there is no network, and the page o
   await until(() => page.evaluate(async () => (await caches.keys()).some((name) => name.startsWith("packed-steadycut-"))));
   await until(() => page.evaluate(async () => {
     const [name] = await caches.keys();
-    return (await (await caches.open(name)).keys()).length === 7;
+    // The page and what the package adds to it; boot, texts, mirror, glue, program and icon.
+    return (await (await caches.open(name)).keys()).length === 8;
   }));
   await own.close();
   const port = records.port;
