@@ -225,6 +225,7 @@ fn fit_json(fit: &ForceFit, recording: &ForceRecording, settings: Value, file: &
         "phase_deg": value_json(fit.phase_deg),
         "rest_n": fit.rest_n,
         "r2": fit.r2,
+        "repeated_r2": fit.repeated_r2,
         "misfit": fit.misfit,
         "condition": fit.condition,
         "not_apart": fit.not_apart,

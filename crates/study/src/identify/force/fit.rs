@@ -286,6 +286,7 @@ fn told(problem: &Problem<'_>, x: &[f64], left: f64) -> ForceFit {
         rest_n: ((folded.within + squares) / count).sqrt(),
         place_rest_n: (squares_of_means / (forces.len() * folded.axes.len()) as f64).sqrt(),
         r2: 1.0 - (folded.within + squares) / folded.total,
+        repeated_r2: 1.0 - squares / (folded.total - folded.within).max(f64::MIN_POSITIVE),
         misfit,
         condition,
         not_apart,

@@ -34,9 +34,10 @@ const SAMPLES: [usize; 2] = [60, 2_000_000];
 const LEAST_TURNS: f64 = 0.99;
 /// Least share of the forces' variation that the model must explain: below it, these are no such forces.
 const LEAST_R2: f64 = 0.3;
-/// Mean square between places over that within them from which on a model does not fit, unless it explains this share.
+/// Mean square between places over that within them from which on a model does not fit, unless it explains this share
+/// of what repeats: a place in which a tooth leaves the cut is never quite that of its mean angle.
 const MISFIT: f64 = 4.0;
-const GOOD_R2: f64 = 0.998;
+const GOOD_R2: f64 = 0.99;
 
 /// A force that was recorded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -150,6 +151,8 @@ pub struct ForceFit {
     pub place_rest_n: f64,
     /// Share of the forces' variation that the model explains.
     pub r2: f64,
+    /// The same of the means of the places: of what repeats from turn to turn.
+    pub repeated_r2: f64,
     /// Mean square of what is left between the places, over that within them: 1 where only noise is left. None where the
     /// places have too few samples.
     pub misfit: Option<f64>,
@@ -186,7 +189,7 @@ impl ForceFit {
                 rest = self.shift_rest_um
             ));
         }
-        if self.misfit.is_some_and(|ratio| ratio > MISFIT) && self.r2 < GOOD_R2 {
+        if self.misfit.is_some_and(|ratio| ratio > MISFIT) && self.repeated_r2 < GOOD_R2 {
             notes.push(tr!(
                 "what is left repeats from turn to turn ({place:.1} N): the cut differs from the model, and values may be off by more than their intervals",
                 place = self.place_rest_n
