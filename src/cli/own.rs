@@ -197,6 +197,9 @@ pub fn all_used(
     sets: &[String],
     brought: &Brought,
 ) -> Result<(), Box<dyn std::error::Error>> {
+    if brought.iter().any(|(option, _)| *option == "--tool") {
+        given::once("--tool", &["tool.name"], sets)?;
+    }
     given::all_used(reader, scenario, edits, sets)?;
     used(reader, scenario, edits, brought)
 }

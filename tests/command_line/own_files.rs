@@ -29,8 +29,18 @@ fn what_is_begun_is_checked_and_a_run_takes_it() {
 #[test]
 fn set_comes_after_a_file() {
     let file = written("own-later.toml", OwnFileKind::Tool.template());
-    let args = ["run", "first-cut", "--tool", &file, "--set", "tool.name=r216-16b20-040", "--json"];
-    assert_eq!(json(&args)["digest"], json(&["run", "first-cut", "--json"])["digest"]);
+    let of =
+        |args: &[&str]| json(&[&["run", "first-cut", "--json"], args].concat())["digest"].clone();
+    let own = of(&["--tool", &file]);
+    assert_ne!(of(&["--tool", &file, "--set", "tool.teeth=2"]), own);
+    assert_eq!(of(&["--tool", &file, "--set", "tool.teeth=3"]), own);
+    // A shipped cutter beside it would be the one or the other.
+    let both = ["run", "first-cut", "--tool", &file, "--set", "tool.name=r216-16b20-040"];
+    assert!(
+        refused(&both).contains("--tool and --set tool.name say the same"),
+        "{}",
+        refused(&both)
+    );
 }
 
 #[test]

@@ -49,10 +49,10 @@ export async function firstFrame(page) {
 
 export const state = async (page) => JSON.parse(await page.evaluate(() => window.steadycut.state_json()));
 
-// Waits until `check(state, argument)`, run in the page, is true.
-export async function untilState(page, check, argument) {
+// Waits until `check(state, argument)`, run in the page, is true; `timeout` in ms, where it shall not be the usual one.
+export async function untilState(page, check, argument, timeout = PATIENCE.timeout) {
   const source = `(argument) => (${check})(JSON.parse(window.steadycut.state_json()), argument)`;
-  await page.waitForFunction(new Function(`return ${source}`)(), argument, PATIENCE);
+  await page.waitForFunction(new Function(`return ${source}`)(), argument, { ...PATIENCE, timeout });
   return state(page);
 }
 

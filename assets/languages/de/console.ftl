@@ -9,6 +9,7 @@ steadycut-simulates-milling-whose-controller = SteadyCut simuliert Fräsen, bei 
 mission-title = Mission: { $title }
 mission-title-is-open-what-it-does-not-let-y = Mission „{ $title }“ ist offen: Was sie nicht freigibt, ist gesperrt
 the-cut-stays-as-it-is-and-all-of-it-can-be = Der Schnitt bleibt, wie er ist, und alles lässt sich wieder ändern
+leave = Verlassen
 leave-the-mission = Mission verlassen
 task-hints-and-answer-of-the-mission-on-the = Aufgabe, Hinweise und Antwort der Mission: in der Ansicht Lernen
 back-to-the-mission = Zurück zur Mission
@@ -52,6 +53,7 @@ no-file-dialog-is-available-drag-a-scenario = Kein Dateidialog verfügbar: eine 
 steadycut-scenario = SteadyCut-Szenario
 unks-networks = UNKS-Netze
 table = Tabelle
+part-table-or-g-code = Werkstück: Tabelle oder G-Code
 saved-search = Gespeicherte Suche
 model-of-a-formula = Modell einer Formel
 saved-as-name = gespeichert als { $name }
@@ -63,7 +65,6 @@ the-browser-did-not-take-name-for-download = der Browser nahm { $name } nicht zu
 name-could-not-be-read-error = { $name } ließ sich nicht lesen: { $error }
 name-is-the-result-of-a-mission-steadycut-mi = { $name } ist das Ergebnis einer Mission: steadycut mission check { $name } prüft es.
 name-is-a-file-of-a-spreadsheet-save-it-ther = { $name } ist eine Datei einer Tabellenkalkulation: dort als CSV speichern, die sich hier öffnen und ablegen lässt.
-part-table-or-g-code = Werkstück: Tabelle oder G-Code
 
 ## src/app/format.rs
 
@@ -73,10 +74,11 @@ with-before-it-a-value-lies-outside-the-rang = Ein Wert mit ≈ davor liegt auß
 
 ## src/app/framed.rs
 
+cannot-be-changed-it-is-locked = Nicht änderbar: { $locked }.
+locked-the-mission-title-does-not-open-it-le = Gesperrt: Die Mission „{ $title }“ gibt es nicht frei. Zum Ändern die Mission verlassen.
 the-address-that-this-was-opened-with-hides = Die Adresse, mit der dies geöffnet wurde, blendet andere Ansichten aus (hide:screens).
 the-address-that-this-was-opened-with-hides-2 = Die Adresse, mit der dies geöffnet wurde, blendet die Suche aus (hide:find).
 the-address-that-this-was-opened-with-hides-3 = Die Adresse, mit der dies geöffnet wurde, blendet Dateien und Links aus (hide:files).
-locked-the-mission-title-does-not-open-it-le = Gesperrt: Die Mission „{ $title }“ gibt es nicht frei. Zum Ändern die Mission verlassen.
 
 ## src/app/jobs/list.rs
 
@@ -220,6 +222,7 @@ period-period-no-rest = Periode { $period }, keine Ruhe
 no-ra = kein Ra
 not-judged = nicht beurteilt
 outside-the-model = außerhalb des Modells
+ra-outside-its-model = Ra außerhalb des Modells
 error-within = { $error } in Tol.
 error-outside = { $error } außer Tol.
 ra-swings-by-swing = Ra schwankt um ±{ $swing }
@@ -318,16 +321,16 @@ scenario-changed = { $scenario }, geändert
 scenario-scenario = Szenario: { $scenario }
 scenario = Szenario
 the-shipped-scenarios = Die mitgelieferten Szenarien
+the-cut-of-the-mission-title-its-task-is-on = Der Schnitt der Mission „{ $title }“; ihre Aufgabe steht auf dem Bildschirm Lernen.
 as-shipped-about = Wie mitgeliefert: { $about }
 without-the-changes-made-in-the-cut-about = Ohne die Änderungen während des Schnitts: { $about }
-the-cut-of-the-mission-title-its-task-is-on = Der Schnitt der Mission „{ $title }“; ihre Aufgabe steht auf dem Bildschirm Lernen.
 
 ## src/app/panels/console/disturb.rs
 
 drops-a-disturbance-into-the-cut-a-little-ah = Setzt eine Störung in den Schnitt, etwas vor dem Werkzeug; Rückgängig nimmt sie zurück
+disturb-the-cut-2 = Den Schnitt stören
 names-and-sizes-of-disturbances = Namen und Größen der Störungen
 disturb-the-cut = Den Schnitt stören…
-disturb-the-cut-2 = Den Schnitt stören
 a-press-on-a-name-drops-that-disturbance-a-l = Ein Druck auf einen Namen setzt diese Störung etwas vor das Werkzeug, so lang und so groß wie daneben eingestellt.
 length-of-the-disturbance = Länge: { $disturbance }
 mm-long = { " " }mm lang
@@ -339,6 +342,7 @@ least-to-most = { $least } bis { $most }
 finding = wird gesucht …
 axial-depth-times-radial-depth-summed-over-t = Schnitttiefe mal Schnittbreite, über die Bahn summiert.
 without-none = ohne: keines
+without-outside-its-model = ohne: außerhalb des Modells
 without-ra = ohne { $ra }
 in-twin-ra = Zum Vergleich, { $twin }: { $ra }.
 roughness-produced-at-the-playhead-with-the = An der Abspielmarke erzeugte Rauheit, mit den Marken der Maschinenschwingung: wie sie sein soll innerhalb { $percent } % vom Sollwert. Ohne ist Ra nach dem Modell des Schnitts allein, das ein Regler hält. { $beside }
@@ -439,7 +443,6 @@ from-the-start-of-the-part-without-a-control = Vom Anfang des Teils, ohne Regler
 plots-settings-and-sentences-beside-the-knob = Diagramme, Einstellungen und Sätze neben dem Knopf, die ein Bediener nicht hat
 whole-console = Ganze Konsole
 back-to-the-console-the-cut-goes-on-as-it-is = Zurück zur Konsole; der Schnitt geht weiter, wie er ist{ $keys }
-leave = Verlassen
 
 ## src/app/panels/console/operator/panel.rs
 
@@ -583,14 +586,14 @@ air = Luft
 the-tool-meets-no-material-here = Das Werkzeug trifft hier auf keinen Werkstoff
 stretch-number-why = Bereich { $number }: { $why }.
 it-is-cut-and-its-depth-stays-a-change-of-it = er ist gefräst, und seine Tiefe bleibt; eine Änderung würde wirken, wo das Werkzeug jetzt ist
+n-stretches-each-with-its-axial-and-its-radi = { $n } Abschnitte, jeder mit seiner axialen Schnitttiefe und Schnittbreite
+one-axial-and-one-radial-depth-along-the-who = Eine axiale Schnitttiefe und eine Schnittbreite entlang der ganzen Bahn, die ihres Anfangs
+take-the-profiles-away = Profile entfernen
 from-mm = Ab mm
 axial-depth-of-stretch-number = Axiale Schnitttiefe von Bereich { $number }
 start-of-stretch-number = Anfang von Bereich { $number }
 remove-stretch-number = Bereich { $number } entfernen
 add-a-stretch = Neuer Bereich
-n-stretches-each-with-its-axial-and-its-radi = { $n } Abschnitte, jeder mit seiner axialen Schnitttiefe und Schnittbreite
-one-axial-and-one-radial-depth-along-the-who = Eine axiale Schnitttiefe und eine Schnittbreite entlang der ganzen Bahn, die ihres Anfangs
-take-the-profiles-away = Profile entfernen
 
 ## src/app/panels/console/workpiece.rs
 
@@ -607,6 +610,7 @@ add-a-cut = Neuer Schnitt
 duplicate-cut-number = Schnitt { $number } verdoppeln
 remove-cut-number = Schnitt { $number } entfernen
 the-last-cut-stays-one-path-goes-without-cut-2 = Der letzte Schnitt bleibt: „Eine Bahn“ geht ohne Schnitte
+these-depths-are-profiles-of-a-file-take-the = Diese Tiefen sind Profile einer Datei: entfernen Sie sie, um eine Tiefe zu ziehen.
 back-to-the-start = Zurück zum Anfang
 what-is-grey-is-cut-already-at-the-start-of = Was grau ist, ist schon geschnitten: am Anfang des Schnitts lässt sich jeder Abschnitt ändern
 the-tool-is-at-at-changed-depths-act-from-th = Das Werkzeug steht bei { $at }: Geänderte Tiefen wirken ab dort und ab jetzt. Ein Bereich, der davor beginnt, gilt nur für das, was von ihm noch zu fräsen ist; Gefrästes bleibt.
@@ -622,7 +626,6 @@ one-straight-cut-with-this-path-s-depths-the = Ein gerader Schnitt mit den Tiefe
 make-cuts-of-the-path = Schnitte aus der Bahn machen
 no-cuts-the-path-with-its-length-depths-and = Keine Schnitte: die Bahn mit ihrer Länge, ihren Tiefen und ihrem Tiefenprofil
 one-path = Eine Bahn
-these-depths-are-profiles-of-a-file-take-the = Diese Tiefen sind Profile einer Datei: entfernen Sie sie, um eine Tiefe zu ziehen.
 
 ## src/app/playback.rs
 
@@ -632,6 +635,7 @@ as-fast-as-possible = so schnell wie möglich
 
 screen = Ansicht
 search-formulas-in-a-table-of-one-s-own = Formeln in einer eigenen Tabelle suchen
+open-a-part-of-one-s-own-table-or-g-code = Ein eigenes Werkstück öffnen: Tabelle oder G-Code
 go-on-with-a-saved-search-for-a-formula = Eine gespeicherte Formelsuche fortsetzen
 open-networks-of-unks = Netze von UNKS öffnen
 save-the-networks-of-unks = Netze von UNKS speichern
@@ -647,6 +651,7 @@ download-keep-toml = herunterladen behalten toml
 save-table-data-results-measurements-downloa = speichern tabelle daten ergebnisse messungen herunterladen tabellenkalkulation
 qr-code-class-phone-digest-share-address-url = qr code klasse telefon prüfsumme teilen adresse url befehlszeile terminal headless wiederholen reproduzieren senden
 identify-own-data-measured-measurements-csv = identifikation eigene daten gemessen messungen csv hochladen importieren
+workpiece-cam-nc-gcode-program-csv-depths-im = werkstück cam nc gcode programm csv tiefen import eigen rohteil
 identify-resume-json = identifikation fortsetzen json
 neural-learning-weights-json = neuronal lernen gewichte json
 help-about-introduction-keyboard-shortcuts-h = hilfe über einführung tastatur tastenkürzel tippen wischen spreizen finger
@@ -667,8 +672,6 @@ in-group-path = in { $group }: { $path }
 scenario-2 = Szenario
 command = Befehl
 control-by-controller = Mit { $controller } regeln
-open-a-part-of-one-s-own-table-or-g-code = Ein eigenes Werkstück öffnen: Tabelle oder G-Code
-workpiece-cam-nc-gcode-program-csv-depths-im = werkstück cam nc gcode programm csv tiefen import eigen rohteil
 
 ## src/app/session/change.rs
 
@@ -695,6 +698,7 @@ name-is-the-part-now-length-mm-long-air-mm-o = { $name } ist jetzt das Werkstüc
 
 ## src/app/session/disturb.rs
 
+no-kind-at-place-the-cut-goes-from-0-to-end-2 = { $kind } bei { $place } nicht möglich: Der Schnitt geht von 0 bis { $end }. Zuerst in der Zeit zurückgehen oder auf das Werkstück setzen.
 what-undo-takes-it-back = { $what }. „Rückgängig“ nimmt es zurück.
 what-behind-the-tool-the-cut-is-done-again-u = { $what }, hinter dem Werkzeug: Der Schnitt wird neu gerechnet. „Rückgängig“ nimmt es zurück.
 kind-at-place = { $kind } bei { $place }
@@ -864,7 +868,6 @@ pause-space = Pause (Leertaste)
 play = Abspielen
 play-space = Abspielen (Leertaste)
 one-control-sample-on-keys = Eine Abtastung vor{ $keys }
-step = Schritt
 to-the-end-of-the-cut-end = Zum Ende des Schnitts (Ende)
 end = Ende
 plots-show-the-last-seconds-before-the-playh = Diagramme zeigen die letzten Sekunden vor der Abspielmarke und am Ende den ganzen Lauf; sonst immer den ganzen Lauf.
@@ -1018,7 +1021,6 @@ n-cuts =
 
 ## src/app/widgets/setting.rs
 
-cannot-be-changed-it-is-locked = Nicht änderbar: { $locked }.
 reset-to-default-unit = Zurücksetzen auf { $default } { $unit }
 locked = Gesperrt
 not-used-now-because = Jetzt nicht verwendet: { $because }.
@@ -1039,6 +1041,8 @@ iso-1302-grade-grade-ra-ra-um-m = Rauheitsklasse { $grade } nach ISO 1302: Ra { 
 ## src/app/widgets/window.rs
 
 close-window = Fenster schließen
-ra-outside-its-model = Ra außerhalb des Modells
-without-outside-its-model = ohne: außerhalb des Modells
-no-kind-at-place-the-cut-goes-from-0-to-end-2 = { $kind } bei { $place } nicht möglich: Der Schnitt geht von 0 bis { $end }. Zuerst in der Zeit zurückgehen oder auf das Werkstück setzen.
+
+over-rough-under-smoother = { $over } % rau, { $under } % glatter
+names-sizes = Namen, Größen…
+title-is-taken-as-the-kind-of-this-cut = { $title } gilt für diesen Schnitt ({ $kind })
+the-safe-constant-feed-is-now-now-from-the-s = Der sichere konstante Vorschub ist jetzt { $now }, vom Anfang des Schnitts an, denn er hält das Ziel am ganzen Teil; er war { $before }.

@@ -364,6 +364,15 @@ tooth = Zahn
 slides = Schlitten
 table-2 = Tisch
 
+## crates/core/src/models/structure/reduction.rs
+
+
+## crates/core/src/models/tip_modes/file.rs
+
+
+## crates/core/src/models/tip_modes/mod.rs
+
+
 ## crates/core/src/models/tool/file.rs
 
 tool-file = Werkzeugdatei
@@ -372,7 +381,9 @@ key-is-missing = `{ $key }` fehlt
 version-version-is-missing = `version = { $version }` fehlt
 key-is-missing-allowed = `{ $key }` fehlt: { $allowed }
 unknown-entry-key-there-are-version-title-so = unbekannter Eintrag `{ $key }`; es gibt version, title, source, { $known }
-corner-radius-mm-cannot-be-radius-mm-allowed = `corner_radius_mm`: { $radius } mm unzulässig; zulässig: höchstens die Hälfte von `diameter_mm`, { $most } mm
+
+## crates/core/src/models/transfer/setting.rs
+
 
 ## crates/core/src/models/unks/stored.rs
 
@@ -630,7 +641,6 @@ air-2 = Luft
 depth-step-2 = Tiefensprung
 disturbance = Störung
 setting = Einstellung
-first-answer = Erste Antwort
 chatter = Rattern
 unstable = Instabil
 
@@ -817,3 +827,34 @@ the-cut-at-the-programmed-feed-met = der Schnitt mit dem programmierten Vorschub
 the-controller-moves-and-met = der Regler { $moves } und { $met }
 the-controller-met = der Regler { $met }
 the-tool-is-in-the-air-for-length-no-force-a = Das Werkzeug ist { $length } lang in der Luft: keine Kraft und keine Oberfläche; der Vorschub geht auf { $feed }.
+
+n-modes-across-the-feed-in-a-running-cut = { $n } Moden quer zum Vorschub im laufenden Schnitt
+t-1-to-4-modes-across-the-feed-which-the-surfa = 1 bis 4 Moden quer zum Vorschub, die die Oberfläche sieht
+structure-file = Strukturdatei
+line-line-entry-cannot-be-value-allowed-is-a = Zeile { $line }: `{ $entry }` kann nicht { $value } sein: erlaubt ist { $allowed }
+x-or-y = x oder y
+mode-place-one-of-mass-kg-and-stiffness-n-m = Mode { $place }: genau eines von `mass_kg` und `stiffness_n_m` wird gebraucht
+what-makes-a-modal-mass-from-low-to-high-kg = was bei dieser Frequenz eine modale Masse von { $low } bis { $high } kg ergibt
+a-number-from-low-to-high = eine Zahl von { $low } bis { $high }
+text-of-n-characters = ein Text von { $n } Zeichen
+text-of-1-to-n-characters = ein Text von 1 bis { $n } Zeichen
+there-is-no-mode-at-least-one-mode-is-wanted = es gibt keine Mode: mindestens ein `[[mode]]` wird gebraucht
+n-modes-allowed-are-at-most-most = { $n } Moden: erlaubt sind höchstens { $most }
+mode-place-entry-cannot-be-value-allowed-is = Mode { $place }: `{ $entry }` kann nicht { $value } sein: erlaubt ist eine Zahl von { $low } bis { $high }
+at-most-n-lists-axis-frequency-damping-ratio = höchstens { $n } Listen [Achse, Frequenz, Dämpfungsgrad, modale Masse]: Achse 0 für x oder 1 für y, { $f0 } bis { $f1 } Hz, { $d0 } bis { $d1 }, { $m0 } bis { $m1 } kg
+line-line-corner-radius-mm-cannot-be-radius = Zeile { $line }: `corner_radius_mm` kann nicht { $radius } mm sein: erlaubt ist höchstens die Hälfte von `diameter_mm`, { $most } mm
+stable-poles-real-parts-from-slowest-down-to = stabile Pole: Realteile von { $slowest } bis { $fastest } rad/s, Imaginärteile von 0 bis { $largest } rad/s, Ordnung höchstens { $n }
+pole-place-cannot-be-re-and-im-rad-s-allowed = Pol { $place } kann nicht { $re } und { $im } rad/s sein: erlaubt ist { $allowed }
+the-order-cannot-be-order-allowed-is-allowed = die Ordnung kann nicht { $order } sein: erlaubt ist { $allowed }
+lists-real-imaginary-of-poles = Listen [Realteil, Imaginärteil]: { $poles }
+a-drive-of-your-own-by-its-poles-and-gain = ein eigener Antrieb, nach Polen und Verstärkung
+the-dead-time-of-the-command-channel-the-dri = die Totzeit des Befehlskanals; der Antrieb ist ein eigener
+n-modes-across-the-feed-with-machine-coupled = { $n } Moden quer zum Vorschub mit `machine.coupled` = true
+t-1-to-4-modes-across-the-feed-axis-1-there-of = dort 1 bis 4 Moden quer zum Vorschub (Achse 1) mit höchstens { $most } Hz: zehn Schritte von 0,1 ms je Periode
+feed-drive-poles-gives-the-drive = `feed_drive.poles` gibt den Antrieb an
+feed-drive-poles-is-empty-the-papers-drives = `feed_drive.poles` ist leer: die Antriebe der Aufsätze haben die Verstärkung 1
+spindle-drive-poles-gives-the-drive = `spindle_drive.poles` gibt den Antrieb an
+spindle-drive-poles-is-empty-lag-and-rate-li = `spindle_drive.poles` ist leer: Verzögerung und Ratenbegrenzung haben die Verstärkung 1
+machine-tip-modes-gives-the-machine = `machine.tip_modes` gibt die Maschine an
+only-the-stability-chart-of-measured-modes-h = nur die Stabilitätskarte gemessener Moden hat es
+machine-tip-modes-gives-the-machine-its-toot = `machine.tip_modes` gibt die Maschine an: ihr Zahn ist starr

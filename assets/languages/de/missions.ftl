@@ -5,6 +5,7 @@
 what-ra-is-and-why-one-programmed-feed-canno = Was Ra ist, und warum ein einziger programmierter Vorschub es an einem Teil mit zwei Tiefen nicht halten kann.
 the-part-is-not-cut-to-its-end-cut-it-whole = Das Teil ist nicht zu Ende gefräst: ganz durchfräsen.
 ra-is-out-of-its-tolerance-on-part-of-the-fa = Ra liegt auf einem Teil der Fläche außerhalb der Toleranz: rauer, wo das Teil tiefer und die Kraft zu groß ist, oder glatter als verlangt, wo der Vorschub überall klein ist. Was kann den Vorschub nur im tieferen Abschnitt senken?
+ra-k5-f-f-k4-f-n-a-d-a-d0 = Ra = K5(F),  F = K4(f, n) A_D / A_D0
 sdnrp-2007-models-k4-and-k5 = SDNRP 2007, Modelle K4 und K5
 roughness-follows-the-cutting-force-and-the = Die Rauheit folgt der Zerspankraft, und die Kraft folgt Schnitttiefe und Vorschub. Wo die Tiefe wächst, muss der Vorschub sinken, wenn Ra bleiben soll. Ein Vorschub für das ganze Teil ist entweder zu schnell für den tiefen Bereich oder zu langsam für alles Übrige.
 finish-the-part-with-ra-in-its-tolerance-ove = Das Teil mit Ra in Toleranz über mindestens 95 % der Länge fertigen.
@@ -19,23 +20,25 @@ the-feed-is-the-same-the-chip-is-not-the-edg = Der Vorschub ist derselbe, der Sp
 it-gets-rougher = Sie wird rauer
 the-depth-rises-from-2-0-mm-to-2-3-mm-at-45 = Die Tiefe steigt bei 45 mm von 2,0 mm auf 2,3 mm und fällt bei 85 mm zurück. Der Vorschub bleibt wie programmiert.
 predict = Vorhersagen
-the-drawing-asks-for-ra-0-81-m-on-the-whole = Die Zeichnung verlangt Ra 0,81 µm auf der ganzen Fläche. Das Programm hat einen einzigen Vorschub. In der Mitte ist das Rohteil 0,3 mm dicker, dort geht der Fräser also tiefer.
-why-a-deeper-stretch-breaks-constant-feed = Warum konstanter Vorschub am tieferen Bereich scheitert
-see-it = Ansehen
-watch-the-cut-as-it-comes-and-nothing-change = Den Schnitt ansehen, wie er kommt, ohne etwas zu ändern: Ra und die Kraft vor dem tieferen Bereich und darin.
 what-does-ra-come-to-in-the-deeper-stretch-a = Wie groß wird Ra im tieferen Bereich bei konstantem Vorschub?
-cut-from-the-start-at-constant-feed-and-read = Von Anfang an mit konstantem Vorschub fräsen und Ra vor dem Sprung und zwischen 60 und 84 mm ablesen.
 it-stays-inside-its-tolerance = Es bleibt in seiner Toleranz
 it-grows-by-about-a-third = Es wächst um etwa ein Drittel
 it-more-than-doubles = Es verdoppelt sich mehr als
-mend-it = Beheben
+cut-from-the-start-at-constant-feed-and-read = Von Anfang an mit konstantem Vorschub fräsen und Ra vor dem Sprung und zwischen 60 und 84 mm ablesen.
+watch-the-cut-as-it-comes-and-nothing-change = Den Schnitt ansehen, wie er kommt, ohne etwas zu ändern: Ra und die Kraft vor dem tieferen Bereich und darin.
+see-it = Ansehen
 change-what-is-open-to-you-and-cut-again = Ändern, was freigegeben ist, und noch einmal fräsen.
-ra-k5-f-f-k4-f-n-a-d-a-d0 = Ra = K5(F),  F = K4(f, n) A_D / A_D0
+mend-it = Beheben
+the-drawing-asks-for-ra-0-81-m-on-the-whole = Die Zeichnung verlangt Ra 0,81 µm auf der ganzen Fläche. Das Programm hat einen einzigen Vorschub. In der Mitte ist das Rohteil 0,3 mm dicker, dort geht der Fräser also tiefer.
+why-a-deeper-stretch-breaks-constant-feed = Warum konstanter Vorschub am tieferen Bereich scheitert
 
 ## assets/missions/gain-leaves-an-error.toml
 
 proportional-control-of-the-force-and-the-er = Proportionale Regelung der Kraft und die Regelabweichung, die sie übrig lässt.
+in-the-deeper-stretch-the-mean-force-is-stil = Im tieferen Bereich liegt die mittlere Kraft noch mehr als 7 % über der Sollkraft. Wo der Regelkreis ruhig ist, bringt eine größere Verstärkung sie näher; wo er schwingt, eine kleinere.
+the-force-does-not-come-to-rest-in-the-deepe = Die Kraft kommt im tieferen Bereich nicht zur Ruhe: Sie schwingt, und ihr Mittelwert sagt nichts. Die Verstärkung ist größer, als die Totzeit zulässt.
 the-loop-overshoots-the-gain-is-more-than-th = Der Regelkreis schwingt über: Die Verstärkung ist größer, als die Totzeit zulässt.
+f-set-f-d-kp-f-d-f-m-f-k2-f-set-n-k3-f-set = F_set = F_d + Kp (F_d - F_m),  f = K2(F_set),  n = K3(F_set)
 sdnrp-2007-the-controller-s-structure-remain = SDNRP 2007, Struktur des Reglers; bleibende Regelabweichung der P-Regelung: Lehrbuch
 proportional-control-needs-an-error-to-act-o = Eine P-Regelung braucht eine Regelabweichung, um einzugreifen, deshalb bleibt eine: je größer die Verstärkung, desto kleiner. Wie groß die Verstärkung sein darf, bestimmt die Totzeit. Die bleibende Regelabweichung ist kein Einstellfehler; sie gehört zu dieser Art von Regler.
 bring-the-force-in-the-deeper-stretch-to-wit = Die Kraft im tieferen Bereich allein mit der Verstärkung auf 7 % an die Sollkraft heranbringen, ohne dass sie schwingt.
@@ -49,25 +52,30 @@ above-it-nearer-than-at-constant-feed = Darüber, aber näher als bei konstantem
 nowhere-it-keeps-swinging = Nirgends: Sie schwingt weiter
 kp-is-small-and-so-is-what-a-measured-error = Kp ist klein, und so auch das, was eine gemessene Abweichung bewegt: Der Regelkreis ist hier ruhig. Die Kraft nach dem Sprung ansehen.
 kp-is-0-5-the-part-gets-15-deeper-at-45-mm = Kp ist 0,5. Bei 45 mm wird das Teil um 15 % tiefer.
+by-how-many-percent-of-the-desired-force-f-d = Um wie viel Prozent der Sollkraft F_d liegt die Kraft F im tieferen Bereich darüber, mit Kp wie vorgegeben (0,5)?
+solve-f-1-15-f-d-kp-f-d-f-for-f-f-d = F = 1,15 (F_d + Kp (F_d - F)) nach F / F_d auflösen.
+the-models-are-of-the-shallow-part-15-more-d = Die Modelle gelten für das flache Teil: 15 % mehr Tiefe braucht 15 % mehr Kraft, als ihnen vorgegeben wird. Vorgegeben wird die Sollkraft, korrigiert um Kp mal die Abweichung: in Ruhe ist F = 1,15 (F_d + Kp (F_d - F)).
+predict-how-far = Vorhersagen, wie weit
 find-the-gain-that-meets-the-goal = Die Verstärkung finden, die das Ziel erfüllt.
 tune = Einstellen
 the-part-is-the-one-with-the-deeper-stretch = Es ist das Teil mit dem tieferen Bereich. Diesmal bewegt SDNRP Vorschub und Drehzahl: Es gibt seinen Modellen eine Kraft vor, korrigiert um Kp mal die Kraftabweichung.
 a-gain-comes-near-and-stays-off = Eine Verstärkung kommt nahe heran und bleibt daneben
-the-models-are-of-the-shallow-part-15-more-d = Die Modelle gelten für das flache Teil: 15 % mehr Tiefe braucht 15 % mehr Kraft, als ihnen vorgegeben wird. Vorgegeben wird die Sollkraft, korrigiert um Kp mal die Abweichung: in Ruhe ist F = 1,15 (F_d + Kp (F_d - F)).
-by-how-many-percent-of-the-desired-force-f-d = Um wie viel Prozent der Sollkraft F_d liegt die Kraft F im tieferen Bereich darüber, mit Kp wie vorgegeben (0,5)?
-solve-f-1-15-f-d-kp-f-d-f-for-f-f-d = F = 1,15 (F_d + Kp (F_d - F)) nach F / F_d auflösen.
-in-the-deeper-stretch-the-mean-force-is-stil = Im tieferen Bereich liegt die mittlere Kraft noch mehr als 7 % über der Sollkraft. Wo der Regelkreis ruhig ist, bringt eine größere Verstärkung sie näher; wo er schwingt, eine kleinere.
-the-force-does-not-come-to-rest-in-the-deepe = Die Kraft kommt im tieferen Bereich nicht zur Ruhe: Sie schwingt, und ihr Mittelwert sagt nichts. Die Verstärkung ist größer, als die Totzeit zulässt.
-f-set-f-d-kp-f-d-f-m-f-k2-f-set-n-k3-f-set = F_set = F_d + Kp (F_d - F_m),  f = K2(F_set),  n = K3(F_set)
 
 ## assets/missions/integral-action-holds.toml
 
+integral-action-brings-the-force-onto-the-de-2 = Der I-Anteil bringt die Kraft auch bei anderer Tiefe auf die Sollkraft, solange er Spielraum hat.
+the-force-does-not-come-to-rest-in-the-deepe-2 = Die Kraft kommt im tieferen Bereich nicht zur Ruhe: Der Regelkreis ist instabil. Die Summe wirkt auf vergangene Abweichungen: Mit weniger Ki oder Kp beruhigt er sich.
+the-mean-force-in-the-deeper-stretch-is-not = Die mittlere Kraft im tieferen Bereich ist nicht die Sollkraft. Eine Verstärkung allein lässt eine Abweichung; eine Summe nimmt sie weg, wenn sie Zeit hat, nicht schwingt und der Override an keiner Grenze steht.
+ra-is-outside-its-tolerance-over-too-much-of = Ra liegt über zu viel der Länge außerhalb der Toleranz: Nach jedem Sprung kommt die Kraft zu langsam auf die Sollkraft, oder sie schwingt.
+u-1-kp-e-ki-sum-e-e-1-f-m-f-ref = u = 1 + Kp e + Ki sum e,  e = 1 - F_m / F_ref
 textbook-form-of-pi-control-the-override-loo = Lehrbuchform der PI-Regelung; Override-Regelkreis des kombinierten Systems, 2005
+the-sum-of-the-errors-stops-changing-only-wh-2 = Die Summe der Abweichungen hört erst auf, sich zu ändern, wenn die Abweichung null ist. Deshalb hält der I-Anteil die Kraft bei anderer Tiefe oder in anderem Werkstoff, solange dreierlei gilt: Der Override steht an keiner Grenze, der Regelkreis ist stabil, und weniger Vorschub heißt noch weniger Kraft. An einer Grenze steht die Summe still, und die Abweichung bleibt. Sein Preis: Er reagiert auf Vergangenes, eine zu große Verstärkung schwingt also.
 let-the-force-in-the-deeper-stretch-rest-wit = Die Kraft soll im tieferen Bereich auf 0,5 % genau bei der Sollkraft zur Ruhe kommen, mit Ra in Toleranz über 95 % der Länge.
 what-would-an-override-do-that-keeps-falling = Was bewirkt ein Override, der weiter sinkt, solange es irgendeine Abweichung gibt?
 set-the-integral-gain-ki-above-zero-small-it = Die Integralverstärkung Ki größer als null einstellen. Klein: Es dauert Sekunden. Groß: Es schwingt über. Was während des Schnitts geändert wird, wirkt erst ab dort: einstellen, dann von Anfang an fräsen.
 set-ki-to-0-2-press-cut-from-the-start-and-c = Ki auf 0,2 setzen, „Von Anfang an fräsen“ drücken und den Schnitt prüfen.
 with-an-integral-gain-above-zero-where-does = Wo kommt die Kraft mit einer Integralverstärkung größer als null zur Ruhe?
+on-the-desired-force-at-2-3-mm-as-at-2-0-mm = Auf der Sollkraft, bei 2,3 mm wie bei 2,0 mm
 on-the-desired-force-at-2-0-mm-only = Nur bei 2,0 mm auf der Sollkraft
 the-sum-goes-on-changing-as-long-as-there-is = Die Summe ändert sich, solange es irgendeine Abweichung gibt, auch bei 2,3 mm: Ruhen kann sie nur, wo die Abweichung null ist.
 nearer-but-off-as-with-the-gain-alone = Näher, aber daneben, wie mit der Verstärkung allein
@@ -75,18 +83,12 @@ a-gain-needs-an-error-to-hold-its-correction = Eine Verstärkung braucht eine Ab
 find-an-integral-gain-ki-that-meets-the-goal = Eine Integralverstärkung Ki finden, die das Ziel erfüllt. Das Teil wird über seine ganze Länge beurteilt, eine Verstärkung, die erst während des Schnitts eingestellt wird, kommt also zu spät: einstellen, dann „Von Anfang an fräsen“ drücken.
 the-same-part-again-now-the-controller-is-p = Noch einmal dasselbe Teil. Der Regler ist jetzt P: Er verstellt den Vorschub-Override um seine Verstärkung mal die relative Regelabweichung und lässt, wie gesehen, den Rest stehen. Er kann die Abweichung auch von Abtastung zu Abtastung aufsummieren.
 adding-up-the-error-takes-it-away = Aufsummieren beseitigt die Abweichung
-integral-action-brings-the-force-onto-the-de-2 = Der I-Anteil bringt die Kraft auch bei anderer Tiefe auf die Sollkraft, solange er Spielraum hat.
-on-the-desired-force-at-2-3-mm-as-at-2-0-mm = Auf der Sollkraft, bei 2,3 mm wie bei 2,0 mm
-the-force-does-not-come-to-rest-in-the-deepe-2 = Die Kraft kommt im tieferen Bereich nicht zur Ruhe: Der Regelkreis ist instabil. Die Summe wirkt auf vergangene Abweichungen: Mit weniger Ki oder Kp beruhigt er sich.
-the-mean-force-in-the-deeper-stretch-is-not = Die mittlere Kraft im tieferen Bereich ist nicht die Sollkraft. Eine Verstärkung allein lässt eine Abweichung; eine Summe nimmt sie weg, wenn sie Zeit hat, nicht schwingt und der Override an keiner Grenze steht.
-ra-is-outside-its-tolerance-over-too-much-of = Ra liegt über zu viel der Länge außerhalb der Toleranz: Nach jedem Sprung kommt die Kraft zu langsam auf die Sollkraft, oder sie schwingt.
-the-sum-of-the-errors-stops-changing-only-wh-2 = Die Summe der Abweichungen hört erst auf, sich zu ändern, wenn die Abweichung null ist. Deshalb hält der I-Anteil die Kraft bei anderer Tiefe oder in anderem Werkstoff, solange dreierlei gilt: Der Override steht an keiner Grenze, der Regelkreis ist stabil, und weniger Vorschub heißt noch weniger Kraft. An einer Grenze steht die Summe still, und die Abweichung bleibt. Sein Preis: Er reagiert auf Vergangenes, eine zu große Verstärkung schwingt also.
-u-1-kp-e-ki-sum-e-e-1-f-m-f-ref = u = 1 + Kp e + Ki sum e,  e = 1 - F_m / F_ref
 
 ## assets/missions/dead-time-against-gain.toml
 
 a-gain-that-is-good-at-a-short-dead-time-swi = Eine Verstärkung, die bei kurzer Totzeit gut ist, schwingt bei langer.
 ra-leaves-its-tolerance-on-more-than-a-tenth = Ra verlässt seine Toleranz auf mehr als einem Zehntel der Länge: Es schwingt oder kriecht. Was von beidem ist zu sehen?
+k-l-pi-2-k-rate-of-the-integrator-with-all-t = K L < pi / 2,  K: Rate des Integrators mit allem, was ihm folgt, 1/s,  L: Totzeit, s
 textbook-stability-limit-of-an-integrator-be = Lehrbuch: Stabilitätsgrenze eines Integrators hinter einer Totzeit
 within-the-dead-time-the-loop-is-blind-what = Während der Totzeit ist der Regelkreis blind: Was er in dieser Zeit nachlegt, legt er nach, ohne die Wirkung zu sehen. Begrenzt ist also Verstärkung mal Totzeit. Die doppelte Totzeit lässt etwa die halbe Verstärkung zu.
 find-the-largest-integral-gain-that-still-ho = Die größte Integralverstärkung finden, die Ra bei 160 ms Totzeit noch über 90 % der Länge hält.
@@ -104,12 +106,12 @@ lower-the-gain-until-the-cut-is-good-and-no = Die Verstärkung senken, bis der S
 find-the-edge = Die Grenze finden
 on-this-machine-the-plc-passes-the-override = Auf dieser Maschine gibt die SPS den Override doppelt so langsam weiter: 160 ms, nachdem er gefordert wurde. Die Verstärkungen wurden auf der anderen Maschine eingestellt, und nun wackelt der Tisch.
 dead-time-against-gain-find-the-edge = Totzeit gegen Verstärkung: die Grenze finden
-k-l-pi-2-k-rate-of-the-integrator-with-all-t = K L < pi / 2,  K: Rate des Integrators mit allem, was ihm folgt, 1/s,  L: Totzeit, s
 
 ## assets/missions/smith-predictor.toml
 
 why-a-predictor-helps-against-dead-time-and = Warum ein Prädiktor gegen Totzeit hilft und was eine falsche Totzeit in ihm anrichtet.
 it-still-swings-the-predictor-has-to-know-ho = Es schwingt noch. Der Prädiktor muss wissen, wie lange der Befehl wirklich braucht.
+y-y-u-0-u-a-u-a-with-and-u-0-without-the-ass = y* = y u_0 / u_a,  u_a mit und u_0 ohne die angenommene Totzeit
 o-j-m-smith-1957-here-in-multiplicative-form = O. J. M. Smith 1957; hier in multiplikativer Form, da die Kraft mit dem Vorschub geht
 the-predictor-takes-the-measured-force-for-w = Der Prädiktor rechnet die gemessene Kraft mit einem Modell vom Weg des Overrides auf den Wert ohne Totzeit um. Mit der richtigen Totzeit lässt sich der Regelkreis einstellen, als gäbe es keine. Mit einer viel zu langen korrigiert er, was keine Abweichung ist, und schwingt; eine etwas zu kurze schadet weniger. Ein Modell taugt so viel, wie es zutrifft.
 keep-the-integral-gain-at-0-8-and-hold-ra-ov = Die Integralverstärkung bei 0,8 lassen und Ra über 88 % der Länge halten.
@@ -127,13 +129,13 @@ make-the-controller-s-belief-fit-the-machine = Die Annahme des Reglers mit der M
 make-it-true = Berichtigen
 the-machine-with-160-ms-again-the-gain-must = Wieder die Maschine mit 160 ms. Die Verstärkung muss hoch bleiben, denn der Chef will kurze Zeiten. Der Regler kann ein Modell vom Weg des Befehls bekommen: Dann weiß er, was er gefordert und noch nicht gesehen hat.
 a-model-that-waits-the-smith-predictor = Ein Modell, das wartet: der Smith-Prädiktor
-y-y-u-0-u-a-u-a-with-and-u-0-without-the-ass = y* = y u_0 / u_a,  u_a mit und u_0 ohne die angenommene Totzeit
 
 ## assets/missions/noise-against-tolerance.toml
 
 scatter-of-the-force-becomes-scatter-of-ra-a = Aus Streuung der Kraft wird Streuung von Ra; eine Toleranz muss dafür Platz lassen.
 less-than-80-of-the-length-is-in-the-toleran = Weniger als 80 % der Länge liegen in der verlangten Toleranz. Ist es die Antwort des Reglers auf das Rauschen oder das Rauschen selbst?
 so-wide-a-tolerance-will-not-be-granted-at-m = Eine so weite Toleranz wird nicht bewilligt: höchstens 25 %. Erst den Regler beruhigen.
+ra-k5-f-an-error-of-1-in-the-force-is-one-of = Ra = K5(F): eine Abweichung von 1 % in der Kraft sind mehrere Prozent in Ra
 sdnrp-2007-table-3-force-and-ra-of-the-same = SDNRP 2007, Tabelle 3 (Kraft und Ra derselben Zeilen); Bode-Integral für die Grenzen der Rückführung
 feedback-corrects-what-lasts-longer-than-its = Eine Rückführung korrigiert, was länger dauert als ihre Totzeit. Was sich schneller ändert, kann sie nicht korrigieren, und ein schneller Regler verstärkt es noch. Der Rest ist Sache des Prozesses: Eine Toleranz muss Platz für seine Streuung lassen.
 tune-the-controller-for-this-noise-and-find = Den Regler für dieses Rauschen einstellen und die Toleranz finden, um die der Konstrukteur zu bitten ist: die kleinste, die über 80 % der Länge gehalten wird.
@@ -148,12 +150,12 @@ first-the-response-time-then-the-tolerance = Erst die Ansprechzeit, dann die Tol
 tune-then-ask = Erst einstellen, dann fragen
 steel-is-not-the-same-from-place-to-place-ed = Stahl ist nicht überall gleich, die Schneiden laufen unrund, der Sensor rauscht. Die Zeichnung erlaubt 10 % um Ra 0,81 µm. Der Meister fragt, warum bestenfalls ein Fünftel der Fläche außerhalb der Toleranz liegt, und das mit einem viel gelobten Regler.
 what-no-controller-can-hold-noise-against-to = Was kein Regler halten kann: Rauschen gegen Toleranz
-ra-k5-f-an-error-of-1-in-the-force-is-one-of = Ra = K5(F): eine Abweichung von 1 % in der Kraft sind mehrere Prozent in Ra
 
 ## assets/missions/another-material.toml
 
 a-model-based-controller-on-a-material-that = Ein modellbasierter Regler an einem Werkstoff, für den seine Modelle nicht gemacht sind.
 ra-is-not-held-the-controller-s-models-are-t = Ra wird nicht gehalten. Die Modelle des Reglers gehören zu einem anderen Stahl: Welcher Regler merkt das von selbst?
+gain-estimate-f-m-f-modelled = Schätzwert der Verstärkung = F_m / F_Modell
 tracking-controller-observer-of-the-gain-mat = Folgeregler (Beobachter der Verstärkung); Werkstoffe: spezifische Schnittkräfte wie im Programm aufgeführt
 a-model-is-a-belief-what-corrects-it-is-meas = Ein Modell ist eine Annahme. Was sie berichtigt, ist die Messung: Das Verhältnis von gemessener zu Modellkraft sagt, wie falsch sie ist, und ein Regler, der diesem Verhältnis folgt oder die Abweichung aufsummiert, braucht keine Konstanten des neuen Stahls.
 hold-ra-over-at-least-90-of-the-length-witho = Ra über mindestens 90 % der Länge halten, ohne die Konstanten des neuen Stahls zu kennen.
@@ -167,13 +169,13 @@ choose-what-does-not-need-to-know-the-steel = Einen Regler wählen, der den Stah
 hold-it = Halten
 the-store-has-run-out-of-ck45-and-brings-16m = Dem Lager ist Ck45 ausgegangen, es bringt 16MnCrSi5. Programm, Modelle und Verstärkung bleiben, wie sie sind: Die Modelle sagen, alles sei in Ordnung.
 another-steel-under-a-model-that-does-not-kn = Ein anderer Stahl unter einem Modell, das ihn nicht kennt
-gain-estimate-f-m-f-modelled = Schätzwert der Verstärkung = F_m / F_Modell
 
 ## assets/missions/wear-heard-and-seen.toml
 
 what-force-sound-and-roughness-do-from-a-sha = Wie sich Kraft, Geräusch und Rauheit von der scharfen bis zur verschlissenen Schneide ändern.
 the-part-is-not-finished-its-tool-was-worn-o = Das Teil ist nicht fertig: Das Werkzeug war verschlissen oder die Zeit war um. Ein kürzeres wählen.
 at-its-end-the-surface-is-more-than-three-ti = Am Ende ist die Oberfläche mehr als dreimal so rau wie am Anfang. Das Werkzeug muss früher gewechselt werden.
+f-f-sharp-1-growth-wear-used-life = F = F_scharf (1 + Zuwachs * Verschleiß(verbrauchte Standzeit))
 machine-model-2019-wear-sound-and-tool-life = Maschinenmodell 2019: Verschleiß, Geräusch und Standzeit
 wear-goes-in-three-parts-break-in-steady-gro = Verschleiß verläuft in drei Teilen: Einlauf, stetiges Wachsen, Ausfall. Kraft, Geräusch und Rauheit steigen gemeinsam; deshalb kann das Geräusch den Zeitpunkt des Werkzeugwechsels melden, bevor ihn die Oberfläche zeigt.
 say-what-becomes-of-sound-and-roughness-and = Vorhersagen, was aus Geräusch und Rauheit wird, und ein Teil fräsen, das endet, solange sein Ra höchstens das Dreifache des anfänglichen ist.
@@ -190,13 +192,13 @@ choose-a-length-that-is-cut-before-the-surfa = Eine Länge wählen, die gefräst
 stop-in-time = Rechtzeitig aufhören
 a-tool-cuts-from-its-first-to-its-last-minut = Ein Werkzeug schneidet von seiner ersten bis zu seiner letzten Minute, gezeigt in 52 Sekunden: Eine Sekunde steht für sechs Minuten. Der Lehrling meint, man höre nichts.
 a-tool-s-life-heard-and-seen = Ein Werkzeugleben, gehört und gesehen
-f-f-sharp-1-growth-wear-used-life = F = F_scharf (1 + Zuwachs * Verschleiß(verbrauchte Standzeit))
 
 ## assets/missions/choose-for-the-2005-part.toml
 
 five-cuts-of-changing-depth-and-width-which = Fünf Schnitte wechselnder Tiefe und Breite: welcher Regler, wie eingestellt?
 it-takes-too-long-on-light-sections-the-feed = Es dauert zu lange. In leichten Abschnitten muss der Vorschub steigen.
 the-largest-force-is-above-1050-n-feedback-s = Die größte Kraft liegt über 1050 N. Die Rückführung sieht einen schwereren Abschnitt erst, wenn das Werkzeug darin ist: Was kennt ihn vorher?
+u-f-ref-f-modelled-1-exponent-corrected-by-t = u = (F_ref / F_Modell)^(1 / Exponent), korrigiert durch die gemessene Kraft
 combined-system-2005-experiment-2-and-its-ta = Kombiniertes System 2005, Experiment 2 und seine Tabelle 1; Vorausschau: eigener Regler dieses Programms
 feedback-answers-what-has-happened-on-a-part = Eine Rückführung antwortet auf das, was geschehen ist. An einem Teil mit bekannten Abschnitten senkt die Vorsteuerung den Vorschub, bevor der Abschnitt kommt, und die Rückführung korrigiert, worin das Modell irrte. Beide zusammen schlagen jede für sich.
 cut-the-part-in-less-than-92-s-with-no-force = Das Teil in weniger als 92 s fräsen, ohne eine Kraft über 1050 N.
@@ -212,7 +214,6 @@ the-engagement-does-not-grow-there-look-at-w = Dort wächst der Eingriff nicht. 
 choose-and-tune = Wählen und einstellen
 five-straight-cuts-of-different-depth-and-wi = Fünf gerade Schnitte verschiedener Tiefe und Breite, Zahn für Zahn, die Kraft auf 665 N zu halten. Bei konstantem Vorschub ist die größte Kraft mehr als doppelt so groß. Der Kunde zahlt nach Minuten; das Werkzeug bricht nach Newton.
 choose-and-tune-for-the-part-of-2005 = Für das Teil von 2005 wählen und einstellen
-u-f-ref-f-modelled-1-exponent-corrected-by-t = u = (F_ref / F_Modell)^(1 / Exponent), korrigiert durch die gemessene Kraft
 
 ## assets/missions/beat-it-by-hand.toml
 
@@ -221,6 +222,7 @@ the-knob-was-not-turned-during-the-cut-one-f = Der Knopf wurde während des Schn
 the-override-went-beyond-120-where-a-machine = Der Override ging über 120 %, wo das Bedienfeld einer Maschine endet.
 ra-is-out-of-tolerance-on-more-than-15-of-th = Ra liegt auf mehr als 15 % der Länge außerhalb der Toleranz. Beachten, wo sich die Tiefe ändert, und einen Augenblick vorher da sein.
 sdnrp-holds-more-of-the-length-than-you-did = SDNRP hält mehr von der Länge als Ihre Hand.
+f-u-f-n-2-3-mm-f-f-n-2-0-mm-solved-for-the-o = F(u f, n, 2,3 mm) = F(f, n, 2,0 mm), nach dem Override u aufgelöst
 sdnrp-2007-override-control-2005-combined-sy = SDNRP 2007 (Override-Regelung); kombiniertes System 2005 (Rückführung gegen Vorsteuerung)
 a-person-who-knows-the-part-does-what-feedfo = Wer das Teil kennt, tut, was eine Vorsteuerung tut: vor dem Sprung handeln. Ermüdend ist, es den ganzen Tag zu tun, an jedem Teil. Ein Regler mit Rückführung kennt das Teil nicht und ermüdet nicht; einer mit Vorausschau kann beides.
 turn-the-knob-during-the-cut-so-that-ra-is-i = Den Knopf während des Schnitts so drehen, dass Ra über 85 % der Länge in Toleranz liegt, besser als bei SDNRP.
@@ -232,7 +234,6 @@ read-the-feed-in-the-deeper-stretch-when-a-c = Den Vorschub im tieferen Bereich 
 cut-and-turn-the-knob-while-it-cuts-pausing = Fräsen und dabei den Knopf drehen. Anhalten und Zurückgehen sind erlaubt: Was dort gedreht wird, ersetzt das Folgende.
 forty-years-ago-this-was-done-by-ear-with-a = Vor vierzig Jahren ging das nach Gehör, mit der Hand am Override. Das Teil hat einen tieferen Bereich, und Sie haben den Knopf des Vorschub-Overrides: um ihn herum ziehen, mit Mausrad, den Tasten + und - oder dem Finger drehen. Die Ansicht Konsole zeigt, was ein Bediener sieht, und bewertet danach im Vergleich mit jedem Regler.
 beat-the-controller-by-hand = Den Regler von Hand schlagen
-f-u-f-n-2-3-mm-f-f-n-2-0-mm-solved-for-the-o = F(u f, n, 2,3 mm) = F(f, n, 2,0 mm), nach dem Override u aufgelöst
 
 ## assets/missions/teach-in-feed-control.toml
 
@@ -240,6 +241,7 @@ a-control-that-learns-the-force-of-a-good-cu = Eine Regelung, die die Kraft eine
 the-reference-of-the-first-cut-is-not-the-pe = Die Referenz des ersten Schnitts ist nicht die Spitzenkraft eines guten. Den Lehrschnitt mit dem Schnitt wie eingerichtet ausführen: Die Schneide bricht erst während des Schnitts aus.
 the-feed-was-never-lowered-with-fmin-at-100 = Der Vorschub wurde nie gesenkt: Mit FMIN bei 100 % überwacht die Regelung nur und tut nichts.
 with-the-chipped-edge-there-is-hardly-less-f = Mit der ausgebrochenen Schneide ist die Kraft kaum kleiner als ohne Regelung. Ist FMIN klein genug, und stammen die Referenzen von einem guten Schnitt?
+u-limit-f-1-f-m-fmin-fmax-f-m-1-3-f-1-u-0-6 = u = begrenzt(F_1 / F_m, FMIN, FMAX),  F_m = 1,3 F_1 u^0,6
 adaptive-feed-control-afc-as-machine-control = Adaptive Vorschubregelung (AFC), wie Maschinensteuerungen sie haben; Raten und Schwellen gewählt
 teach-in-needs-no-model-the-good-part-is-the = Der Lehrschnitt braucht kein Modell: Das gute Teil ist das Modell. Deshalb funktioniert er auf jeder Maschine, und deshalb muss das erste Teil gut sein. Die Regelung senkt die Kraft, sie hält sie nicht: Der kleinere Vorschub senkt, was sie misst, und so kommt sie auf halbem Weg zur Ruhe. Und sie kann eine ausgebrochene Schneide nicht von einem härteren Teil unterscheiden: Bei beiden gibt sie nach, und das Protokoll zeigt es.
 teach-in-the-good-part-then-let-the-control = Das gute Teil im Lehrschnitt lernen, dann die Regelung den Vorschub senken lassen, wenn die Schneide ausbricht: im tiefsten Bereich mindestens 7 % weniger Kraft als ohne sie, das Teil ganz gefräst.
@@ -255,19 +257,18 @@ an-overload-has-to-last-for-more-than-a-seco = Eine Überlast muss länger als e
 where-does-the-feed-come-to-rest-in-the-deep = Wo kommt der Vorschub im tiefsten Bereich des dritten Schnitts, dessen Kraft seine Referenz ist, zur Ruhe, in Prozent des programmierten?
 t-1-1-3-would-be-77-but-at-a-lower-feed-the-fo = 1 / 1.3 ergäbe 77 %. Aber bei kleinerem Vorschub ist auch die Kraft kleiner und damit, was die Regelung misst: u = 1 / (1.3 u^0.6).
 the-control-sets-the-feed-to-reference-over = Die Regelung stellt den Vorschub auf Referenz geteilt durch gemessene Kraft. Bei gleichem Vorschub braucht die ausgebrochene Schneide 30 % mehr Kraft; und die Kraft geht etwa mit der Potenz 0,6 des Vorschubs.
-predict-how-far = Vorhersagen, wie weit
 teach-in-with-the-window-afc-of-the-screen-c = Den Lehrschnitt im Fenster AFC der Ansicht Konsole ausführen, FMIN und FMAX dort oder hier einstellen und das Teil fräsen.
 teach-in-set-fmin-and-cut = Lehrschnitt, FMIN einstellen, fräsen
 the-machine-s-control-has-adaptive-feed-cont-2 =
     Die Steuerung der Maschine hat eine adaptive Vorschubregelung, AFC: Das erste Teil wird mit dem programmierten Vorschub gefräst, und die Spitzenkraft jedes Schnitts wird seine Referenz. Von da an folgt der Vorschub der Kraft. Gestern brach im zweiten Schnitt eine Schneide aus, und niemand merkte es, bis das Werkzeug brach. Heute geschieht nach 12 s dasselbe.
     Die Regelung kann noch zweierlei. Sie meldet eine Überlast, wenn die Kraft mehr als 1 s über ihrer Grenze bleibt, während der Vorschub schon auf FMIN steht: Weiter nachgeben kann sie nicht. Und sie schaltet sich für den Rest des Schnitts ab, wenn der Bediener den Override um mehr als 10 % zurückdreht: Dann führt die Hand den Vorschub.
 set-up-feed-control-by-teach-in = Vorschubregelung mit Lehrschnitt einrichten
-u-limit-f-1-f-m-fmin-fmax-f-m-1-3-f-1-u-0-6 = u = begrenzt(F_1 / F_m, FMIN, FMAX),  F_m = 1,3 F_1 u^0,6
 
 ## assets/missions/quiet-speed.toml
 
 at-one-speed-a-depth-chatters-at-another-the = Bei einer Drehzahl rattert eine Tiefe, bei einer anderen ist dieselbe Tiefe ruhig.
 it-still-chatters-in-the-deeper-stretch-the = Es rattert im tieferen Bereich noch. Die Karte zeigt, bei welchen Drehzahlen 2 mm unter der Grenze liegen.
+b-lim-1-2-k-s-mu-re-g-omega-min = b_lim = -1 / (2 K_s mu Re[G(omega)]_min)
 tobias-and-fishwick-1958-tlusty-and-polacek = Tobias und Fishwick 1958, Tlusty und Polacek 1963; Maschine von 2019
 a-tooth-cuts-into-the-wave-that-the-tooth-be = Ein Zahn schneidet in die Welle, die der Zahn vor ihm hinterlassen hat. Trifft er sie in Phase, ist der Span gleichmäßig und der Schnitt ruhig; wenn nicht, schwankt die Spanungsdicke und nährt die Schwingung. Die Phase hängt von der Drehzahl ab, so liegen ruhige Drehzahlen zwischen den Rattersäcken.
 find-a-spindle-speed-at-which-the-deeper-str = Eine Spindeldrehzahl finden, bei der der tiefere Bereich ohne Rattern gefräst wird, mit dem Vorschub wie programmiert.
@@ -285,13 +286,13 @@ choose-a-speed-by-the-chart-and-cut = Eine Drehzahl nach der Karte wählen und f
 find-it = Finden
 the-deeper-stretch-sings-and-its-marks-can-b = Der tiefere Bereich singt, und seine Marken sind zu fühlen. Die Tiefe steht in der Zeichnung, also bleibt sie. „Langsamer“, sagt der eine. „Schneller“, sagt der andere.
 a-quiet-speed-between-two-lobes = Eine ruhige Drehzahl zwischen zwei Rattersäcken
-b-lim-1-2-k-s-mu-re-g-omega-min = b_lim = -1 / (2 K_s mu Re[G(omega)]_min)
 
 ## assets/missions/plan-and-what-binds.toml
 
 the-fastest-cut-within-seven-limits-which-of = Der schnellste Schnitt innerhalb von sieben Grenzen: Welche davon bremsen ihn?
 the-programmed-feed-is-not-that-of-the-optim = Der programmierte Vorschub ist nicht der des Optimums.
 the-programmed-speed-is-not-that-of-the-opti = Die programmierte Drehzahl ist nicht die des Optimums.
+least-time-within-g-i-f-n-0-i-1-to-7 = kürzeste Zeit innerhalb g_i(f, n) <= 0, i = 1 bis 7
 control-strategy-2013-particle-swarm-the-lim = Regelungsstrategie 2013 (Partikelschwarm); die Grenzen selbst sind gewählt, der Artikel gibt seine Liste nicht an
 an-optimum-within-limits-lies-on-some-of-the = Ein Optimum innerhalb von Grenzen liegt auf einigen von ihnen. Die bindenden sagen, wofür es sich zu zahlen lohnt: hier die Kraft, die für die Rauheit steht, und die Standzeit der Schneide. Die zehnfache Leistung würde keine Sekunde sparen.
 plan-the-cut-program-what-the-plan-found-and = Den Schnitt planen, das Ergebnis des Plans programmieren und sagen, welche Grenzen binden.
@@ -309,13 +310,13 @@ program-the-optimum-and-cut-the-part = Das Optimum programmieren und das Teil fr
 program-it = Programmieren
 before-the-first-chip-the-swarm-looks-for-th = Vor dem ersten Span sucht der Schwarm Vorschub und Drehzahl, die das Teil innerhalb von sieben Grenzen am schnellsten fräsen. Der Werkleiter fragt: Was sollen wir kaufen, um schneller zu sein, eine stärkere Spindel oder eine bessere Schneide?
 plan-a-cut-and-say-what-binds = Einen Schnitt planen und sagen, was bindet
-least-time-within-g-i-f-n-0-i-1-to-7 = kürzeste Zeit innerhalb g_i(f, n) <= 0, i = 1 bis 7
 
 ## assets/missions/outside-its-range.toml
 
 what-a-controller-promises-with-models-that = Was ein Regler mit Modellen verspricht, die dort niemand erprobt hat.
 for-more-than-half-of-the-cut-a-model-is-out = Mehr als die Hälfte des Schnitts liegt ein Modell außerhalb seines Bereichs: Was es dort sagt, hat niemand gemessen.
 the-target-is-not-held-over-85-of-the-length = Der Sollwert wird nicht über 85 % der Länge gehalten.
+k1-k5-valid-between-the-least-and-largest-va = K1..K5: gültig zwischen den kleinsten und größten Werten von Tabelle 3
 a-formula-answers-everywhere-it-is-known-onl = Eine Formel antwortet überall; bekannt ist sie nur, wo gemessen wurde. Außerhalb geht dieses Programm mit der Steigung am Ende weiter und sagt es. Eine Lampe, die „außerhalb“ sagt, ist mehr wert als eine Zahl mit drei Stellen.
 find-the-roughest-target-that-is-held-over-8 = Den rauesten Sollwert finden, der über 85 % der Länge gehalten wird, mit den Modellen den größten Teil des Schnitts in ihrem Bereich.
 the-chips-for-k1-to-k5-say-which-model-is-ou = Die Lampen K1 bis K5 sagen, welches Modell außerhalb des Bereichs ist, aus dem es stammt.
@@ -328,12 +329,12 @@ lower-the-target-until-the-models-can-be-bel = Den Sollwert senken, bis den Mode
 find-the-end-of-what-is-known = Das Ende des Bekannten finden
 for-a-roughing-cut-somebody-sets-the-target = Für einen Schruppschnitt setzt jemand den Sollwert auf Ra 4 µm. Der Regler hat dafür eine Formel, wie für alles: Formeln antworten immer.
 a-model-outside-its-range = Ein Modell außerhalb seines Bereichs
-k1-k5-valid-between-the-least-and-largest-va = K1..K5: gültig zwischen den kleinsten und größten Werten von Tabelle 3
 
 ## assets/missions/read-the-errata.toml
 
 why-the-printed-equation-cannot-have-made-th = Warum die gedruckte Gleichung nicht die gedruckte Tabelle ergeben haben kann.
 the-force-after-15-s-is-not-within-1-of-the = Die Kraft nach 15 s liegt nicht auf 1 % bei den 166,5 N, die Tabelle 3 nennt.
+k2-f-0-for-f-177-07-n-as-printed-table-3-has = K2(F) < 0 für F < 177,07 N, wie gedruckt; Tabelle 3 hat Kräfte ab 166,5 N
 sdnrp-2007-equation-5-and-table-3-errata-of = SDNRP 2007, Gleichung 5 und Tabelle 3; Errata dieses Programms
 printed-constants-lose-digits-signs-and-unit = Gedruckte Konstanten verlieren unterwegs Ziffern, Vorzeichen und Einheiten. Wer ein Ergebnis nachrechnet, prüft, ob Gleichung und Tabelle zusammenpassen, und sagt, welcher von beiden er geglaubt hat und warum.
 find-the-calibration-with-which-simulation-1 = Die Kalibrierung finden, mit der Simulation 1 aus Tabelle 3 wie gedruckt herauskommt: 166,5 N nach 15 s.
@@ -352,4 +353,3 @@ choose-the-calibration-that-repeats-the-row = Die Kalibrierung wählen, die die 
 repeat-the-table = Die Tabelle nachrechnen
 you-are-asked-to-build-what-a-paper-describe = Es soll gebaut werden, was ein Artikel beschreibt. Seine Gleichungen sind gedruckt, seine Ergebnisse auch. Die ersten in die zweiten eingesetzt, und nichts passt.
 read-the-errata = Die Errata lesen
-k2-f-0-for-f-177-07-n-as-printed-table-3-has = K2(F) < 0 für F < 177,07 N, wie gedruckt; Tabelle 3 hat Kräfte ab 166,5 N

@@ -91,10 +91,9 @@ t-16mncrsi5-xm = 16MnCrSi5 XM.
 
 part = Teil
 settings-of-the-comparison = Einstellungen des Vergleichs
-stands-still-what-is-done-stays = Hält an; Fertiges bleibt
+run-the-comparison = Vergleich ausführen
 pause-the-comparison = Vergleich anhalten
 runs-everybody-on-every-seed-it-goes-on-whil = Lässt alle mit jedem Startwert laufen; es geht weiter, während andere Ansichten gezeigt werden
-run-the-comparison = Vergleich ausführen
 seeds = Startwerte
 every-seed-is-another-material-and-other-sen-2 = Jeder Startwert ist anderer Werkstoff und anderes Sensorrauschen, für alle gleich; ohne Rauschen geben alle Startwerte denselben Lauf
 done = fertig
@@ -112,14 +111,15 @@ compared-is-title-name-from-its-start-with-t = Verglichen wird „{ $title }“ 
 not-repeated-at-their-times-changes-what-the = Nicht zu ihren Zeiten wiederholt: { $changes }. Was die Konsole bei { $time } zeigt, gilt von Anfang an, für alle.
 name-last-at-time = { $name } (zuletzt bei { $time })
 n-more = { $n } weitere
+stands-still-what-is-done-stays = Hält an; Fertiges bleibt
 
 ## src/app/panels/compare/robust.rs
 
 without-retuning-anything = Ohne etwas neu einzustellen
 experiment-2-at-other-dead-times-which-the-c = Experiment 2 bei anderen Totzeiten, die die Regler kennen, und in anderem Stahl, den sie nicht kennen. Unter jeder Zahl die eines unabhängigen Prototyps derselben Gleichungen, wo er eine hat: Sie stammt nicht aus dem Artikel.
+run-the-conditions = Bedingungen ausführen
 pause-the-conditions = Bedingungen anhalten
 runs-everybody-under-every-condition = Lässt alle unter jeder Bedingung laufen
-run-the-conditions = Bedingungen ausführen
 done-of-n-runs = { $done } von { $n } Läufen
 control = Regelung
 
@@ -533,11 +533,11 @@ save-result = Ergebnis speichern
 
 missions = Missionen
 each-takes-some-minutes-say-what-will-happen = Jede dauert einige Minuten: vorhersagen, fräsen und sehen, ob es stimmt. Geprüft wird mit demselben Programm, das fräst.
-not-passed-yet = noch nicht bestanden
-won-of-most-stars = { $won } von { $most } Sternen
 begin = Beginnen
 begin-mission = Beginnen: { $mission }
 a-mission-of-your-own-is-a-text-file-steadyc = Eine eigene Mission ist eine Textdatei: steadycut mission new schreibt eine Vorlage. Die Datei lässt sich hier ablegen.
+not-passed-yet = noch nicht bestanden
+won-of-most-stars = { $won } von { $most } Sternen
 a-link-to-this-mission-with-its-qr-code = Ein Link zu dieser Mission, mit QR-Code
 link-mission = Link: { $mission }
 stars-are-kept-until-the-program-ends-the-pl = Sterne bleiben nur bis zum Ende des Programms erhalten: Dauerhaftes Speichern ist hier nicht erlaubt.
@@ -584,20 +584,21 @@ that-is-my-prediction = Das ist meine Vorhersage
 go-on-without-a-prediction = Weiter ohne Vorhersage
 that-is-my-answer = Das ist meine Antwort
 go-on-without-an-answer = Weiter ohne Antwort
+without-an-answer-there-is-no-third-star-any = Ohne Antwort gibt es keinen dritten Stern: Jede Vermutung lehrt mehr als keine.
+go-on-all-the-same = Trotzdem weiter
 your-prediction-stays-as-it-is-the-cut-has-b = Die Vorhersage bleibt, wie sie ist: Der Schnitt wurde gezeigt.
 it-was-left-without-a-prediction-the-cut-has = Es blieb ohne Vorhersage: Der Schnitt wurde gezeigt.
+you-have-seen-this-cut-before-another-answer = Dieser Schnitt wurde schon gesehen: Eine andere Antwort als beim ersten Mal zählt zum Bestehen, nicht für den dritten Stern.
 answered-after-the-cut-or-a-check-has-shown = Beantwortet, nachdem Schnitt oder Prüfung es gezeigt haben: Das zählt zum Bestehen, nicht für den dritten Stern.
 what-you-may-change = Was Sie ändern können
 nothing-this-mission-asks-only-for-answers = Nichts: Diese Mission verlangt nur Antworten.
 given-2 = Gegeben
 hint-number = Hinweis { $number }:
 hint-number-of-count = Hinweis { $number } von { $count }
-without-an-answer-there-is-no-third-star-any = Ohne Antwort gibt es keinen dritten Stern: Jede Vermutung lehrt mehr als keine.
-go-on-all-the-same = Trotzdem weiter
-you-have-seen-this-cut-before-another-answer = Dieser Schnitt wurde schon gesehen: Eine andere Antwort als beim ersten Mal zählt zum Bestehen, nicht für den dritten Stern.
 
 ## src/app/panels/learn/verdict.rs
 
+tries-begun-begun-checked-checked = Versuche: begonnen { $begun }, geprüft { $checked }
 digest-of-the-cut-digest = Prüfsumme des Schnitts: { $digest }
 puts-the-result-away-a-check-brings-the-next = Schließt das Ergebnis; die nächste Prüfung bringt ein neues
 close-the-result = Ergebnis schließen
@@ -605,23 +606,22 @@ passed-won-of-most-stars = Bestanden: { $won } von { $most } Sternen
 not-passed-yet-2 = Noch nicht bestanden
 this-is-of-before-your-last-change-check-aga = Das gilt für den Stand vor der letzten Änderung: noch einmal prüfen.
 off-the-curve-by-percent-of-its-height = um { $percent } ihrer Höhe neben der Kurve
+within-tolerance-of-the-true-value = innerhalb { $tolerance } um den wahren Wert
+too-low-allowed-is-tolerance-to-either-side = zu niedrig; erlaubt sind { $tolerance } nach beiden Seiten
+too-high-allowed-is-tolerance-to-either-side = zu hoch; erlaubt sind { $tolerance } nach beiden Seiten
+words-the-true-value-is-truth = { $words }; der wahre Wert ist { $truth }
+no-answer-was-given-in-step-step-that-costs = In Schritt { $step } wurde nicht geantwortet: Das kostet den dritten Stern
+no-prediction-was-made-in-step-step-that-cos = In Schritt { $step } wurde nichts vorhergesagt: Das kostet den dritten Stern
 your-answer-in-step-step-is-right-it-came-wh = Die Antwort in Schritt { $step } ist richtig; sie kam, nachdem der Schnitt zu sehen war
 your-answer-in-step-step-is-wrong = Die Antwort in Schritt { $step } ist falsch
 your-prediction-in-step-step-was-right = Die Vorhersage in Schritt { $step } war richtig
 your-prediction-in-step-step-was-wrong = Die Vorhersage in Schritt { $step } war falsch
 your-prediction-in-step-step-was-right-off-2 = Die Vorhersage in Schritt { $step } war richtig ({ $off })
 your-prediction-in-step-step-was-wrong-off-2 = Die Vorhersage in Schritt { $step } war falsch ({ $off })
-predictions-that-are-right-made-before-the-c = richtige Vorhersagen vor dem Schnitt
 for-all-three-stars = Für alle drei Sterne:
-tries-begun-begun-checked-checked = Versuche: begonnen { $begun }, geprüft { $checked }
-within-tolerance-of-the-true-value = innerhalb { $tolerance } um den wahren Wert
-too-low-allowed-is-tolerance-to-either-side = zu niedrig; erlaubt sind { $tolerance } nach beiden Seiten
-too-high-allowed-is-tolerance-to-either-side = zu hoch; erlaubt sind { $tolerance } nach beiden Seiten
-words-the-true-value-is-truth = { $words }; der wahre Wert ist { $truth }
-no-prediction-was-made-in-step-step-that-cos = In Schritt { $step } wurde nichts vorhergesagt: Das kostet den dritten Stern
 reached-condition = erreicht: { $condition }
 missed-condition = verfehlt: { $condition }
-no-answer-was-given-in-step-step-that-costs = In Schritt { $step } wurde nicht geantwortet: Das kostet den dritten Stern
+predictions-that-are-right-made-before-the-c = richtige Vorhersagen vor dem Schnitt
 
 ## src/app/panels/learning/actions.rs
 
@@ -976,7 +976,6 @@ cutting-speed = Schnittgeschwindigkeit
 removal = Zeitspanvol.
 time-at-this-feed = Zeit bei diesem Vorschub
 with-tool-changes = mit Werkzeugwechseln
-cost-of-cut = Kosten des Schnitts
 objective = Zielfunktion
 
 ## src/app/panels/plan/controls.rs
@@ -1207,6 +1206,28 @@ over-n-sampling-lengths-of-long =
 the-run-s-ra-with-dynamics-is-ra-along-the-l = Ra mit Dynamik des Laufs ist entlang der Linie im Mittel { $ra }.
 simulated-tooth-by-tooth-k5-gives-no-ra-here = Zahn für Zahn simuliert, ergibt K5 hier kein Ra: Vorschubmarken und Rundlauffehler allein.
 
+## src/app/panels/workpiece/program/picture.rs
+
+what-is-left-of-the-blank-from-above-with-th = Was vom Rohteil bleibt, von oben, mit dem Weg des Werkzeugs
+
+## src/app/panels/workpiece/program.rs
+
+part-of-a-program = Werkstück eines Programms
+name-n-moves = { $name }: { $n } Bewegungen
+size-and-corner-of-the-rectangular-blank-in = Größe und Ecke des rechteckigen Rohteils in den Koordinaten des Programms; zuerst liegt es um die Vorschubbewegungen, mit 5 mm unter der tiefsten.
+cut-it-from-the-blank = Aus dem Rohteil schneiden
+with-the-cutter-of-the-scenario = Mit dem Fräser des Szenarios
+size = Größe
+size-of-the-blank-along-axis = Größe des Rohteils entlang { $axis }
+least-corner = Kleinste Ecke
+least-corner-of-the-blank-along-axis = Kleinste Ecke des Rohteils entlang { $axis }
+step = Schritt
+step-along-the-way = Schritt entlang des Weges
+milling-name = Fräsen: { $name }
+length-long-air-of-it-air-up-to-axial-deep-a = { $length } lang, davon { $air } Luft; bis zu { $axial } tief und { $radial } breit
+make-it-the-part = Zum Werkstück machen
+it-was-cut-with-another-cutter-cut-it-again = Es wurde mit einem anderen Fräser geschnitten: noch einmal schneiden
+
 ## src/app/panels/workpiece/view.rs
 
 whole-part = Ganzes Teil
@@ -1231,6 +1252,8 @@ turn-by-touch = Mit Finger drehen
 ## src/app/panels/workpiece.rs
 
 part-surface-3d-profile-roughness-profilomet = Teil Oberfläche 3D Profil Rauheit Profilometer Bild
+a-table-of-depths-along-a-path-csv-or-a-prog = Eine Tabelle von Tiefen entlang einer Bahn (CSV) oder ein Programm (G-Code), das aus einem Rohteil geschnitten wird; beides kann auch auf das Fenster gezogen werden
+part-from-a-file = Werkstück aus einer Datei…
 a-stylus-drawn-along-a-line-over-the-machine = Eine Tastspitze, entlang einer Linie über die bearbeitete Oberfläche gezogen: ihr Profil, Ra, Rq, Rz
 profilometer = Profilometer
 colour-ra-against-its-tolerance = Farbe: Ra gegen seine Toleranz
@@ -1245,25 +1268,12 @@ length-of-the-way-beyond-the-tolerance-on-th = Länge des Wegs jenseits der Tole
 too-rough-is-rework-or-scrap-smoother-than-a = Zu rau ist Nacharbeit oder Ausschuss; glatter als verlangt ist keines von beiden.
 the-cutter-is-drawn-turning-times-times-slow = Der Fräser ist { $times }-mal langsamer drehend gezeichnet. Was vor der Wand steht, hat ein früherer Schnitt weggenommen.
 simulated-tooth-by-tooth-k5-s-ra-does-not-ho = Zahn für Zahn simuliert, gilt das Ra von K5 nicht: Die Oberfläche zeigt Vorschubmarken und Rundlauffehler allein.
-a-table-of-depths-along-a-path-csv-or-a-prog = Eine Tabelle von Tiefen entlang einer Bahn (CSV) oder ein Programm (G-Code), das aus einem Rohteil geschnitten wird; beides kann auch auf das Fenster gezogen werden
-part-from-a-file = Werkstück aus einer Datei…
 
-## src/app/panels/workpiece/program.rs
-
-part-of-a-program = Werkstück eines Programms
-name-n-moves = { $name }: { $n } Bewegungen
-size-and-corner-of-the-rectangular-blank-in = Größe und Ecke des rechteckigen Rohteils in den Koordinaten des Programms; zuerst liegt es um die Vorschubbewegungen, mit 5 mm unter der tiefsten.
-cut-it-from-the-blank = Aus dem Rohteil schneiden
-with-the-cutter-of-the-scenario = Mit dem Fräser des Szenarios
-size-of-the-blank-along-axis = Größe des Rohteils entlang { $axis }
-least-corner = Kleinste Ecke
-least-corner-of-the-blank-along-axis = Kleinste Ecke des Rohteils entlang { $axis }
-step-along-the-way = Schritt entlang des Weges
-milling-name = Fräsen: { $name }
-length-long-air-of-it-air-up-to-axial-deep-a = { $length } lang, davon { $air } Luft; bis zu { $axial } tief und { $radial } breit
-make-it-the-part = Zum Werkstück machen
-it-was-cut-with-another-cutter-cut-it-again = Es wurde mit einem anderen Fräser geschnitten: noch einmal schneiden
-
-## src/app/panels/workpiece/program/picture.rs
-
-what-is-left-of-the-blank-from-above-with-th = Was vom Rohteil bleibt, von oben, mit dem Weg des Werkzeugs
+your-own-order-order = eigener, Ordnung { $order }
+n-of-all-chattered = { $n } von { $all } mit Rattern
+symbol-c-command-gives-symbol-a-actual-unit = { $symbol }_c = { $command } ergibt { $symbol }_a = { $actual } { $unit }
+structure = Struktur
+n-measured-modes-at-the-tool-s-tip = { $n } gemessene Moden an der Werkzeugspitze
+takes-the-measured-modes-away-the-five-masse = Nimmt die gemessenen Moden weg: die fünf Massen von 2019 gelten wieder
+back-to-the-five-masses = Zurück zu den fünf Massen
+cost-of-cut-your-currency = Kosten des Schnitts, in Ihrer Währung

@@ -481,6 +481,7 @@ a-part-of-the-template-has-no-finite-value-o = ein Teil der Vorlage hat in einer
 
 plant-force-model-is-id-tooth-by-tooth-expec = `plant.force_model` ist { $id }, Zahn für Zahn: erwartet wird ein Szenario, dessen Kraft ein Kennfeld ist; die Zähne passt `steadycut identify force` an
 the-recording-has-count-samples-of-the-force = die Aufzeichnung hat { $count } Werte der Kraft: erwartet werden mindestens { $least } und ebenso viele von Vorschub, Drehzahl und Position
+force = Kraft
 position-2 = Position
 name-sample-sample-is-no-number = { $name }: Wert { $sample } ist keine Zahl
 the-position-falls-expected-is-that-along-th = die Position fällt: erwartet wird die längs der Bahn
@@ -496,6 +497,12 @@ expected-are-a-period-speed-feed-corners-of = erwartet werden Abtastzeit, Drehza
 the-force-does-not-vary-nothing-is-told-of-i = die Kraft ändert sich nicht: über ihr Rauschen sagt sie nichts
 the-mean-force-is-mean-n-expected-is-a-cut-w = die mittlere Kraft ist { $mean } N: erwartet wird ein Schnitt mit einer Kraft über 0
 at-rest = in Ruhe
+
+## crates/study/src/identify/response/fit.rs
+
+
+## crates/study/src/identify/response/table.rs
+
 
 ## crates/study/src/identify/wear.rs
 
@@ -630,6 +637,10 @@ left-the-same-as-right = { $left }: gleich { $right }
 left-other-than-right = { $left }: ungleich { $right }
 left-less-than-right = { $left }: weniger als { $right }
 left-more-than-right = { $left }: mehr als { $right }
+there-is-no-such-value = einen solchen Wert gibt es nicht
+yours-is-off-by-percent = Ihrer weicht um { $percent } ab
+yours-value = Ihrer: { $value }
+yours-value-the-limit-limit = Ihrer: { $value }, die Grenze: { $limit }
 value-within-percent-of-wanted = { $value }: innerhalb { $percent } von { $wanted }
 the-value-of-the-cut-as-given = Wert des gegebenen Schnitts
 the-value-at-constant-feed-as-programmed = Wert bei konstantem Vorschub wie programmiert
@@ -668,10 +679,6 @@ cost-of-the-scrap = Kosten des Ausschusses
 cost-of-the-cut = Kosten des Schnitts
 share-of-the-time-at-a-limit = Anteil der Zeit an einer Grenze
 share-of-the-time-with-a-model-outside-its-r = Anteil der Zeit mit einem Modell außerhalb seines Bereichs
-there-is-no-such-value = einen solchen Wert gibt es nicht
-yours-is-off-by-percent = Ihrer weicht um { $percent } ab
-yours-value = Ihrer: { $value }
-yours-value-the-limit-limit = Ihrer: { $value }, die Grenze: { $limit }
 
 ## crates/study/src/opening/frame.rs
 
@@ -686,6 +693,19 @@ embed-flag-allowed-are-hide-lock-screen-and = embed: `{ $flag }`: zulässig sind
 the-link-was-not-used-title-is-open-instead = Der Link wurde nicht benutzt, stattdessen ist „{ $title }“ offen. { $error }
 embed-error = embed: { $error }
 the-mission-title-begins-anew-the-cut-of-the = Die Mission „{ $title }“ beginnt neu: Der Schnitt des Links wurde nicht benutzt. { $problem }
+
+## crates/study/src/own_file/entry.rs
+
+line-line-problem = Zeile { $line }: { $problem }
+
+## crates/study/src/own_file/machine.rs
+
+
+## crates/study/src/own_file/material.rs
+
+
+## crates/study/src/own_file/mod.rs
+
 
 ## crates/study/src/papers/calibrations.rs
 
@@ -712,6 +732,79 @@ the-correlations-0-684-and-0-993-compare-wit = die Korrelationen 0,684 und 0,993
 how-wear-changes-springs-and-dampers-is-not = wie Verschleiß Federn und Dämpfer ändert, ist nicht gesagt; jedes Verschleißgesetz hier ist eine Annahme
 absolute-amplitudes-a-force-of-107-n-at-ever = absolute Amplituden: eine Kraft von 107 N bei jeder Linie des Spektrums ist die formale Lesart von Gl. 2
 parameters-of-the-tool-life-prediction-its-e = Parameter der Standzeitvorhersage: Ihre Gleichungen stehen nicht im Artikel
+
+## crates/study/src/part/blank.rs
+
+the-blank-s-size-along-axis-is-size-mm-allow = die Größe des Rohteils entlang { $axis } ist { $size } mm: erlaubt ist { $least } bis { $most } mm
+the-blank-s-corner-has-to-be-three-numbers-i = die Ecke des Rohteils müssen drei Zahlen in mm sein
+a-grid-of-cell-mm-over-the-blank-has-n-cells = ein Gitter von { $cell } mm über dem Rohteil hat { $n } Zellen: erlaubt sind { $most }; ein größerer Schritt hat weniger
+
+## crates/study/src/part/columns.rs
+
+column-name-the-unit-is-unit-allowed-is-all = Spalte `{ $name }`: die Einheit ist `{ $unit }`: erlaubt ist { $all }
+the-columns-name-and-other-mean-the-same = die Spalten `{ $name }` und `{ $other }` bedeuten dasselbe
+s-or-x-and-y = s (oder x und y)
+the-columns-are-found-missing-are-missing = die Spalten sind { $found }; es fehlen { $missing }
+line-line-column-name-cell-allowed-is-a-numb = Zeile { $line }, Spalte `{ $name }`: `{ $cell }`: erlaubt ist eine Zahl von { $least } bis { $most } { $unit }
+line-line-the-path-begins-at-s-mm-allowed-is = Zeile { $line }: die Bahn beginnt bei { $s } mm: erlaubt ist 0
+line-line-the-path-is-at-s-mm-allowed-is-mor = Zeile { $line }: die Bahn ist bei { $s } mm: erlaubt ist mehr als die { $before } mm der Zeile davor
+the-table-has-n-rows-allowed-is-2-or-more-fr = die Tabelle hat { $n } Zeilen: erlaubt sind 2 oder mehr, vom Anfang der Bahn bis zu ihrem Ende
+the-path-is-length-mm-long-allowed-is-at-mos = die Bahn ist { $length } mm lang: erlaubt sind höchstens { $most } mm
+columns-that-are-not-used-names = Nicht verwendete Spalten: { $names }.
+
+## crates/study/src/part/gcode/arc.rs
+
+the-arc-s-radius-is-first-mm-at-its-start-an = der Radius des Bogens ist am Anfang { $first } mm und am Ende { $last } mm: erlaubt ist der gleiche, über 0
+an-arc-of-radius-radius-mm-does-not-join-poi = ein Bogen vom Radius { $radius } mm verbindet keine Punkte im Abstand { $way } mm: erlaubt ist ein Radius der Hälfte davon oder mehr und zwei verschiedene Punkte
+
+## crates/study/src/part/gcode/reader.rs
+
+at-most-n-lines-are-read = höchstens { $n } Zeilen werden gelesen
+letter-stands-there-twice = `{ $letter }` steht zweimal da
+two-kinds-of-motion-in-one-line = zwei Arten der Bewegung in einer Zeile
+word-changes-where-the-tool-goes-in-a-way-th = { $word } ändert den Weg des Werkzeugs auf eine Weise, der nicht gefolgt wird
+word-allowed-is-0-or-more = { $word }: erlaubt ist 0 oder mehr
+word-subprograms-are-not-followed = { $word }: Unterprogrammen wird nicht gefolgt
+word-only-x-y-z-i-j-and-r-say-where-the-tool = { $word }: nur X, Y, Z, I, J und R sagen, wohin das Werkzeug geht
+axis-is-relative-and-where-the-tool-is-along = `{ $axis }` ist relativ, und wo das Werkzeug entlang ihr steht, ist nicht bekannt
+a-place-without-a-motion-g0-g1-g2-or-g3-come = ein Ort ohne Bewegung: erst kommt G0, G1, G2 oder G3
+a-feed-move-from-a-place-that-is-not-known-r = eine Vorschubbewegung von einem unbekannten Ort: erst kommen Eilgänge nach X, Y und Z
+i-j-and-r-belong-to-arcs-g2-and-g3 = I, J und R gehören zu Bögen, G2 und G3
+an-arc-has-i-and-j-or-r-not-both = ein Bogen hat I und J oder R, nicht beides
+an-arc-without-i-j-or-r = ein Bogen ohne I, J oder R
+
+## crates/study/src/part/gcode/words.rs
+
+a-comment-has-no-end = ein Kommentar hat kein Ende
+code-sign-is-no-letter-of-a-word-variables-e = `{ $code }`: `{ $sign }` ist kein Buchstabe eines Wortes; Variablen, Ausdrücken, ausgeblendeten Sätzen und O-Wörtern wird nicht gefolgt
+letter-is-followed-by-number-allowed-is-a-nu = auf `{ $letter }` folgt `{ $number }`: erlaubt ist eine Zahl
+
+## crates/study/src/part/milling.rs
+
+the-step-is-step-mm-allowed-is-least-to-most = der Schritt ist { $step } mm: erlaubt ist { $least } bis { $most } mm
+the-program-has-no-feed-move-nothing-is-cut = das Programm hat keine Vorschubbewegung: nichts wird geschnitten
+a-way-of-length-mm-in-steps-of-step-mm-allow = ein Weg von { $length } mm in Schritten von { $step } mm: erlaubt sind { $most } Schritte; ein größerer Schritt hat weniger
+mm-of-the-way = mm des Weges
+and-n-more = { " " }und { $n } weitere
+rapid-moves-through-material-lines-lines = Eilgänge durch Material: Zeilen { $lines }.
+straight-down-into-material-lines-lines = Gerade nach unten ins Material: Zeilen { $lines }.
+not-acted-on-word-lines-lines = Nicht befolgt: { $word }, Zeilen { $lines }.
+behind-the-end-of-the-program-n-lines-not-re = Hinter dem Ende des Programms: { $n } Zeilen, nicht gelesen.
+there-are-feed-moves-before-the-first-f-thei = Es gibt Vorschubbewegungen vor dem ersten F: ihr Vorschub ist nicht bekannt.
+
+## crates/study/src/part/path.rs
+
+the-part-has-n-cuts-with-air-between-them-on = das Werkstück hat { $n } Schnitte mit Luft dazwischen: nur eine Bahn ist eine Tabelle von Tiefen
+
+## crates/study/src/part/taken.rs
+
+the-depths-change-at-n-places-allowed-are-mo = die Tiefen ändern sich an { $n } Stellen: erlaubt sind { $most }, wobei Unterschiede bis { $same } mm nicht zählen; ein größerer Schritt oder ein Teil der Bahn hat weniger
+differences-of-depth-up-to-same-mm-are-taken = Unterschiede der Tiefe bis { $same } mm zählen nicht, damit das Werkstück in ein Szenario passt.
+the-time-limit-is-time-s-now-run-duration-s = Die Zeitgrenze ist jetzt { $time } s (`run.duration_s`), das Doppelte dessen, was die Bahn bei programmiertem Vorschub dauert.
+it-would-take-wanted-s-a-run-has-most-s-at-m = Es würde { $wanted } s dauern; eine Simulation hat höchstens { $most } s und kann vor der Bahn enden.
+one-row-is-recorded-per-control-period-run-r = Je Regelperiode wird eine Zeile aufgezeichnet (`run.record_every`): die Simulation ist lang.
+the-file-programs-feeds-from-low-to-high-mm = Die Datei programmiert Vorschübe von { $low } bis { $high } mm/min; die Simulation programmiert { $feed } mm/min (`program.feed_mm_min`).
+the-file-programs-speeds-from-low-to-high-1 = Die Datei programmiert Drehzahlen von { $low } bis { $high } 1/min; die Simulation programmiert { $speed } 1/min (`program.spindle_rpm`).
 
 ## crates/study/src/plan/constraints.rs
 
@@ -743,7 +836,6 @@ nothing-is-feasible-in-the-range-searched-at = im durchsuchten Bereich ist bei {
 
 ## crates/study/src/plan/over_depths.rs
 
-force = Kraft
 in-tolerance-2 = in der Toleranz
 above-its-tolerance = über der Toleranz
 below-its-tolerance = unter der Toleranz
@@ -822,8 +914,11 @@ curves = Kurven
 
 ## crates/study/src/stability/mod.rs
 
-above-0-mm-for-a-stability-chart = über 0 mm für eine Stabilitätskarte
 r-d-radial-mm-of-a-cutter-of-diameter-mm-wit = R_D { $radial } mm eines Fräsers mit { $diameter } mm und { $teeth } Zähnen: Jeder schneidet über { $angle } Grad
+above-0-mm-for-a-stability-chart = über 0 mm für eine Stabilitätskarte
+
+## crates/study/src/stability/tip/mod.rs
+
 
 ## crates/study/src/train/claim.rs
 
@@ -916,76 +1011,24 @@ no-run-yet = noch kein Lauf
 k4-of-the-papers = K4 der Artikel
 tooth-by-tooth-2 = Zahn für Zahn
 
-## crates/study/src/part/blank.rs
-
-the-blank-s-size-along-axis-is-size-mm-allow = die Größe des Rohteils entlang { $axis } ist { $size } mm: erlaubt ist { $least } bis { $most } mm
-the-blank-s-corner-has-to-be-three-numbers-i = die Ecke des Rohteils müssen drei Zahlen in mm sein
-a-grid-of-cell-mm-over-the-blank-has-n-cells = ein Gitter von { $cell } mm über dem Rohteil hat { $n } Zellen: erlaubt sind { $most }; ein größerer Schritt hat weniger
-
-## crates/study/src/part/columns.rs
-
-column-name-the-unit-is-unit-allowed-is-all = Spalte `{ $name }`: die Einheit ist `{ $unit }`: erlaubt ist { $all }
-the-columns-name-and-other-mean-the-same = die Spalten `{ $name }` und `{ $other }` bedeuten dasselbe
-s-or-x-and-y = s (oder x und y)
-the-columns-are-found-missing-are-missing = die Spalten sind { $found }; es fehlen { $missing }
-line-line-column-name-cell-allowed-is-a-numb = Zeile { $line }, Spalte `{ $name }`: `{ $cell }`: erlaubt ist eine Zahl von { $least } bis { $most } { $unit }
-line-line-the-path-begins-at-s-mm-allowed-is = Zeile { $line }: die Bahn beginnt bei { $s } mm: erlaubt ist 0
-line-line-the-path-is-at-s-mm-allowed-is-mor = Zeile { $line }: die Bahn ist bei { $s } mm: erlaubt ist mehr als die { $before } mm der Zeile davor
-the-table-has-n-rows-allowed-is-2-or-more-fr = die Tabelle hat { $n } Zeilen: erlaubt sind 2 oder mehr, vom Anfang der Bahn bis zu ihrem Ende
-the-path-is-length-mm-long-allowed-is-at-mos = die Bahn ist { $length } mm lang: erlaubt sind höchstens { $most } mm
-columns-that-are-not-used-names = Nicht verwendete Spalten: { $names }.
-
-## crates/study/src/part/gcode/arc.rs
-
-the-arc-s-radius-is-first-mm-at-its-start-an = der Radius des Bogens ist am Anfang { $first } mm und am Ende { $last } mm: erlaubt ist der gleiche, über 0
-an-arc-of-radius-radius-mm-does-not-join-poi = ein Bogen vom Radius { $radius } mm verbindet keine Punkte im Abstand { $way } mm: erlaubt ist ein Radius der Hälfte davon oder mehr und zwei verschiedene Punkte
-
-## crates/study/src/part/gcode/reader.rs
-
-line-line-problem = Zeile { $line }: { $problem }
-at-most-n-lines-are-read = höchstens { $n } Zeilen werden gelesen
-letter-stands-there-twice = `{ $letter }` steht zweimal da
-two-kinds-of-motion-in-one-line = zwei Arten der Bewegung in einer Zeile
-word-changes-where-the-tool-goes-in-a-way-th = { $word } ändert den Weg des Werkzeugs auf eine Weise, der nicht gefolgt wird
-word-allowed-is-0-or-more = { $word }: erlaubt ist 0 oder mehr
-word-subprograms-are-not-followed = { $word }: Unterprogrammen wird nicht gefolgt
-word-only-x-y-z-i-j-and-r-say-where-the-tool = { $word }: nur X, Y, Z, I, J und R sagen, wohin das Werkzeug geht
-axis-is-relative-and-where-the-tool-is-along = `{ $axis }` ist relativ, und wo das Werkzeug entlang ihr steht, ist nicht bekannt
-a-place-without-a-motion-g0-g1-g2-or-g3-come = ein Ort ohne Bewegung: erst kommt G0, G1, G2 oder G3
-a-feed-move-from-a-place-that-is-not-known-r = eine Vorschubbewegung von einem unbekannten Ort: erst kommen Eilgänge nach X, Y und Z
-i-j-and-r-belong-to-arcs-g2-and-g3 = I, J und R gehören zu Bögen, G2 und G3
-an-arc-has-i-and-j-or-r-not-both = ein Bogen hat I und J oder R, nicht beides
-an-arc-without-i-j-or-r = ein Bogen ohne I, J oder R
-
-## crates/study/src/part/gcode/words.rs
-
-a-comment-has-no-end = ein Kommentar hat kein Ende
-code-sign-is-no-letter-of-a-word-variables-e = `{ $code }`: `{ $sign }` ist kein Buchstabe eines Wortes; Variablen, Ausdrücken, ausgeblendeten Sätzen und O-Wörtern wird nicht gefolgt
-letter-is-followed-by-number-allowed-is-a-nu = auf `{ $letter }` folgt `{ $number }`: erlaubt ist eine Zahl
-
-## crates/study/src/part/milling.rs
-
-the-step-is-step-mm-allowed-is-least-to-most = der Schritt ist { $step } mm: erlaubt ist { $least } bis { $most } mm
-the-program-has-no-feed-move-nothing-is-cut = das Programm hat keine Vorschubbewegung: nichts wird geschnitten
-a-way-of-length-mm-in-steps-of-step-mm-allow = ein Weg von { $length } mm in Schritten von { $step } mm: erlaubt sind { $most } Schritte; ein größerer Schritt hat weniger
-mm-of-the-way = mm des Weges
-and-n-more = { " " }und { $n } weitere
-rapid-moves-through-material-lines-lines = Eilgänge durch Material: Zeilen { $lines }.
-straight-down-into-material-lines-lines = Gerade nach unten ins Material: Zeilen { $lines }.
-not-acted-on-word-lines-lines = Nicht befolgt: { $word }, Zeilen { $lines }.
-behind-the-end-of-the-program-n-lines-not-re = Hinter dem Ende des Programms: { $n } Zeilen, nicht gelesen.
-there-are-feed-moves-before-the-first-f-thei = Es gibt Vorschubbewegungen vor dem ersten F: ihr Vorschub ist nicht bekannt.
-
-## crates/study/src/part/path.rs
-
-the-part-has-n-cuts-with-air-between-them-on = das Werkstück hat { $n } Schnitte mit Luft dazwischen: nur eine Bahn ist eine Tabelle von Tiefen
-
-## crates/study/src/part/taken.rs
-
-the-depths-change-at-n-places-allowed-are-mo = die Tiefen ändern sich an { $n } Stellen: erlaubt sind { $most }, wobei Unterschiede bis { $same } mm nicht zählen; ein größerer Schritt oder ein Teil der Bahn hat weniger
-differences-of-depth-up-to-same-mm-are-taken = Unterschiede der Tiefe bis { $same } mm zählen nicht, damit das Werkstück in ein Szenario passt.
-the-time-limit-is-time-s-now-run-duration-s = Die Zeitgrenze ist jetzt { $time } s (`run.duration_s`), das Doppelte dessen, was die Bahn bei programmiertem Vorschub dauert.
-it-would-take-wanted-s-a-run-has-most-s-at-m = Es würde { $wanted } s dauern; eine Simulation hat höchstens { $most } s und kann vor der Bahn enden.
-one-row-is-recorded-per-control-period-run-r = Je Regelperiode wird eine Zeile aufgezeichnet (`run.record_every`): die Simulation ist lang.
-the-file-programs-feeds-from-low-to-high-mm = Die Datei programmiert Vorschübe von { $low } bis { $high } mm/min; die Simulation programmiert { $feed } mm/min (`program.feed_mm_min`).
-the-file-programs-speeds-from-low-to-high-1 = Die Datei programmiert Drehzahlen von { $low } bis { $high } 1/min; die Simulation programmiert { $speed } 1/min (`program.spindle_rpm`).
+own-script = Eigenes Skript
+the-response-has-no-resonance-im-has-no-peak = der Frequenzgang hat keine Resonanz: -Im hat keine Spitze über 0; ist es Weg durch Kraft?
+its-columns-are-names-wanted-are-frequency-h = ihre Spalten sind { $names }: gebraucht werden frequency_hz mit real_m_n und imaginary_m_n oder mit magnitude_m_n und phase_deg; _um_n für um/N
+the-response-has-count-points-allowed-are-le = der Frequenzgang hat { $count } Punkte: erlaubt sind { $least } bis { $most }
+the-frequencies-do-not-ascend-from-above-0-h = die Frequenzen steigen nicht von über 0 Hz an
+machine-file = Maschinendatei
+the-pole-re-and-im-rad-s-lacks-its-conjugate = dem Pol { $re } und { $im } rad/s fehlt der konjugierte, { $re } und { $other }
+t-2-to-n-coefficients-above-0-a0-first-with-an = 2 bis { $n } Koeffizienten über 0, a0 zuerst: mit anderem Vorzeichen ist kein Antrieb stabil
+one-of-poles-and-denominator-is-wanted-besid = daneben wird genau eines von `poles` und `denominator` gebraucht
+a-drive-has-at-least-one-pole = ein Antrieb hat mindestens einen Pol
+it-stands-without-poles = es steht ohne `poles`
+the-feed-drive-stands-in-feed-drive-already = der Vorschubantrieb steht schon in [feed_drive]
+there-is-nothing-in-it-dead-time-s-feed-driv = es steht nichts darin: dead_time_s, [feed_drive] oder [spindle_drive]
+material-file = Werkstoffdatei
+file-of-your-own = eigene Datei
+it-is-none-of-a-cutter-diameter-mm-teeth-a-s = sie ist weder ein Fräser (diameter_mm, teeth) noch eine Struktur ([[mode]]), ein Werkstoff (kc11_n_mm2) oder eine Maschine ([feed_drive] oder poles)
+r-d-radial-mm-of-a-cutter-of-diameter-mm-wit-2 = R_D { $radial } mm eines Fräsers von { $diameter } mm mit { $teeth } Zähnen: jeder schneidet von { $from } bis { $to } Grad, { $way }
+down-milling = Gleichlauf
+up-milling = Gegenlauf
+machine-tip-modes-gives-the-machine-and-the = `machine.tip_modes` gibt die Maschine an, die Winkel der Zähne die Richtung
+machine-tip-modes-is-empty-the-five-masses-h = `machine.tip_modes` ist leer: die fünf Massen haben eine Richtung

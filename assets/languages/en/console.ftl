@@ -9,6 +9,7 @@ steadycut-simulates-milling-whose-controller = SteadyCut simulates milling whose
 mission-title = Mission: { $title }
 mission-title-is-open-what-it-does-not-let-y = Mission “{ $title }” is open: what it does not let you change is locked
 the-cut-stays-as-it-is-and-all-of-it-can-be = The cut stays as it is, and all of it can be changed again
+leave = Leave
 leave-the-mission = Leave the mission
 task-hints-and-answer-of-the-mission-on-the = Task, hints and answer of the mission: on the screen Learn
 back-to-the-mission = Back to the mission
@@ -52,6 +53,7 @@ no-file-dialog-is-available-drag-a-scenario = No file dialog is available: drag 
 steadycut-scenario = SteadyCut scenario
 unks-networks = UNKS networks
 table = Table
+part-table-or-g-code = Part: table or G-code
 saved-search = Saved search
 model-of-a-formula = Model of a formula
 saved-as-name = saved as { $name }
@@ -63,7 +65,6 @@ the-browser-did-not-take-name-for-download = the browser did not take { $name } 
 name-could-not-be-read-error = { $name } could not be read: { $error }
 name-is-the-result-of-a-mission-steadycut-mi = { $name } is the result of a mission: steadycut mission check { $name } verifies it.
 name-is-a-file-of-a-spreadsheet-save-it-ther = { $name } is a file of a spreadsheet: save it there as CSV, which can be opened and dropped here.
-part-table-or-g-code = Part: table or G-code
 
 ## src/app/format.rs
 
@@ -73,10 +74,11 @@ with-before-it-a-value-lies-outside-the-rang = With ≈ before it a value lies o
 
 ## src/app/framed.rs
 
+cannot-be-changed-it-is-locked = Cannot be changed: it is { $locked }.
+locked-the-mission-title-does-not-open-it-le = Locked: the mission “{ $title }” does not open it. Leave the mission to change it.
 the-address-that-this-was-opened-with-hides = The address that this was opened with hides other screens (hide:screens).
 the-address-that-this-was-opened-with-hides-2 = The address that this was opened with hides the search (hide:find).
 the-address-that-this-was-opened-with-hides-3 = The address that this was opened with hides files and links (hide:files).
-locked-the-mission-title-does-not-open-it-le = Locked: the mission “{ $title }” does not open it. Leave the mission to change it.
 
 ## src/app/jobs/list.rs
 
@@ -266,6 +268,7 @@ share-no-ra-model = { $share } % no Ra ({ $model })
 share-outside-the-ra-model-model = { $share } % outside the Ra model ({ $model })
 target-target = target { $target }
 within-target-target = within target { $target }
+over-rough-under-smoother = { $over } % rough, { $under } % smoother
 of-the-length-cut = of the length cut
 without-dynamics-share = without dynamics { $share }
 share-rest-smoother = { $share }, rest smoother
@@ -307,16 +310,17 @@ scenario-changed = { $scenario }, changed
 scenario-scenario = Scenario: { $scenario }
 scenario = Scenario
 the-shipped-scenarios = The shipped scenarios
+the-cut-of-the-mission-title-its-task-is-on = The cut of the mission “{ $title }”; its task is on the screen Learn.
 as-shipped-about = As shipped: { $about }
 without-the-changes-made-in-the-cut-about = Without the changes made in the cut: { $about }
-the-cut-of-the-mission-title-its-task-is-on = The cut of the mission “{ $title }”; its task is on the screen Learn.
 
 ## src/app/panels/console/disturb.rs
 
 drops-a-disturbance-into-the-cut-a-little-ah = Drops a disturbance into the cut, a little ahead of the tool; Undo takes it back
+disturb-the-cut-2 = Disturb the cut
+names-sizes = Names, sizes…
 names-and-sizes-of-disturbances = Names and sizes of disturbances
 disturb-the-cut = Disturb the cut…
-disturb-the-cut-2 = Disturb the cut
 a-press-on-a-name-drops-that-disturbance-a-l = A press on a name drops that disturbance a little ahead of the tool, as long and as large as set beside it.
 length-of-the-disturbance = Length of the { $disturbance }
 mm-long = { " " }mm long
@@ -429,7 +433,6 @@ from-the-start-of-the-part-without-a-control = From the start of the part, witho
 plots-settings-and-sentences-beside-the-knob = Plots, settings and sentences beside the knob, which an operator does not have
 whole-console = Whole console
 back-to-the-console-the-cut-goes-on-as-it-is = Back to the console; the cut goes on as it is{ $keys }
-leave = Leave
 
 ## src/app/panels/console/operator/panel.rs
 
@@ -561,14 +564,14 @@ air = air
 the-tool-meets-no-material-here = The tool meets no material here
 stretch-number-why = Stretch { $number }: { $why }.
 it-is-cut-and-its-depth-stays-a-change-of-it = it is cut, and its depth stays; a change of it would act where the tool is now
+n-stretches-each-with-its-axial-and-its-radi = { $n } stretches, each with its axial and its radial depth
+one-axial-and-one-radial-depth-along-the-who = One axial and one radial depth along the whole path, those of its start
+take-the-profiles-away = Take the profiles away
 from-mm = From mm
 axial-depth-of-stretch-number = Axial depth of stretch { $number }
 start-of-stretch-number = Start of stretch { $number }
 remove-stretch-number = Remove stretch { $number }
 add-a-stretch = Add a stretch
-n-stretches-each-with-its-axial-and-its-radi = { $n } stretches, each with its axial and its radial depth
-one-axial-and-one-radial-depth-along-the-who = One axial and one radial depth along the whole path, those of its start
-take-the-profiles-away = Take the profiles away
 
 ## src/app/panels/console/workpiece.rs
 
@@ -581,6 +584,7 @@ add-a-cut = Add a cut
 duplicate-cut-number = Duplicate cut { $number }
 remove-cut-number = Remove cut { $number }
 the-last-cut-stays-one-path-goes-without-cut-2 = The last cut stays: “One path” goes without cuts
+these-depths-are-profiles-of-a-file-take-the = These depths are profiles of a file: take them away to drag a depth.
 back-to-the-start = Back to the start
 what-is-grey-is-cut-already-at-the-start-of = What is grey is cut already: at the start of the cut every stretch can be changed
 the-tool-is-at-at-changed-depths-act-from-th = The tool is at { $at }: changed depths act from there and from now on. A stretch that begins before it holds only for what of it is still to be cut; what is cut stays.
@@ -596,7 +600,6 @@ one-straight-cut-with-this-path-s-depths-the = One straight cut with this path's
 make-cuts-of-the-path = Make cuts of the path
 no-cuts-the-path-with-its-length-depths-and = No cuts: the path with its length, depths and depth profile
 one-path = One path
-these-depths-are-profiles-of-a-file-take-the = These depths are profiles of a file: take them away to drag a depth.
 
 ## src/app/playback.rs
 
@@ -606,6 +609,7 @@ as-fast-as-possible = as fast as possible
 
 screen = screen
 search-formulas-in-a-table-of-one-s-own = Search formulas in a table of one's own
+open-a-part-of-one-s-own-table-or-g-code = Open a part of one's own: table or G-code
 go-on-with-a-saved-search-for-a-formula = Go on with a saved search for a formula
 open-networks-of-unks = Open networks of UNKS
 save-the-networks-of-unks = Save the networks of UNKS
@@ -621,6 +625,7 @@ download-keep-toml = download keep toml
 save-table-data-results-measurements-downloa = save table data results measurements download spreadsheet
 qr-code-class-phone-digest-share-address-url = qr code class phone digest share address url command line terminal headless repeat reproduce send
 identify-own-data-measured-measurements-csv = identify own data measured measurements csv upload import
+workpiece-cam-nc-gcode-program-csv-depths-im = workpiece cam nc gcode program csv depths import own blank
 identify-resume-json = identify resume json
 neural-learning-weights-json = neural learning weights json
 help-about-introduction-keyboard-shortcuts-h = help about introduction keyboard shortcuts hotkeys touch swipe pinch finger
@@ -641,8 +646,6 @@ in-group-path = in { $group }: { $path }
 scenario-2 = scenario
 command = command
 control-by-controller = Control by { $controller }
-open-a-part-of-one-s-own-table-or-g-code = Open a part of one's own: table or G-code
-workpiece-cam-nc-gcode-program-csv-depths-im = workpiece cam nc gcode program csv depths import own blank
 
 ## src/app/session/change.rs
 
@@ -662,6 +665,7 @@ the-mission-title-is-left = The mission “{ $title }” is left.
 the-mission-title-is-open-of-setting-it-offe = The mission “{ $title }” is open. Of “{ $setting }” it offers: { $list }. Leave the mission to choose anything else.
 the-cut-is-over-setting-is-set-for-the-whole = The cut is over: { $setting } is set for the whole part, which is cut anew from its start. Undo brings the cut of before back; a change while it is cut acts from there on.
 name-is-the-part-now-length-mm-long-air-mm-o = { $name } is the part now: { $length } mm long, { $air } mm of it air.
+title-is-taken-as-the-kind-of-this-cut = { $title } is taken as the { $kind } of this cut
 
 ## src/app/session/disturb.rs
 
@@ -711,6 +715,7 @@ name-finding = { $name }: finding …
 name-none-is-safe-at = { $name }, none is safe: { $at }
 the-cut-is-compared-with-constant-feed-as-pr = The cut is compared with constant feed as programmed now: { $why }.
 the-cut-is-compared-with-a-safe-constant-fee = The cut is compared with a safe constant feed again.
+the-safe-constant-feed-is-now-now-from-the-s = The safe constant feed is { $now } now, from the start of the cut on, since it holds the target on the whole part; it was { $before }.
 
 ## src/app/session.rs
 
@@ -831,7 +836,6 @@ pause-space = Pause (Space)
 play = Play
 play-space = Play (Space)
 one-control-sample-on-keys = One control sample on{ $keys }
-step = Step
 to-the-end-of-the-cut-end = To the end of the cut (End)
 end = End
 plots-show-the-last-seconds-before-the-playh = Plots show the last seconds before the playhead, and the whole run at its end; otherwise always the whole run.
@@ -977,7 +981,6 @@ n-cuts = { $n } cuts
 
 ## src/app/widgets/setting.rs
 
-cannot-be-changed-it-is-locked = Cannot be changed: it is { $locked }.
 reset-to-default-unit = Reset to { $default } { $unit }
 locked = Locked
 not-used-now-because = Not used now: { $because }.

@@ -344,6 +344,29 @@ tooth = tooth
 slides = slides
 table-2 = table
 
+## crates/core/src/models/structure/reduction.rs
+
+n-modes-across-the-feed-in-a-running-cut = { $n } modes across the feed in a running cut
+t-1-to-4-modes-across-the-feed-which-the-surfa = 1 to 4 modes across the feed, which the surface sees
+
+## crates/core/src/models/tip_modes/file.rs
+
+structure-file = structure file
+line-line-entry-cannot-be-value-allowed-is-a = line { $line }: `{ $entry }` cannot be { $value }: allowed is { $allowed }
+x-or-y = x or y
+mode-place-one-of-mass-kg-and-stiffness-n-m = mode { $place }: one of `mass_kg` and `stiffness_n_m` is wanted, not both and not neither
+what-makes-a-modal-mass-from-low-to-high-kg = what makes a modal mass from { $low } to { $high } kg at this frequency
+a-number-from-low-to-high = a number from { $low } to { $high }
+text-of-n-characters = text of { $n } characters
+text-of-1-to-n-characters = text of 1 to { $n } characters
+there-is-no-mode-at-least-one-mode-is-wanted = there is no mode: at least one `[[mode]]` is wanted
+
+## crates/core/src/models/tip_modes/mod.rs
+
+n-modes-allowed-are-at-most-most = { $n } modes: allowed are at most { $most }
+mode-place-entry-cannot-be-value-allowed-is = mode { $place }: `{ $entry }` cannot be { $value }: allowed is a number from { $low } to { $high }
+at-most-n-lists-axis-frequency-damping-ratio = at most { $n } lists [axis, frequency, damping ratio, modal mass]: axis 0 for x or 1 for y, { $f0 } to { $f1 } Hz, { $d0 } to { $d1 }, { $m0 } to { $m1 } kg
+
 ## crates/core/src/models/tool/file.rs
 
 tool-file = tool file
@@ -352,7 +375,14 @@ key-is-missing = `{ $key }` is missing
 version-version-is-missing = `version = { $version }` is missing
 key-is-missing-allowed = `{ $key }` is missing: { $allowed }
 unknown-entry-key-there-are-version-title-so = unknown entry `{ $key }`; there are version, title, source, { $known }
-corner-radius-mm-cannot-be-radius-mm-allowed = `corner_radius_mm` cannot be { $radius } mm: allowed is at most half of `diameter_mm`, { $most } mm
+line-line-corner-radius-mm-cannot-be-radius = line { $line }: `corner_radius_mm` cannot be { $radius } mm: allowed is at most half of `diameter_mm`, { $most } mm
+
+## crates/core/src/models/transfer/setting.rs
+
+stable-poles-real-parts-from-slowest-down-to = stable poles: real parts from { $slowest } down to { $fastest } rad/s, imaginary parts from 0 to { $largest } rad/s, order at most { $n }
+pole-place-cannot-be-re-and-im-rad-s-allowed = pole { $place } cannot be { $re } and { $im } rad/s: allowed is { $allowed }
+the-order-cannot-be-order-allowed-is-allowed = the order cannot be { $order }: allowed is { $allowed }
+lists-real-imaginary-of-poles = lists [real, imaginary] of { $poles }
 
 ## crates/core/src/models/unks/stored.rs
 
@@ -420,6 +450,8 @@ control-strategy-2013-eq-2 = Control strategy 2013, eq. 2
 control-strategy-2013-eq-3-10-05-can-only-be = Control strategy 2013, eq. 3 ("10^05" can only be 10^-5)
 control-strategy-2013-eq-4 = Control strategy 2013, eq. 4
 control-strategy-2013-eq-6 = Control strategy 2013, eq. 6
+a-drive-of-your-own-by-its-poles-and-gain = a drive of your own, by its poles and gain
+the-dead-time-of-the-command-channel-the-dri = the dead time of the command channel; the drive is your own
 sdnrp-2007-eq-1-with-the-constants-of-its-ta = SDNRP 2007, eq. 1, with the constants of its Table 1
 sdnrp-2007-eq-2-the-sum-is-a-misprint-a-prod = SDNRP 2007, eq. 2 (the sum is a misprint: a product has the gain 1)
 sdnrp-2007-eq-3-the-drive-that-the-paper-sim = SDNRP 2007, eq. 3: the drive that the paper simulates with
@@ -481,6 +513,8 @@ formula-without-a-formula = formula without a formula
 formula-together-with-one-of-formula-force-o = formula together with one of `formula.force_of_ra`, `formula.feed`, `formula.speed`, `formula.force`, `formula.ra`: set both at once, or first the formula and last take it away
 model-with-plant-steps-of-step-s = { $model } with plant steps of { $step } s
 plant-steps-of-at-most-longest-s-run-steps-p = plant steps of at most { $longest } s: `run.steps_per_control` from { $steps } on (576 give 28.8 kHz)
+n-modes-across-the-feed-with-machine-coupled = { $n } modes across the feed with `machine.coupled` = true
+t-1-to-4-modes-across-the-feed-axis-1-there-of = 1 to 4 modes across the feed (axis 1) there, of at most { $most } Hz: ten steps of 0.1 ms to a period
 parameters-with-machine-coupled-true-overdam = { $parameters } with `machine.coupled` = true (overdamped modes)
 d-or-t-in-a-coupled-run = D or T in a coupled run
 true-without-the-machine-s-sound = true without the machine's sound
@@ -527,11 +561,18 @@ noise-band-percent-is-0 = `noise.band_percent` is 0
 noise-inhomogeneity-percent-is-0 = `noise.inhomogeneity_percent` is 0
 nothing-is-random-noise-level-or-every-size = nothing is random: `noise.level` or every size of noise is 0
 cnc-override-rate-limited-is-false = `cnc.override_rate_limited` is false
+feed-drive-poles-gives-the-drive = `feed_drive.poles` gives the drive
+feed-drive-poles-is-empty-the-papers-drives = `feed_drive.poles` is empty: the papers' drives have a gain of 1
+spindle-drive-poles-gives-the-drive = `spindle_drive.poles` gives the drive
+spindle-drive-poles-is-empty-lag-and-rate-li = `spindle_drive.poles` is empty: lag and rate limit have a gain of 1
 cnc-force-stop-is-false = `cnc.force_stop` is false
 workpiece-cuts-is-empty = `workpiece.cuts` is empty
 program-cut-feeds-mm-min-programs-every-cut = `program.cut_feeds_mm_min` programs every cut
 workpiece-cuts-gives-lengths-and-depths = `workpiece.cuts` gives lengths and depths
 machine-coupled-is-false-the-cut-does-not-fe = `machine.coupled` is false: the cut does not feel the machine
+machine-tip-modes-gives-the-machine = `machine.tip_modes` gives the machine
+only-the-stability-chart-of-measured-modes-h = only the stability chart of measured modes has it
+machine-tip-modes-gives-the-machine-its-toot = `machine.tip_modes` gives the machine: its tooth is stiff
 wear-model-is-fixed = `wear.model` is fixed
 wear-model-is-fixed-the-tool-is-worn-by-dist = `wear.model` is fixed: the tool is worn by `disturbances.wear_jumps` alone
 machine-coupled-is-false-nothing-vibrates = `machine.coupled` is false: nothing vibrates
@@ -602,7 +643,6 @@ air-2 = Air
 depth-step-2 = Depth step
 disturbance = Disturbance
 setting = Setting
-first-answer = First answer
 chatter = Chatter
 unstable = Unstable
 

@@ -2,6 +2,7 @@
 
 ## src/app/panels/block_diagram/brush.rs
 
+your-own-order-order = your own, order { $order }
 low-to-high-whole = { $low } to { $high } %, whole
 low-to-high-2 = { $low } to { $high } %
 at-most-rate-s = at most { $rate } %/s
@@ -91,10 +92,9 @@ t-16mncrsi5-xm = 16MnCrSi5 XM.
 
 part = Part
 settings-of-the-comparison = Settings of the comparison
-stands-still-what-is-done-stays = Stands still; what is done stays
+run-the-comparison = Run the comparison
 pause-the-comparison = Pause the comparison
 runs-everybody-on-every-seed-it-goes-on-whil = Runs everybody on every seed; it goes on while other screens are shown
-run-the-comparison = Run the comparison
 seeds = Seeds
 every-seed-is-another-material-and-other-sen-2 = Every seed is another material and other sensor noise, the same for everybody; without noise all seeds give the same run
 done = done
@@ -108,14 +108,15 @@ compared-is-title-name-from-its-start-with-t = Compared is “{ $title }” ({ $
 not-repeated-at-their-times-changes-what-the = Not repeated at their times: { $changes }. What the console shows at { $time } holds from the start, for everybody.
 name-last-at-time = { $name } (last at { $time })
 n-more = { $n } more
+stands-still-what-is-done-stays = Stands still; what is done stays
 
 ## src/app/panels/compare/robust.rs
 
 without-retuning-anything = Without retuning anything
 experiment-2-at-other-dead-times-which-the-c = Experiment 2 at other dead times, which the controllers know, and in another steel, which they do not. Below each figure that of an independent prototype of the same equations, where it has one: it is no figure of the paper.
+run-the-conditions = Run the conditions
 pause-the-conditions = Pause the conditions
 runs-everybody-under-every-condition = Runs everybody under every condition
-run-the-conditions = Run the conditions
 done-of-n-runs = { $done } of { $n } runs
 control = Control
 
@@ -140,6 +141,7 @@ opens-the-cut-in-the-console-with-this-way-o = Opens the cut in the console with
 n-of-all-not-finished = { $n } of { $all } not finished
 n-of-all-stopped-by-overload = { $n } of { $all } stopped by overload
 n-of-all-unstable = { $n } of { $all } unstable
+n-of-all-chattered = { $n } of { $all } chattered
 why-not-all-hold-the-tolerance = Why not all hold the tolerance
 mean-and-standard-deviation-over-the-seeds-a = Mean and standard deviation over the seeds. A star marks the best of a column where it leads by more than both deviations together; with less than three seeds no spread is known, and nobody leads. Nsn: normalised standard error, how far the force strays from its reference, less is better.
 columns-are-ranked-only-among-those-that-hol-2 = { $columns } are ranked only among those that hold the tolerance: outside it they are no gain.
@@ -168,6 +170,7 @@ choose-at-least-one-way-of-control-above = Choose at least one way of control ab
 
 symbol-c-delayed-by-time-s = { $symbol }_c delayed by { $time } s
 in-now-out-then-unit = in { $now }, out { $then } { $unit }
+symbol-c-command-gives-symbol-a-actual-unit = { $symbol }_c = { $command } gives { $symbol }_a = { $actual } { $unit }
 f-c-command-gives-f-a-feed-mm-min = f_c = { $command } gives f_a = { $feed } mm/min
 a-straight-ramp-beyond-error-1-min-of-error = a straight ramp beyond { $error } 1/min of error
 level-level-band-band-ripple-ripple-inhomoge = level { $level }: band { $band } %, ripple { $ripple } %, inhomogeneity { $inhomogeneity } %
@@ -465,11 +468,11 @@ save-result = Save result
 
 missions = Missions
 each-takes-some-minutes-say-what-will-happen = Each takes some minutes: say what will happen, cut, and see whether you were right. What you do is checked by the program that cuts.
-not-passed-yet = not passed yet
-won-of-most-stars = { $won } of { $most } stars
 begin = Begin
 begin-mission = Begin: { $mission }
 a-mission-of-your-own-is-a-text-file-steadyc = A mission of your own is a text file: steadycut mission new writes one to begin with. Drop it here.
+not-passed-yet = not passed yet
+won-of-most-stars = { $won } of { $most } stars
 a-link-to-this-mission-with-its-qr-code = A link to this mission, with its QR code
 link-mission = Link: { $mission }
 stars-are-kept-until-the-program-ends-the-pl = Stars are kept until the program ends: the place for more is refused here.
@@ -516,20 +519,21 @@ that-is-my-prediction = That is my prediction
 go-on-without-a-prediction = Go on without a prediction
 that-is-my-answer = That is my answer
 go-on-without-an-answer = Go on without an answer
+without-an-answer-there-is-no-third-star-any = Without an answer there is no third star: any guess teaches more than none.
+go-on-all-the-same = Go on all the same
 your-prediction-stays-as-it-is-the-cut-has-b = Your prediction stays as it is: the cut has been shown.
 it-was-left-without-a-prediction-the-cut-has = It was left without a prediction: the cut has been shown.
+you-have-seen-this-cut-before-another-answer = You have seen this cut before: another answer than that of the first time counts for passing, not for the third star.
 answered-after-the-cut-or-a-check-has-shown = Answered after the cut or a check has shown it: that counts for passing, not for the third star.
 what-you-may-change = What you may change
 nothing-this-mission-asks-only-for-answers = Nothing: this mission asks only for answers.
 given-2 = Given
 hint-number = Hint { $number }:
 hint-number-of-count = Hint { $number } of { $count }
-without-an-answer-there-is-no-third-star-any = Without an answer there is no third star: any guess teaches more than none.
-go-on-all-the-same = Go on all the same
-you-have-seen-this-cut-before-another-answer = You have seen this cut before: another answer than that of the first time counts for passing, not for the third star.
 
 ## src/app/panels/learn/verdict.rs
 
+tries-begun-begun-checked-checked = Tries: begun { $begun }, checked { $checked }
 digest-of-the-cut-digest = Digest of the cut: { $digest }
 puts-the-result-away-a-check-brings-the-next = Puts the result away; a check brings the next one
 close-the-result = Close the result
@@ -537,23 +541,22 @@ passed-won-of-most-stars = Passed: { $won } of { $most } stars
 not-passed-yet-2 = Not passed yet
 this-is-of-before-your-last-change-check-aga = This is of before your last change: check again.
 off-the-curve-by-percent-of-its-height = off the curve by { $percent } of its height
+within-tolerance-of-the-true-value = within { $tolerance } of the true value
+too-low-allowed-is-tolerance-to-either-side = too low; allowed is { $tolerance } to either side
+too-high-allowed-is-tolerance-to-either-side = too high; allowed is { $tolerance } to either side
+words-the-true-value-is-truth = { $words }; the true value is { $truth }
+no-answer-was-given-in-step-step-that-costs = No answer was given in step { $step }: that costs the third star
+no-prediction-was-made-in-step-step-that-cos = No prediction was made in step { $step }: that costs the third star
 your-answer-in-step-step-is-right-it-came-wh = Your answer in step { $step } is right; it came when the cut had been seen
 your-answer-in-step-step-is-wrong = Your answer in step { $step } is wrong
 your-prediction-in-step-step-was-right = Your prediction in step { $step } was right
 your-prediction-in-step-step-was-wrong = Your prediction in step { $step } was wrong
 your-prediction-in-step-step-was-right-off-2 = Your prediction in step { $step } was right ({ $off })
 your-prediction-in-step-step-was-wrong-off-2 = Your prediction in step { $step } was wrong ({ $off })
-predictions-that-are-right-made-before-the-c = predictions that are right, made before the cut
 for-all-three-stars = For all three stars:
-tries-begun-begun-checked-checked = Tries: begun { $begun }, checked { $checked }
-within-tolerance-of-the-true-value = within { $tolerance } of the true value
-too-low-allowed-is-tolerance-to-either-side = too low; allowed is { $tolerance } to either side
-too-high-allowed-is-tolerance-to-either-side = too high; allowed is { $tolerance } to either side
-words-the-true-value-is-truth = { $words }; the true value is { $truth }
-no-prediction-was-made-in-step-step-that-cos = No prediction was made in step { $step }: that costs the third star
 reached-condition = reached: { $condition }
 missed-condition = missed: { $condition }
-no-answer-was-given-in-step-step-that-costs = No answer was given in step { $step }: that costs the third star
+predictions-that-are-right-made-before-the-c = predictions that are right, made before the cut
 
 ## src/app/panels/learning/actions.rs
 
@@ -698,6 +701,10 @@ stability-chart = Stability chart
 no-chart-can-be-made-of-this-machine = No chart can be made of this machine
 charted-cut = Charted: { $cut }.
 go-on-with-the-chart = Go on with the chart
+structure = Structure
+n-measured-modes-at-the-tool-s-tip = { $n } measured modes at the tool's tip
+takes-the-measured-modes-away-the-five-masse = Takes the measured modes away: the five masses of 2019 stand again
+back-to-the-five-masses = Back to the five masses
 spindle-quality = Spindle quality
 q-5-by-its-damper = Q 5, by its damper
 the-printed-damper-of-2348-n-s-m-belongs-to = The printed damper of 2348 N s/m belongs to it
@@ -896,7 +903,7 @@ cutting-speed = Cutting speed
 removal = Removal
 time-at-this-feed = Time at this feed
 with-tool-changes = with tool changes
-cost-of-cut = Cost of cut
+cost-of-cut-your-currency = Cost of cut, your currency
 objective = Objective
 
 ## src/app/panels/plan/controls.rs
@@ -1107,6 +1114,28 @@ over-n-sampling-lengths-of-long = Over { $n } sampling lengths of { $long }.
 the-run-s-ra-with-dynamics-is-ra-along-the-l = The run's Ra with dynamics is { $ra } along the line on average.
 simulated-tooth-by-tooth-k5-gives-no-ra-here = Simulated tooth by tooth, K5 gives no Ra here: feed marks and run-out alone.
 
+## src/app/panels/workpiece/program/picture.rs
+
+what-is-left-of-the-blank-from-above-with-th = What is left of the blank, from above, with the way of the tool
+
+## src/app/panels/workpiece/program.rs
+
+part-of-a-program = Part of a program
+name-n-moves = { $name }: { $n } moves
+size-and-corner-of-the-rectangular-blank-in = Size and corner of the rectangular blank in the coordinates of the program; at first it lies about the feed moves, with 5 mm below the deepest one.
+cut-it-from-the-blank = Cut it from the blank
+with-the-cutter-of-the-scenario = With the cutter of the scenario
+size = Size
+size-of-the-blank-along-axis = Size of the blank along { $axis }
+least-corner = Least corner
+least-corner-of-the-blank-along-axis = Least corner of the blank along { $axis }
+step = Step
+step-along-the-way = Step along the way
+milling-name = Milling: { $name }
+length-long-air-of-it-air-up-to-axial-deep-a = { $length } long, { $air } of it air; up to { $axial } deep and { $radial } wide
+make-it-the-part = Make it the part
+it-was-cut-with-another-cutter-cut-it-again = It was cut with another cutter: cut it again
+
 ## src/app/panels/workpiece/view.rs
 
 whole-part = Whole part
@@ -1131,6 +1160,8 @@ turn-by-touch = Turn by touch
 ## src/app/panels/workpiece.rs
 
 part-surface-3d-profile-roughness-profilomet = part surface 3d profile roughness profilometer picture
+a-table-of-depths-along-a-path-csv-or-a-prog = A table of depths along a path (CSV), or a program (G-code) that is cut from a blank; both can be dropped onto the window, too
+part-from-a-file = Part from a file…
 a-stylus-drawn-along-a-line-over-the-machine = A stylus drawn along a line over the machined surface: its profile, Ra, Rq, Rz
 profilometer = Profilometer
 colour-ra-against-its-tolerance = Colour: Ra against its tolerance
@@ -1145,25 +1176,3 @@ length-of-the-way-beyond-the-tolerance-on-th = Length of the way beyond the tole
 too-rough-is-rework-or-scrap-smoother-than-a = Too rough is rework or scrap; smoother than asked is neither.
 the-cutter-is-drawn-turning-times-times-slow = The cutter is drawn turning { $times } times slower. What stands in front of the wall was taken by an earlier cut.
 simulated-tooth-by-tooth-k5-s-ra-does-not-ho = Simulated tooth by tooth, K5's Ra does not hold: the surface shows feed marks and run-out alone.
-a-table-of-depths-along-a-path-csv-or-a-prog = A table of depths along a path (CSV), or a program (G-code) that is cut from a blank; both can be dropped onto the window, too
-part-from-a-file = Part from a file…
-
-## src/app/panels/workpiece/program.rs
-
-part-of-a-program = Part of a program
-name-n-moves = { $name }: { $n } moves
-size-and-corner-of-the-rectangular-blank-in = Size and corner of the rectangular blank in the coordinates of the program; at first it lies about the feed moves, with 5 mm below the deepest one.
-cut-it-from-the-blank = Cut it from the blank
-with-the-cutter-of-the-scenario = With the cutter of the scenario
-size-of-the-blank-along-axis = Size of the blank along { $axis }
-least-corner = Least corner
-least-corner-of-the-blank-along-axis = Least corner of the blank along { $axis }
-step-along-the-way = Step along the way
-milling-name = Milling: { $name }
-length-long-air-of-it-air-up-to-axial-deep-a = { $length } long, { $air } of it air; up to { $axial } deep and { $radial } wide
-make-it-the-part = Make it the part
-it-was-cut-with-another-cutter-cut-it-again = It was cut with another cutter: cut it again
-
-## src/app/panels/workpiece/program/picture.rs
-
-what-is-left-of-the-blank-from-above-with-th = What is left of the blank, from above, with the way of the tool

@@ -33,6 +33,7 @@ p-smith-predictor = P, Smith predictor
 mrac-one-gain = MRAC, one gain
 preview = Preview
 tracking = Tracking
+own-script = Own script
 
 ## crates/study/src/compare/iterations.rs
 
@@ -465,6 +466,7 @@ a-part-of-the-template-has-no-finite-value-o = a part of the template has no fin
 
 plant-force-model-is-id-tooth-by-tooth-expec = `plant.force_model` is { $id }, tooth by tooth: expected is a scenario whose force is a map; `steadycut identify force` fits the teeth
 the-recording-has-count-samples-of-the-force = the recording has { $count } samples of the force: expected are at least { $least }, and as many of feed, speed and position
+force = force
 position-2 = position
 name-sample-sample-is-no-number = { $name }: sample { $sample } is no number
 the-position-falls-expected-is-that-along-th = the position falls: expected is that along the path
@@ -480,6 +482,16 @@ expected-are-a-period-speed-feed-corners-of = expected are a period, speed, feed
 the-force-does-not-vary-nothing-is-told-of-i = the force does not vary: nothing is told of its noise
 the-mean-force-is-mean-n-expected-is-a-cut-w = the mean force is { $mean } N: expected is a cut, with a force above 0
 at-rest = at rest
+
+## crates/study/src/identify/response/fit.rs
+
+the-response-has-no-resonance-im-has-no-peak = the response has no resonance: -Im has no peak above 0; is it displacement over force?
+
+## crates/study/src/identify/response/table.rs
+
+its-columns-are-names-wanted-are-frequency-h = its columns are { $names }: wanted are frequency_hz with real_m_n and imaginary_m_n, or with magnitude_m_n and phase_deg; _um_n for um/N
+the-response-has-count-points-allowed-are-le = the response has { $count } points: allowed are { $least } to { $most }
+the-frequencies-do-not-ascend-from-above-0-h = the frequencies do not ascend from above 0 Hz
 
 ## crates/study/src/identify/wear.rs
 
@@ -606,6 +618,10 @@ left-the-same-as-right = { $left }: the same as { $right }
 left-other-than-right = { $left }: other than { $right }
 left-less-than-right = { $left }: less than { $right }
 left-more-than-right = { $left }: more than { $right }
+there-is-no-such-value = there is no such value
+yours-is-off-by-percent = yours is off by { $percent }
+yours-value = yours: { $value }
+yours-value-the-limit-limit = yours: { $value }, the limit: { $limit }
 value-within-percent-of-wanted = { $value }: within { $percent } of { $wanted }
 the-value-of-the-cut-as-given = the value of the cut as given
 the-value-at-constant-feed-as-programmed = the value at constant feed as programmed
@@ -644,10 +660,6 @@ cost-of-the-scrap = Cost of the scrap
 cost-of-the-cut = Cost of the cut
 share-of-the-time-at-a-limit = Share of the time at a limit
 share-of-the-time-with-a-model-outside-its-r = Share of the time with a model outside its range
-there-is-no-such-value = there is no such value
-yours-is-off-by-percent = yours is off by { $percent }
-yours-value = yours: { $value }
-yours-value-the-limit-limit = yours: { $value }, the limit: { $limit }
 
 ## crates/study/src/opening/frame.rs
 
@@ -662,6 +674,30 @@ embed-flag-allowed-are-hide-lock-screen-and = embed: `{ $flag }`: allowed are hi
 the-link-was-not-used-title-is-open-instead = The link was not used, “{ $title }” is open instead. { $error }
 embed-error = embed: { $error }
 the-mission-title-begins-anew-the-cut-of-the = The mission “{ $title }” begins anew: the cut of the link was not used. { $problem }
+
+## crates/study/src/own_file/entry.rs
+
+line-line-problem = line { $line }: { $problem }
+
+## crates/study/src/own_file/machine.rs
+
+machine-file = machine file
+the-pole-re-and-im-rad-s-lacks-its-conjugate = the pole { $re } and { $im } rad/s lacks its conjugate, { $re } and { $other }
+t-2-to-n-coefficients-above-0-a0-first-with-an = 2 to { $n } coefficients above 0, a0 first: with another sign no drive is stable
+one-of-poles-and-denominator-is-wanted-besid = one of `poles` and `denominator` is wanted beside it, not both and not neither
+a-drive-has-at-least-one-pole = a drive has at least one pole
+it-stands-without-poles = it stands without `poles`
+the-feed-drive-stands-in-feed-drive-already = the feed drive stands in [feed_drive] already
+there-is-nothing-in-it-dead-time-s-feed-driv = there is nothing in it: dead_time_s, [feed_drive] or [spindle_drive]
+
+## crates/study/src/own_file/material.rs
+
+material-file = material file
+
+## crates/study/src/own_file/mod.rs
+
+file-of-your-own = file of your own
+it-is-none-of-a-cutter-diameter-mm-teeth-a-s = it is none of a cutter (diameter_mm, teeth), a structure ([[mode]]), a material (kc11_n_mm2), a machine ([feed_drive] or poles)
 
 ## crates/study/src/papers/calibrations.rs
 
@@ -688,6 +724,79 @@ the-correlations-0-684-and-0-993-compare-wit = the correlations 0.684 and 0.993 
 how-wear-changes-springs-and-dampers-is-not = how wear changes springs and dampers is not stated; every law of wear here is an assumption
 absolute-amplitudes-a-force-of-107-n-at-ever = absolute amplitudes: a force of 107 N at every line of the spectrum is the formal reading of eq. 2
 parameters-of-the-tool-life-prediction-its-e = parameters of the tool-life prediction: its equations are not in the paper
+
+## crates/study/src/part/blank.rs
+
+the-blank-s-size-along-axis-is-size-mm-allow = the blank's size along { $axis } is { $size } mm: allowed is { $least } to { $most } mm
+the-blank-s-corner-has-to-be-three-numbers-i = the blank's corner has to be three numbers in mm
+a-grid-of-cell-mm-over-the-blank-has-n-cells = a grid of { $cell } mm over the blank has { $n } cells: allowed are { $most }; a larger step has fewer
+
+## crates/study/src/part/columns.rs
+
+column-name-the-unit-is-unit-allowed-is-all = column `{ $name }`: the unit is `{ $unit }`: allowed is { $all }
+the-columns-name-and-other-mean-the-same = the columns `{ $name }` and `{ $other }` mean the same
+s-or-x-and-y = s (or x and y)
+the-columns-are-found-missing-are-missing = the columns are { $found }; missing are { $missing }
+line-line-column-name-cell-allowed-is-a-numb = line { $line }, column `{ $name }`: `{ $cell }`: allowed is a number from { $least } to { $most } { $unit }
+line-line-the-path-begins-at-s-mm-allowed-is = line { $line }: the path begins at { $s } mm: allowed is 0
+line-line-the-path-is-at-s-mm-allowed-is-mor = line { $line }: the path is at { $s } mm: allowed is more than the { $before } mm of the row before
+the-table-has-n-rows-allowed-is-2-or-more-fr = the table has { $n } rows: allowed is 2 or more, from the start of the path to its end
+the-path-is-length-mm-long-allowed-is-at-mos = the path is { $length } mm long: allowed is at most { $most } mm
+columns-that-are-not-used-names = Columns that are not used: { $names }.
+
+## crates/study/src/part/gcode/arc.rs
+
+the-arc-s-radius-is-first-mm-at-its-start-an = the arc's radius is { $first } mm at its start and { $last } mm at its end: allowed is the same, above 0
+an-arc-of-radius-radius-mm-does-not-join-poi = an arc of radius { $radius } mm does not join points { $way } mm apart: allowed is a radius of half of that or more, and two different points
+
+## crates/study/src/part/gcode/reader.rs
+
+at-most-n-lines-are-read = at most { $n } lines are read
+letter-stands-there-twice = `{ $letter }` stands there twice
+two-kinds-of-motion-in-one-line = two kinds of motion in one line
+word-changes-where-the-tool-goes-in-a-way-th = { $word } changes where the tool goes in a way that is not followed
+word-allowed-is-0-or-more = { $word }: allowed is 0 or more
+word-subprograms-are-not-followed = { $word }: subprograms are not followed
+word-only-x-y-z-i-j-and-r-say-where-the-tool = { $word }: only X, Y, Z, I, J and R say where the tool goes
+axis-is-relative-and-where-the-tool-is-along = `{ $axis }` is relative, and where the tool is along it is not known
+a-place-without-a-motion-g0-g1-g2-or-g3-come = a place without a motion: G0, G1, G2 or G3 comes first
+a-feed-move-from-a-place-that-is-not-known-r = a feed move from a place that is not known: rapid moves to X, Y and Z come first
+i-j-and-r-belong-to-arcs-g2-and-g3 = I, J and R belong to arcs, G2 and G3
+an-arc-has-i-and-j-or-r-not-both = an arc has I and J, or R, not both
+an-arc-without-i-j-or-r = an arc without I, J or R
+
+## crates/study/src/part/gcode/words.rs
+
+a-comment-has-no-end = a comment has no end
+code-sign-is-no-letter-of-a-word-variables-e = `{ $code }`: `{ $sign }` is no letter of a word; variables, expressions, block skips and O-words are not followed
+letter-is-followed-by-number-allowed-is-a-nu = `{ $letter }` is followed by `{ $number }`: allowed is a number
+
+## crates/study/src/part/milling.rs
+
+the-step-is-step-mm-allowed-is-least-to-most = the step is { $step } mm: allowed is { $least } to { $most } mm
+the-program-has-no-feed-move-nothing-is-cut = the program has no feed move: nothing is cut
+a-way-of-length-mm-in-steps-of-step-mm-allow = a way of { $length } mm in steps of { $step } mm: allowed are { $most } steps; a larger step has fewer
+mm-of-the-way = mm of the way
+and-n-more = { " " }and { $n } more
+rapid-moves-through-material-lines-lines = Rapid moves through material: lines { $lines }.
+straight-down-into-material-lines-lines = Straight down into material: lines { $lines }.
+not-acted-on-word-lines-lines = Not acted on: { $word }, lines { $lines }.
+behind-the-end-of-the-program-n-lines-not-re = Behind the end of the program: { $n } lines, not read.
+there-are-feed-moves-before-the-first-f-thei = There are feed moves before the first F: their feed is not known.
+
+## crates/study/src/part/path.rs
+
+the-part-has-n-cuts-with-air-between-them-on = the part has { $n } cuts with air between them: only one path is a table of depths
+
+## crates/study/src/part/taken.rs
+
+the-depths-change-at-n-places-allowed-are-mo = the depths change at { $n } places: allowed are { $most }, with differences up to { $same } mm taken for none; a larger step or a part of the path has fewer
+differences-of-depth-up-to-same-mm-are-taken = Differences of depth up to { $same } mm are taken for none, so that the part fits into a scenario.
+the-time-limit-is-time-s-now-run-duration-s = The time limit is { $time } s now (`run.duration_s`), twice what the path takes at the programmed feed.
+it-would-take-wanted-s-a-run-has-most-s-at-m = It would take { $wanted } s; a run has { $most } s at most, and may end before the path does.
+one-row-is-recorded-per-control-period-run-r = One row is recorded per control period (`run.record_every`): the run is long.
+the-file-programs-feeds-from-low-to-high-mm = The file programs feeds from { $low } to { $high } mm/min; the run programs { $feed } mm/min (`program.feed_mm_min`).
+the-file-programs-speeds-from-low-to-high-1 = The file programs speeds from { $low } to { $high } 1/min; the run programs { $speed } 1/min (`program.spindle_rpm`).
 
 ## crates/study/src/plan/constraints.rs
 
@@ -719,7 +828,6 @@ nothing-is-feasible-in-the-range-searched-at = nothing is feasible in the range 
 
 ## crates/study/src/plan/over_depths.rs
 
-force = force
 in-tolerance-2 = in tolerance
 above-its-tolerance = above its tolerance
 below-its-tolerance = below its tolerance
@@ -798,8 +906,14 @@ curves = curves
 
 ## crates/study/src/stability/mod.rs
 
-above-0-mm-for-a-stability-chart = above 0 mm for a stability chart
 r-d-radial-mm-of-a-cutter-of-diameter-mm-wit = R_D { $radial } mm of a cutter of { $diameter } mm with { $teeth } teeth: each cuts over { $angle } degrees
+above-0-mm-for-a-stability-chart = above 0 mm for a stability chart
+
+## crates/study/src/stability/tip/mod.rs
+
+r-d-radial-mm-of-a-cutter-of-diameter-mm-wit-2 = R_D { $radial } mm of a cutter of { $diameter } mm with { $teeth } teeth: each cuts from { $from } to { $to } degrees, { $way }
+down-milling = down-milling
+up-milling = up-milling
 
 ## crates/study/src/train/claim.rs
 
@@ -843,6 +957,8 @@ twin-kind-is-programmed = `twin.kind` is programmed
 plan-force-limit-is-not-fixed = `plan.force_limit` is not fixed
 plan-force-limit-is-fixed = `plan.force_limit` is fixed
 plan-free-speed-is-true-the-speed-is-searche = `plan.free_speed` is true: the speed is searched
+machine-tip-modes-gives-the-machine-and-the = `machine.tip_modes` gives the machine, and the teeth's angles the direction
+machine-tip-modes-is-empty-the-five-masses-h = `machine.tip_modes` is empty: the five masses have one direction
 workpiece-cuts-gives-the-radial-depths = `workpiece.cuts` gives the radial depths
 workpiece-radial-depth-mm-is-the-width-of-th = `workpiece.radial_depth_mm` is the width of the cut whatever the end's shape is
 plant-calibration-is-not-formula = `plant.calibration` is not formula
@@ -891,77 +1007,3 @@ does-not-hold = does not hold
 no-run-yet = no run yet
 k4-of-the-papers = K4 of the papers
 tooth-by-tooth-2 = tooth by tooth
-
-## crates/study/src/part/blank.rs
-
-the-blank-s-size-along-axis-is-size-mm-allow = the blank's size along { $axis } is { $size } mm: allowed is { $least } to { $most } mm
-the-blank-s-corner-has-to-be-three-numbers-i = the blank's corner has to be three numbers in mm
-a-grid-of-cell-mm-over-the-blank-has-n-cells = a grid of { $cell } mm over the blank has { $n } cells: allowed are { $most }; a larger step has fewer
-
-## crates/study/src/part/columns.rs
-
-column-name-the-unit-is-unit-allowed-is-all = column `{ $name }`: the unit is `{ $unit }`: allowed is { $all }
-the-columns-name-and-other-mean-the-same = the columns `{ $name }` and `{ $other }` mean the same
-s-or-x-and-y = s (or x and y)
-the-columns-are-found-missing-are-missing = the columns are { $found }; missing are { $missing }
-line-line-column-name-cell-allowed-is-a-numb = line { $line }, column `{ $name }`: `{ $cell }`: allowed is a number from { $least } to { $most } { $unit }
-line-line-the-path-begins-at-s-mm-allowed-is = line { $line }: the path begins at { $s } mm: allowed is 0
-line-line-the-path-is-at-s-mm-allowed-is-mor = line { $line }: the path is at { $s } mm: allowed is more than the { $before } mm of the row before
-the-table-has-n-rows-allowed-is-2-or-more-fr = the table has { $n } rows: allowed is 2 or more, from the start of the path to its end
-the-path-is-length-mm-long-allowed-is-at-mos = the path is { $length } mm long: allowed is at most { $most } mm
-columns-that-are-not-used-names = Columns that are not used: { $names }.
-
-## crates/study/src/part/gcode/arc.rs
-
-the-arc-s-radius-is-first-mm-at-its-start-an = the arc's radius is { $first } mm at its start and { $last } mm at its end: allowed is the same, above 0
-an-arc-of-radius-radius-mm-does-not-join-poi = an arc of radius { $radius } mm does not join points { $way } mm apart: allowed is a radius of half of that or more, and two different points
-
-## crates/study/src/part/gcode/reader.rs
-
-line-line-problem = line { $line }: { $problem }
-at-most-n-lines-are-read = at most { $n } lines are read
-letter-stands-there-twice = `{ $letter }` stands there twice
-two-kinds-of-motion-in-one-line = two kinds of motion in one line
-word-changes-where-the-tool-goes-in-a-way-th = { $word } changes where the tool goes in a way that is not followed
-word-allowed-is-0-or-more = { $word }: allowed is 0 or more
-word-subprograms-are-not-followed = { $word }: subprograms are not followed
-word-only-x-y-z-i-j-and-r-say-where-the-tool = { $word }: only X, Y, Z, I, J and R say where the tool goes
-axis-is-relative-and-where-the-tool-is-along = `{ $axis }` is relative, and where the tool is along it is not known
-a-place-without-a-motion-g0-g1-g2-or-g3-come = a place without a motion: G0, G1, G2 or G3 comes first
-a-feed-move-from-a-place-that-is-not-known-r = a feed move from a place that is not known: rapid moves to X, Y and Z come first
-i-j-and-r-belong-to-arcs-g2-and-g3 = I, J and R belong to arcs, G2 and G3
-an-arc-has-i-and-j-or-r-not-both = an arc has I and J, or R, not both
-an-arc-without-i-j-or-r = an arc without I, J or R
-
-## crates/study/src/part/gcode/words.rs
-
-a-comment-has-no-end = a comment has no end
-code-sign-is-no-letter-of-a-word-variables-e = `{ $code }`: `{ $sign }` is no letter of a word; variables, expressions, block skips and O-words are not followed
-letter-is-followed-by-number-allowed-is-a-nu = `{ $letter }` is followed by `{ $number }`: allowed is a number
-
-## crates/study/src/part/milling.rs
-
-the-step-is-step-mm-allowed-is-least-to-most = the step is { $step } mm: allowed is { $least } to { $most } mm
-the-program-has-no-feed-move-nothing-is-cut = the program has no feed move: nothing is cut
-a-way-of-length-mm-in-steps-of-step-mm-allow = a way of { $length } mm in steps of { $step } mm: allowed are { $most } steps; a larger step has fewer
-mm-of-the-way = mm of the way
-and-n-more = { " " }and { $n } more
-rapid-moves-through-material-lines-lines = Rapid moves through material: lines { $lines }.
-straight-down-into-material-lines-lines = Straight down into material: lines { $lines }.
-not-acted-on-word-lines-lines = Not acted on: { $word }, lines { $lines }.
-behind-the-end-of-the-program-n-lines-not-re = Behind the end of the program: { $n } lines, not read.
-there-are-feed-moves-before-the-first-f-thei = There are feed moves before the first F: their feed is not known.
-
-## crates/study/src/part/path.rs
-
-the-part-has-n-cuts-with-air-between-them-on = the part has { $n } cuts with air between them: only one path is a table of depths
-
-## crates/study/src/part/taken.rs
-
-the-depths-change-at-n-places-allowed-are-mo = the depths change at { $n } places: allowed are { $most }, with differences up to { $same } mm taken for none; a larger step or a part of the path has fewer
-differences-of-depth-up-to-same-mm-are-taken = Differences of depth up to { $same } mm are taken for none, so that the part fits into a scenario.
-the-time-limit-is-time-s-now-run-duration-s = The time limit is { $time } s now (`run.duration_s`), twice what the path takes at the programmed feed.
-it-would-take-wanted-s-a-run-has-most-s-at-m = It would take { $wanted } s; a run has { $most } s at most, and may end before the path does.
-one-row-is-recorded-per-control-period-run-r = One row is recorded per control period (`run.record_every`): the run is long.
-the-file-programs-feeds-from-low-to-high-mm = The file programs feeds from { $low } to { $high } mm/min; the run programs { $feed } mm/min (`program.feed_mm_min`).
-the-file-programs-speeds-from-low-to-high-1 = The file programs speeds from { $low } to { $high } 1/min; the run programs { $speed } 1/min (`program.spindle_rpm`).

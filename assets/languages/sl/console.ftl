@@ -9,6 +9,7 @@ steadycut-simulates-milling-whose-controller = SteadyCut simulira frezanje, pri 
 mission-title = Naloga: { $title }
 mission-title-is-open-what-it-does-not-let-y = Naloga »{ $title }« je odprta: česar ne dovoli spreminjati, je zaklenjeno
 the-cut-stays-as-it-is-and-all-of-it-can-be = Rez ostane, kot je, in vse na njem je spet mogoče spreminjati
+leave = Zapusti
 leave-the-mission = Zapusti nalogo
 task-hints-and-answer-of-the-mission-on-the = Besedilo, namigi in odgovor naloge: na zaslonu Vadnica
 back-to-the-mission = Nazaj k nalogi
@@ -52,6 +53,7 @@ no-file-dialog-is-available-drag-a-scenario = Pogovorno okno za datoteke ni na v
 steadycut-scenario = Scenarij SteadyCut
 unks-networks = Mreže UNKS
 table = Tabela
+part-table-or-g-code = Obdelovanec: tabela ali koda G
 saved-search = Shranjeno iskanje
 model-of-a-formula = Model formule
 saved-as-name = shranjeno kot { $name }
@@ -63,7 +65,6 @@ the-browser-did-not-take-name-for-download = brskalnik ni sprejel { $name } za p
 name-could-not-be-read-error = { $name } ni bilo mogoče prebrati: { $error }
 name-is-the-result-of-a-mission-steadycut-mi = { $name } je rezultat naloge: preveri ga steadycut mission check { $name }.
 name-is-a-file-of-a-spreadsheet-save-it-ther = { $name } je datoteka preglednice: tam jo shranite kot CSV, ki ga je tu mogoče odpreti in spustiti.
-part-table-or-g-code = Obdelovanec: tabela ali koda G
 
 ## src/app/format.rs
 
@@ -73,10 +74,11 @@ with-before-it-a-value-lies-outside-the-rang = Vrednost z znakom ≈ je zunaj ve
 
 ## src/app/framed.rs
 
+cannot-be-changed-it-is-locked = Ni mogoče spremeniti: { $locked }.
+locked-the-mission-title-does-not-open-it-le = Zaklenjeno: naloga »{ $title }« tega ne odpira. Za spremembo zapustite nalogo.
 the-address-that-this-was-opened-with-hides = Naslov, s katerim je bilo to odprto, skriva druge zaslone (hide:screens).
 the-address-that-this-was-opened-with-hides-2 = Naslov, s katerim je bilo to odprto, skriva iskanje (hide:find).
 the-address-that-this-was-opened-with-hides-3 = Naslov, s katerim je bilo to odprto, skriva datoteke in povezave (hide:files).
-locked-the-mission-title-does-not-open-it-le = Zaklenjeno: naloga »{ $title }« tega ne odpira. Za spremembo zapustite nalogo.
 
 ## src/app/jobs/list.rs
 
@@ -232,6 +234,7 @@ period-period-no-rest = perioda { $period }, brez umiritve
 no-ra = ni Ra
 not-judged = ni ocenjeno
 outside-the-model = zunaj modela
+ra-outside-its-model = Ra zunaj modela
 error-within = { $error } znotraj
 error-outside = { $error } zunaj
 ra-swings-by-swing = Ra niha za ±{ $swing }
@@ -330,16 +333,16 @@ scenario-changed = { $scenario }, spremenjen
 scenario-scenario = Scenarij: { $scenario }
 scenario = Scenarij
 the-shipped-scenarios = Priloženi scenariji
+the-cut-of-the-mission-title-its-task-is-on = Rez naloge »{ $title }«; njeno besedilo je na zaslonu Vadnica.
 as-shipped-about = Kot je priložen: { $about }
 without-the-changes-made-in-the-cut-about = Brez sprememb med rezom: { $about }
-the-cut-of-the-mission-title-its-task-is-on = Rez naloge »{ $title }«; njeno besedilo je na zaslonu Vadnica.
 
 ## src/app/panels/console/disturb.rs
 
 drops-a-disturbance-into-the-cut-a-little-ah = Vstavi motnjo v rez, malo pred orodjem; »Razveljavi« jo odstrani
+disturb-the-cut-2 = Zmoti rez
 names-and-sizes-of-disturbances = Imena in velikosti motenj
 disturb-the-cut = Zmoti rez…
-disturb-the-cut-2 = Zmoti rez
 a-press-on-a-name-drops-that-disturbance-a-l = Pritisk na ime vstavi to motnjo malo pred orodjem, tako dolgo in veliko, kot je nastavljeno zraven.
 length-of-the-disturbance = Dolžina: { $disturbance }
 mm-long = { " " }mm dolžine
@@ -351,6 +354,7 @@ least-to-most = { $least } do { $most }
 finding = iskanje …
 axial-depth-times-radial-depth-summed-over-t = Aksialna globina krat radialna globina, sešteto vzdolž poti.
 without-none = brez: nobenega
+without-outside-its-model = brez: zunaj modela
 without-ra = brez { $ra }
 in-twin-ra = { $twin }: { $ra }.
 roughness-produced-at-the-playhead-with-the = Nastala hrapavost pri časovnem kazalcu, s sledmi vibracij stroja: kot mora biti v mejah { $percent } % cilja. Brez: Ra samo po modelu reza, ki ga drži regulator. { $beside }
@@ -451,7 +455,6 @@ from-the-start-of-the-part-without-a-control = Od začetka obdelovanca, brez reg
 plots-settings-and-sentences-beside-the-knob = Grafi, nastavitve in stavki ob gumbu, ki jih operater nima
 whole-console = Ves pult
 back-to-the-console-the-cut-goes-on-as-it-is = Nazaj na pult; rez teče naprej, kot je{ $keys }
-leave = Zapusti
 
 ## src/app/panels/console/operator/panel.rs
 
@@ -583,14 +586,14 @@ air = zrak
 the-tool-meets-no-material-here = Orodje tu ne sreča materiala
 stretch-number-why = Odsek { $number }: { $why }.
 it-is-cut-and-its-depth-stays-a-change-of-it = je odrezan in njegova globina ostane; njena sprememba bi delovala tam, kjer je orodje zdaj
+n-stretches-each-with-its-axial-and-its-radi = Odseki, vsak s svojo aksialno in radialno globino: { $n }
+one-axial-and-one-radial-depth-along-the-who = Ena aksialna in ena radialna globina vzdolž vse poti, tisti z njenega začetka
+take-the-profiles-away = Odstrani profila
 from-mm = Od mm
 axial-depth-of-stretch-number = Aksialna globina odseka { $number }
 start-of-stretch-number = Začetek odseka { $number }
 remove-stretch-number = Odstrani odsek { $number }
 add-a-stretch = Dodaj odsek
-n-stretches-each-with-its-axial-and-its-radi = Odseki, vsak s svojo aksialno in radialno globino: { $n }
-one-axial-and-one-radial-depth-along-the-who = Ena aksialna in ena radialna globina vzdolž vse poti, tisti z njenega začetka
-take-the-profiles-away = Odstrani profila
 
 ## src/app/panels/console/workpiece.rs
 
@@ -603,6 +606,7 @@ add-a-cut = Dodaj rez
 duplicate-cut-number = Podvoji rez { $number }
 remove-cut-number = Odstrani rez { $number }
 the-last-cut-stays-one-path-goes-without-cut-2 = Zadnji rez ostane: „Ena pot“ gre brez rezov
+these-depths-are-profiles-of-a-file-take-the = Te globine so profila iz datoteke: odstranite ju, da lahko vlečete globino.
 back-to-the-start = Nazaj na začetek
 what-is-grey-is-cut-already-at-the-start-of = Kar je sivo, je že odrezano: na začetku reza je mogoče spremeniti vsak odsek
 the-tool-is-at-at-changed-depths-act-from-th = Orodje je pri { $at }: spremenjene globine delujejo od tam in od zdaj naprej. Odsek, ki se začne prej, velja le za svoj še neodrezani del; kar je odrezano, ostane.
@@ -618,7 +622,6 @@ one-straight-cut-with-this-path-s-depths-the = En raven rez z globinami te poti,
 make-cuts-of-the-path = Iz poti naredi reze
 no-cuts-the-path-with-its-length-depths-and = Brez rezov: pot s svojo dolžino, globinami in profilom globine
 one-path = Ena pot
-these-depths-are-profiles-of-a-file-take-the = Te globine so profila iz datoteke: odstranite ju, da lahko vlečete globino.
 
 ## src/app/playback.rs
 
@@ -628,6 +631,7 @@ as-fast-as-possible = kar se da hitro
 
 screen = zaslon
 search-formulas-in-a-table-of-one-s-own = Išči formule v lastni tabeli
+open-a-part-of-one-s-own-table-or-g-code = Odpri lasten obdelovanec: tabela ali koda G
 go-on-with-a-saved-search-for-a-formula = Nadaljuj shranjeno iskanje formule
 open-networks-of-unks = Odpri mreže UNKS
 save-the-networks-of-unks = Shrani mreže UNKS
@@ -643,6 +647,7 @@ download-keep-toml = prenesi ohrani toml save
 save-table-data-results-measurements-downloa = shrani tabela podatki rezultati meritve prenos preglednica save
 qr-code-class-phone-digest-share-address-url = koda qr razred telefon digest deli naslov url ukazna vrstica terminal ponovi pošlji share link
 identify-own-data-measured-measurements-csv = identifikacija lastni podatki izmerjeno meritve csv naloži uvozi identify
+workpiece-cam-nc-gcode-program-csv-depths-im = obdelovanec cam nc gcode program csv globine uvoz lasten surovec
 identify-resume-json = identifikacija nadaljuj json resume
 neural-learning-weights-json = nevronske učenje uteži json neural
 help-about-introduction-keyboard-shortcuts-h = pomoč o programu uvod bližnjice tipkovnica dotik poteg ščip prst help about shortcuts
@@ -663,8 +668,6 @@ in-group-path = v { $group }: { $path }
 scenario-2 = scenarij
 command = ukaz
 control-by-controller = Krmili z { $controller }
-open-a-part-of-one-s-own-table-or-g-code = Odpri lasten obdelovanec: tabela ali koda G
-workpiece-cam-nc-gcode-program-csv-depths-im = obdelovanec cam nc gcode program csv globine uvoz lasten surovec
 
 ## src/app/session/change.rs
 
@@ -693,6 +696,7 @@ name-is-the-part-now-length-mm-long-air-mm-o = { $name } je zdaj obdelovanec: do
 
 ## src/app/session/disturb.rs
 
+no-kind-at-place-the-cut-goes-from-0-to-end-2 = Motnje ({ $kind }) pri { $place } ni mogoče vstaviti: rez gre od 0 do { $end }. Najprej pojdite nazaj v času ali jo postavite na obdelovanec.
 what-undo-takes-it-back = { $what }. »Razveljavi« to prekliče.
 what-behind-the-tool-the-cut-is-done-again-u = { $what }, za orodjem: rez se ponovi. »Razveljavi« to prekliče.
 kind-at-place = { $kind } pri { $place }
@@ -864,7 +868,6 @@ pause-space = Premor (preslednica)
 play = Predvajaj
 play-space = Predvajaj (preslednica)
 one-control-sample-on-keys = En regulacijski vzorec naprej{ $keys }
-step = Korak
 to-the-end-of-the-cut-end = Na konec reza (End)
 end = Konec
 plots-show-the-last-seconds-before-the-playh = Grafi kažejo zadnje sekunde pred časovnim kazalcem, na koncu pa vso simulacijo; sicer vedno vso.
@@ -1022,7 +1025,6 @@ n-cuts =
 
 ## src/app/widgets/setting.rs
 
-cannot-be-changed-it-is-locked = Ni mogoče spremeniti: { $locked }.
 reset-to-default-unit = Ponastavi na { $default } { $unit }
 locked = Zaklenjeno
 not-used-now-because = Zdaj ni v uporabi: { $because }.
@@ -1043,6 +1045,8 @@ iso-1302-grade-grade-ra-ra-um-m = ISO 1302, razred { $grade }: Ra { $ra_um } µm
 ## src/app/widgets/window.rs
 
 close-window = Zapri okno
-ra-outside-its-model = Ra zunaj modela
-without-outside-its-model = brez: zunaj modela
-no-kind-at-place-the-cut-goes-from-0-to-end-2 = Motnje ({ $kind }) pri { $place } ni mogoče vstaviti: rez gre od 0 do { $end }. Najprej pojdite nazaj v času ali jo postavite na obdelovanec.
+
+over-rough-under-smoother = { $over } % grobo, { $under } % bolj gladko
+names-sizes = Imena, velikosti…
+title-is-taken-as-the-kind-of-this-cut = { $title } je prevzeto za ta rez ({ $kind })
+the-safe-constant-feed-is-now-now-from-the-s = Varno stalno podajanje je zdaj { $now }, od začetka reza, ker drži cilj na vsem obdelovancu; prej je bilo { $before }.

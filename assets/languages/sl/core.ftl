@@ -344,6 +344,15 @@ tooth = zob
 slides = sani
 table-2 = miza
 
+## crates/core/src/models/structure/reduction.rs
+
+
+## crates/core/src/models/tip_modes/file.rs
+
+
+## crates/core/src/models/tip_modes/mod.rs
+
+
 ## crates/core/src/models/tool/file.rs
 
 tool-file = datoteka orodja
@@ -352,7 +361,9 @@ key-is-missing = `{ $key }` manjka
 version-version-is-missing = `version = { $version }` manjka
 key-is-missing-allowed = `{ $key }` manjka: { $allowed }
 unknown-entry-key-there-are-version-title-so = neznan vnos `{ $key }`; obstajajo version, title, source, { $known }
-corner-radius-mm-cannot-be-radius-mm-allowed = `corner_radius_mm` ne more biti { $radius } mm: dovoljena je največ polovica `diameter_mm`, { $most } mm
+
+## crates/core/src/models/transfer/setting.rs
+
 
 ## crates/core/src/models/unks/stored.rs
 
@@ -602,7 +613,6 @@ air-2 = Zrak
 depth-step-2 = Stopnica globine
 disturbance = Motnja
 setting = Nastavitev
-first-answer = Prvi odziv
 chatter = Drdranje
 unstable = Nestabilno
 
@@ -789,3 +799,34 @@ the-cut-at-the-programmed-feed-met = rez s programiranim podajanjem { $met }
 the-controller-moves-and-met = regulator { $moves } in { $met }
 the-controller-met = regulator { $met }
 the-tool-is-in-the-air-for-length-no-force-a = Orodje je na dolžini { $length } v zraku: ni sile in ni površine; podajanje gre na { $feed }.
+
+n-modes-across-the-feed-in-a-running-cut = { $n } nihajnih oblik prečno na podajanje v tekočem rezu
+t-1-to-4-modes-across-the-feed-which-the-surfa = 1 do 4 nihajne oblike prečno na podajanje, ki jih vidi površina
+structure-file = datoteka strukture
+line-line-entry-cannot-be-value-allowed-is-a = vrstica { $line }: `{ $entry }` ne more biti { $value }: dovoljeno je { $allowed }
+x-or-y = x ali y
+mode-place-one-of-mass-kg-and-stiffness-n-m = nihajna oblika { $place }: potreben je natanko eden od `mass_kg` in `stiffness_n_m`
+what-makes-a-modal-mass-from-low-to-high-kg = kar da pri tej frekvenci modalno maso od { $low } do { $high } kg
+a-number-from-low-to-high = število od { $low } do { $high }
+text-of-n-characters = besedilo z { $n } znaki
+text-of-1-to-n-characters = besedilo z 1 do { $n } znaki
+there-is-no-mode-at-least-one-mode-is-wanted = ni nihajne oblike: potreben je vsaj en `[[mode]]`
+n-modes-allowed-are-at-most-most = { $n } nihajnih oblik: dovoljenih je največ { $most }
+mode-place-entry-cannot-be-value-allowed-is = nihajna oblika { $place }: `{ $entry }` ne more biti { $value }: dovoljeno je število od { $low } do { $high }
+at-most-n-lists-axis-frequency-damping-ratio = največ { $n } seznamov [os, frekvenca, dušilno razmerje, modalna masa]: os 0 za x ali 1 za y, { $f0 } do { $f1 } Hz, { $d0 } do { $d1 }, { $m0 } do { $m1 } kg
+line-line-corner-radius-mm-cannot-be-radius = vrstica { $line }: `corner_radius_mm` ne more biti { $radius } mm: dovoljena je največ polovica `diameter_mm`, { $most } mm
+stable-poles-real-parts-from-slowest-down-to = stabilni poli: realni deli od { $slowest } do { $fastest } rad/s, imaginarni deli od 0 do { $largest } rad/s, red največ { $n }
+pole-place-cannot-be-re-and-im-rad-s-allowed = pol { $place } ne more biti { $re } in { $im } rad/s: dovoljeno je { $allowed }
+the-order-cannot-be-order-allowed-is-allowed = red ne more biti { $order }: dovoljeno je { $allowed }
+lists-real-imaginary-of-poles = seznami [realni, imaginarni del]: { $poles }
+a-drive-of-your-own-by-its-poles-and-gain = lasten pogon, po polih in ojačenju
+the-dead-time-of-the-command-channel-the-dri = mrtvi čas ukaznega kanala; pogon je lasten
+n-modes-across-the-feed-with-machine-coupled = { $n } nihajnih oblik prečno na podajanje z `machine.coupled` = true
+t-1-to-4-modes-across-the-feed-axis-1-there-of = tam 1 do 4 nihajne oblike prečno na podajanje (os 1) z največ { $most } Hz: deset korakov po 0,1 ms na periodo
+feed-drive-poles-gives-the-drive = `feed_drive.poles` podaja pogon
+feed-drive-poles-is-empty-the-papers-drives = `feed_drive.poles` je prazen: pogoni iz člankov imajo ojačenje 1
+spindle-drive-poles-gives-the-drive = `spindle_drive.poles` podaja pogon
+spindle-drive-poles-is-empty-lag-and-rate-li = `spindle_drive.poles` je prazen: zakasnitev in omejitev hitrosti spremembe imata ojačenje 1
+machine-tip-modes-gives-the-machine = `machine.tip_modes` podaja stroj
+only-the-stability-chart-of-measured-modes-h = ima jo samo karta stabilnosti izmerjenih nihajnih oblik
+machine-tip-modes-gives-the-machine-its-toot = `machine.tip_modes` podaja stroj: njegov zob je tog

@@ -91,10 +91,9 @@ t-16mncrsi5-xm = 16MnCrSi5 XM.
 
 part = Obdelovanec
 settings-of-the-comparison = Nastavitve primerjave
-stands-still-what-is-done-stays = Miruje; kar je opravljeno, ostane
+run-the-comparison = Zaženi primerjavo
 pause-the-comparison = Ustavi primerjavo
 runs-everybody-on-every-seed-it-goes-on-whil = Zažene vse z vsemi semeni; teče tudi ob drugih zaslonih
-run-the-comparison = Zaženi primerjavo
 seeds = Semena
 every-seed-is-another-material-and-other-sen-2 = Vsako seme pomeni drug material in drug šum senzorja, enak za vse; brez šuma dajo vsa semena isto simulacijo
 done = končano
@@ -114,14 +113,15 @@ compared-is-title-name-from-its-start-with-t = Primerja se »{ $title }« ({ $na
 not-repeated-at-their-times-changes-what-the = Ob svojih časih se ne ponovi: { $changes }. Kar pult kaže pri { $time }, velja od začetka, za vse.
 name-last-at-time = { $name } (nazadnje pri { $time })
 n-more = še { $n }
+stands-still-what-is-done-stays = Miruje; kar je opravljeno, ostane
 
 ## src/app/panels/compare/robust.rs
 
 without-retuning-anything = Brez kakršne koli ponovne nastavitve
 experiment-2-at-other-dead-times-which-the-c = Preizkus 2 pri drugih mrtvih časih, ki jih regulatorji poznajo, in v drugem jeklu, ki ga ne poznajo. Pod vsako številko je številka neodvisnega prototipa istih enačb, kjer jo ima: ni številka iz članka.
+run-the-conditions = Zaženi pogoje
 pause-the-conditions = Ustavi pogoje
 runs-everybody-under-every-condition = Zažene vse v vseh pogojih
-run-the-conditions = Zaženi pogoje
 done-of-n-runs = simulacij: { $done } od { $n }
 control = Vodenje
 
@@ -489,11 +489,11 @@ save-result = Shrani rezultat
 
 missions = Naloge
 each-takes-some-minutes-say-what-will-happen = Vsaka traja nekaj minut: napovejte, kaj se bo zgodilo, obdelajte in poglejte, ali ste imeli prav. Kar storite, preveri isti program, ki reže.
-not-passed-yet = še ni opravljena
-won-of-most-stars = { $won } od { $most } zvezdic
 begin = Začni
 begin-mission = Začni: { $mission }
 a-mission-of-your-own-is-a-text-file-steadyc = Lastna naloga je besedilna datoteka: steadycut mission new zapiše eno za začetek. Spustite jo sem.
+not-passed-yet = še ni opravljena
+won-of-most-stars = { $won } od { $most } zvezdic
 a-link-to-this-mission-with-its-qr-code = Povezava do te naloge z njeno kodo QR
 link-mission = Povezava: { $mission }
 stars-are-kept-until-the-program-ends-the-pl = Zvezdice se ohranijo, dokler se program ne zapre: trajno shranjevanje tu ni dovoljeno.
@@ -540,20 +540,21 @@ that-is-my-prediction = To je moja napoved
 go-on-without-a-prediction = Naprej brez napovedi
 that-is-my-answer = To je moj odgovor
 go-on-without-an-answer = Naprej brez odgovora
+without-an-answer-there-is-no-third-star-any = Brez odgovora ni tretje zvezdice: vsaka domneva nauči več kot nobena.
+go-on-all-the-same = Vseeno naprej
 your-prediction-stays-as-it-is-the-cut-has-b = Vaša napoved ostane, kakršna je: rez je že bil prikazan.
 it-was-left-without-a-prediction-the-cut-has = Ostalo je brez napovedi: rez je že bil prikazan.
+you-have-seen-this-cut-before-another-answer = Ta rez ste že videli: drugačen odgovor kot prvič šteje za opravljeno nalogo, ne pa za tretjo zvezdico.
 answered-after-the-cut-or-a-check-has-shown = Odgovorjeno, ko sta to že pokazala rez ali preverjanje: šteje za opravljeno nalogo, ne pa za tretjo zvezdico.
 what-you-may-change = Kaj smete spremeniti
 nothing-this-mission-asks-only-for-answers = Nič: ta naloga zahteva samo odgovore.
 given-2 = Podano
 hint-number = Namig { $number }:
 hint-number-of-count = Namig { $number } od { $count }
-without-an-answer-there-is-no-third-star-any = Brez odgovora ni tretje zvezdice: vsaka domneva nauči več kot nobena.
-go-on-all-the-same = Vseeno naprej
-you-have-seen-this-cut-before-another-answer = Ta rez ste že videli: drugačen odgovor kot prvič šteje za opravljeno nalogo, ne pa za tretjo zvezdico.
 
 ## src/app/panels/learn/verdict.rs
 
+tries-begun-begun-checked-checked = Poskusi: začeto { $begun }, preverjeno { $checked }
 digest-of-the-cut-digest = Digest reza: { $digest }
 puts-the-result-away-a-check-brings-the-next = Odstrani izid; naslednjega prinese preverjanje
 close-the-result = Zapri izid
@@ -561,23 +562,22 @@ passed-won-of-most-stars = Opravljeno: { $won } od { $most } zvezdic
 not-passed-yet-2 = Še ni opravljeno
 this-is-of-before-your-last-change-check-aga = To velja za stanje pred zadnjo spremembo: preverite znova.
 off-the-curve-by-percent-of-its-height = od krivulje odstopa za { $percent } njene višine
+within-tolerance-of-the-true-value = znotraj { $tolerance } od prave vrednosti
+too-low-allowed-is-tolerance-to-either-side = premajhno; dovoljeno je { $tolerance } na vsako stran
+too-high-allowed-is-tolerance-to-either-side = preveliko; dovoljeno je { $tolerance } na vsako stran
+words-the-true-value-is-truth = { $words }; prava vrednost je { $truth }
+no-answer-was-given-in-step-step-that-costs = V koraku { $step } ni bilo odgovora: to stane tretjo zvezdico
+no-prediction-was-made-in-step-step-that-cos = V koraku { $step } ni bilo napovedi: to stane tretjo zvezdico
 your-answer-in-step-step-is-right-it-came-wh = Vaš odgovor v koraku { $step } je pravilen; podan je bil, ko je bil rez že viden
 your-answer-in-step-step-is-wrong = Vaš odgovor v koraku { $step } je napačen
 your-prediction-in-step-step-was-right = Vaša napoved v koraku { $step } je bila pravilna
 your-prediction-in-step-step-was-wrong = Vaša napoved v koraku { $step } je bila napačna
 your-prediction-in-step-step-was-right-off-2 = Vaša napoved v koraku { $step } je bila pravilna ({ $off })
 your-prediction-in-step-step-was-wrong-off-2 = Vaša napoved v koraku { $step } je bila napačna ({ $off })
-predictions-that-are-right-made-before-the-c = pravilne napovedi pred rezom
 for-all-three-stars = Za vse tri zvezdice:
-tries-begun-begun-checked-checked = Poskusi: začeto { $begun }, preverjeno { $checked }
-within-tolerance-of-the-true-value = znotraj { $tolerance } od prave vrednosti
-too-low-allowed-is-tolerance-to-either-side = premajhno; dovoljeno je { $tolerance } na vsako stran
-too-high-allowed-is-tolerance-to-either-side = preveliko; dovoljeno je { $tolerance } na vsako stran
-words-the-true-value-is-truth = { $words }; prava vrednost je { $truth }
-no-prediction-was-made-in-step-step-that-cos = V koraku { $step } ni bilo napovedi: to stane tretjo zvezdico
 reached-condition = doseženo: { $condition }
 missed-condition = zgrešeno: { $condition }
-no-answer-was-given-in-step-step-that-costs = V koraku { $step } ni bilo odgovora: to stane tretjo zvezdico
+predictions-that-are-right-made-before-the-c = pravilne napovedi pred rezom
 
 ## src/app/panels/learning/actions.rs
 
@@ -932,7 +932,6 @@ cutting-speed = Rezalna hitrost
 removal = Odvzem
 time-at-this-feed = Čas pri tem podajanju
 with-tool-changes = z menjavami orodja
-cost-of-cut = Cena reza
 objective = Ciljna funkcija
 
 ## src/app/panels/plan/controls.rs
@@ -1149,6 +1148,28 @@ over-n-sampling-lengths-of-long = Prek { $n } referenčnih dolžin { $long }.
 the-run-s-ra-with-dynamics-is-ra-along-the-l = Ra z dinamiko simulacije je vzdolž črte povprečno { $ra }.
 simulated-tooth-by-tooth-k5-gives-no-ra-here = Pri simulaciji zob za zobom K5 tu ne da Ra: samo sledi podajanja in opletanje.
 
+## src/app/panels/workpiece/program/picture.rs
+
+what-is-left-of-the-blank-from-above-with-th = Kar ostane od surovca, od zgoraj, s potjo orodja
+
+## src/app/panels/workpiece/program.rs
+
+part-of-a-program = Obdelovanec iz programa
+name-n-moves = { $name }, gibi: { $n }
+size-and-corner-of-the-rectangular-blank-in = Velikost in vogal pravokotnega surovca v koordinatah programa; na začetku leži okrog podajalnih gibov, s 5 mm pod najglobljim.
+cut-it-from-the-blank = Izreži iz surovca
+with-the-cutter-of-the-scenario = S frezalom scenarija
+size = Velikost
+size-of-the-blank-along-axis = Velikost surovca vzdolž { $axis }
+least-corner = Najmanjši vogal
+least-corner-of-the-blank-along-axis = Najmanjši vogal surovca vzdolž { $axis }
+step = Korak
+step-along-the-way = Korak vzdolž poti
+milling-name = Frezanje: { $name }
+length-long-air-of-it-air-up-to-axial-deep-a = dolžina { $length }, od tega { $air } zraka; globina do { $axial }, širina do { $radial }
+make-it-the-part = Vzemi za obdelovanec
+it-was-cut-with-another-cutter-cut-it-again = Izrezano je bilo z drugim frezalom: izrežite znova
+
 ## src/app/panels/workpiece/view.rs
 
 whole-part = Ves obdelovanec
@@ -1173,6 +1194,8 @@ turn-by-touch = Vrti z dotikom
 ## src/app/panels/workpiece.rs
 
 part-surface-3d-profile-roughness-profilomet = kos površina 3d profil hrapavost profilometer slika workpiece
+a-table-of-depths-along-a-path-csv-or-a-prog = Tabela globin vzdolž poti (CSV) ali program (koda G), ki se izreže iz surovca; oboje se lahko tudi spusti na okno
+part-from-a-file = Obdelovanec iz datoteke…
 a-stylus-drawn-along-a-line-over-the-machine = Tipalo, potegnjeno po črti čez obdelano površino: njen profil, Ra, Rq, Rz
 profilometer = Profilometer
 colour-ra-against-its-tolerance = Barva: Ra glede na svojo toleranco
@@ -1187,25 +1210,12 @@ length-of-the-way-beyond-the-tolerance-on-th = Dolžina poti zunaj tolerance na 
 too-rough-is-rework-or-scrap-smoother-than-a = Prehrapavo pomeni dodelavo ali izmet; bolj gladko od zahtevanega nobenega.
 the-cutter-is-drawn-turning-times-times-slow = Frezalo je narisano pri { $times }-krat počasnejšem vrtenju. Kar stoji pred steno, je odvzel prejšnji rez.
 simulated-tooth-by-tooth-k5-s-ra-does-not-ho = Pri simulaciji zob za zobom Ra iz K5 ne velja: površina kaže samo sledi podajanja in opletanje.
-a-table-of-depths-along-a-path-csv-or-a-prog = Tabela globin vzdolž poti (CSV) ali program (koda G), ki se izreže iz surovca; oboje se lahko tudi spusti na okno
-part-from-a-file = Obdelovanec iz datoteke…
 
-## src/app/panels/workpiece/program.rs
-
-part-of-a-program = Obdelovanec iz programa
-name-n-moves = { $name }, gibi: { $n }
-size-and-corner-of-the-rectangular-blank-in = Velikost in vogal pravokotnega surovca v koordinatah programa; na začetku leži okrog podajalnih gibov, s 5 mm pod najglobljim.
-cut-it-from-the-blank = Izreži iz surovca
-with-the-cutter-of-the-scenario = S frezalom scenarija
-size-of-the-blank-along-axis = Velikost surovca vzdolž { $axis }
-least-corner = Najmanjši vogal
-least-corner-of-the-blank-along-axis = Najmanjši vogal surovca vzdolž { $axis }
-step-along-the-way = Korak vzdolž poti
-milling-name = Frezanje: { $name }
-length-long-air-of-it-air-up-to-axial-deep-a = dolžina { $length }, od tega { $air } zraka; globina do { $axial }, širina do { $radial }
-make-it-the-part = Vzemi za obdelovanec
-it-was-cut-with-another-cutter-cut-it-again = Izrezano je bilo z drugim frezalom: izrežite znova
-
-## src/app/panels/workpiece/program/picture.rs
-
-what-is-left-of-the-blank-from-above-with-th = Kar ostane od surovca, od zgoraj, s potjo orodja
+your-own-order-order = lasten, red { $order }
+n-of-all-chattered = z drdranjem: { $n } od { $all }
+symbol-c-command-gives-symbol-a-actual-unit = { $symbol }_c = { $command } da { $symbol }_a = { $actual } { $unit }
+structure = Struktura
+n-measured-modes-at-the-tool-s-tip = { $n } izmerjenih nihajnih oblik na konici orodja
+takes-the-measured-modes-away-the-five-masse = Odstrani izmerjene nihajne oblike: spet velja pet mas iz leta 2019
+back-to-the-five-masses = Nazaj k petim masam
+cost-of-cut-your-currency = Cena reza, v vaši valuti

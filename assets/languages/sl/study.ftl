@@ -477,6 +477,7 @@ a-part-of-the-template-has-no-finite-value-o = del predloge v kaki vrstici nima 
 
 plant-force-model-is-id-tooth-by-tooth-expec = `plant.force_model` je { $id }, zob za zobom: pričakovan je scenarij, katerega sila je funkcija; zobe prilagodi `steadycut identify force`
 the-recording-has-count-samples-of-the-force = vzorcev sile v posnetku: { $count }; pričakovanih je vsaj { $least } in prav toliko podajanj, vrtljajev in leg
+force = sila
 position-2 = lega
 name-sample-sample-is-no-number = { $name }: vzorec { $sample } ni število
 the-position-falls-expected-is-that-along-th = lega pada: pričakovana je lega vzdolž poti
@@ -492,6 +493,12 @@ expected-are-a-period-speed-feed-corners-of = pričakovani so perioda, vrtljaji,
 the-force-does-not-vary-nothing-is-told-of-i = sila se ne spreminja: o njenem šumu ne pove ničesar
 the-mean-force-is-mean-n-expected-is-a-cut-w = povprečna sila je { $mean } N: pričakovan je rez s silo nad 0
 at-rest = v mirovanju
+
+## crates/study/src/identify/response/fit.rs
+
+
+## crates/study/src/identify/response/table.rs
+
 
 ## crates/study/src/identify/wear.rs
 
@@ -618,6 +625,10 @@ left-the-same-as-right = { $left }: enako kot { $right }
 left-other-than-right = { $left }: drugače kot { $right }
 left-less-than-right = { $left }: manj kot { $right }
 left-more-than-right = { $left }: več kot { $right }
+there-is-no-such-value = take vrednosti ni
+yours-is-off-by-percent = vaša odstopa za { $percent }
+yours-value = vaša: { $value }
+yours-value-the-limit-limit = vaša: { $value }, meja: { $limit }
 value-within-percent-of-wanted = { $value }: v mejah { $percent } od { $wanted }
 the-value-of-the-cut-as-given = vrednost danega reza
 the-value-at-constant-feed-as-programmed = vrednost pri programiranem stalnem podajanju
@@ -656,10 +667,6 @@ cost-of-the-scrap = Cena izmeta
 cost-of-the-cut = Cena reza
 share-of-the-time-at-a-limit = Delež časa na meji
 share-of-the-time-with-a-model-outside-its-r = Delež časa z modelom zunaj območja
-there-is-no-such-value = take vrednosti ni
-yours-is-off-by-percent = vaša odstopa za { $percent }
-yours-value = vaša: { $value }
-yours-value-the-limit-limit = vaša: { $value }, meja: { $limit }
 
 ## crates/study/src/opening/frame.rs
 
@@ -674,6 +681,19 @@ embed-flag-allowed-are-hide-lock-screen-and = embed: `{ $flag }`: dovoljeni so h
 the-link-was-not-used-title-is-open-instead = Povezava ni bila uporabljena, namesto nje je odprt scenarij »{ $title }«. { $error }
 embed-error = embed: { $error }
 the-mission-title-begins-anew-the-cut-of-the = Naloga »{ $title }« se začne znova: rez iz povezave ni bil uporabljen. { $problem }
+
+## crates/study/src/own_file/entry.rs
+
+line-line-problem = vrstica { $line }: { $problem }
+
+## crates/study/src/own_file/machine.rs
+
+
+## crates/study/src/own_file/material.rs
+
+
+## crates/study/src/own_file/mod.rs
+
 
 ## crates/study/src/papers/calibrations.rs
 
@@ -700,6 +720,79 @@ the-correlations-0-684-and-0-993-compare-wit = korelaciji 0,684 in 0,993 primerj
 how-wear-changes-springs-and-dampers-is-not = kako obraba spremeni vzmeti in dušilke, ni navedeno; vsak zakon obrabe tu je predpostavka
 absolute-amplitudes-a-force-of-107-n-at-ever = absolutne amplitude: sila 107 N pri vsaki črti spektra je formalna razlaga en. 2
 parameters-of-the-tool-life-prediction-its-e = parametri napovedi obstojnosti: njenih enačb v članku ni
+
+## crates/study/src/part/blank.rs
+
+the-blank-s-size-along-axis-is-size-mm-allow = velikost surovca vzdolž { $axis } je { $size } mm: dovoljeno je od { $least } do { $most } mm
+the-blank-s-corner-has-to-be-three-numbers-i = vogal surovca morajo biti tri števila v mm
+a-grid-of-cell-mm-over-the-blank-has-n-cells = mreža { $cell } mm čez surovec ima { $n } celic: dovoljenih je { $most }; večji korak jih ima manj
+
+## crates/study/src/part/columns.rs
+
+column-name-the-unit-is-unit-allowed-is-all = stolpec `{ $name }`: enota je `{ $unit }`: dovoljeno je { $all }
+the-columns-name-and-other-mean-the-same = stolpca `{ $name }` in `{ $other }` pomenita isto
+s-or-x-and-y = s (ali x in y)
+the-columns-are-found-missing-are-missing = stolpci so { $found }; manjkajo { $missing }
+line-line-column-name-cell-allowed-is-a-numb = vrstica { $line }, stolpec `{ $name }`: `{ $cell }`: dovoljeno je število od { $least } do { $most } { $unit }
+line-line-the-path-begins-at-s-mm-allowed-is = vrstica { $line }: pot se začne pri { $s } mm: dovoljeno je 0
+line-line-the-path-is-at-s-mm-allowed-is-mor = vrstica { $line }: pot je pri { $s } mm: dovoljeno je več od { $before } mm prejšnje vrstice
+the-table-has-n-rows-allowed-is-2-or-more-fr = tabela ima toliko vrstic: { $n }; dovoljeni sta 2 ali več, od začetka poti do njenega konca
+the-path-is-length-mm-long-allowed-is-at-mos = pot je dolga { $length } mm: dovoljeno je največ { $most } mm
+columns-that-are-not-used-names = Neuporabljeni stolpci: { $names }.
+
+## crates/study/src/part/gcode/arc.rs
+
+the-arc-s-radius-is-first-mm-at-its-start-an = polmer loka je na začetku { $first } mm, na koncu { $last } mm: dovoljen je enak, večji od 0
+an-arc-of-radius-radius-mm-does-not-join-poi = lok s polmerom { $radius } mm ne povezuje točk, ki sta { $way } mm narazen: dovoljen je polmer polovice tega ali več in dve različni točki
+
+## crates/study/src/part/gcode/reader.rs
+
+at-most-n-lines-are-read = največje število prebranih vrstic je { $n }
+letter-stands-there-twice = `{ $letter }` je zapisana dvakrat
+two-kinds-of-motion-in-one-line = dve vrsti gibanja v eni vrstici
+word-changes-where-the-tool-goes-in-a-way-th = { $word } spremeni pot orodja na način, ki ni upoštevan
+word-allowed-is-0-or-more = { $word }: dovoljeno je 0 ali več
+word-subprograms-are-not-followed = { $word }: podprogrami niso upoštevani
+word-only-x-y-z-i-j-and-r-say-where-the-tool = { $word }: pot orodja povedo samo X, Y, Z, I, J in R
+axis-is-relative-and-where-the-tool-is-along = `{ $axis }` je relativna in ni znano, kje vzdolž nje je orodje
+a-place-without-a-motion-g0-g1-g2-or-g3-come = mesto brez gibanja: najprej pride G0, G1, G2 ali G3
+a-feed-move-from-a-place-that-is-not-known-r = podajalni gib z mesta, ki ni znano: najprej pridejo hitri gibi na X, Y in Z
+i-j-and-r-belong-to-arcs-g2-and-g3 = I, J in R sodijo k lokom, G2 in G3
+an-arc-has-i-and-j-or-r-not-both = lok ima I in J ali R, ne obojega
+an-arc-without-i-j-or-r = lok brez I, J ali R
+
+## crates/study/src/part/gcode/words.rs
+
+a-comment-has-no-end = komentar nima konca
+code-sign-is-no-letter-of-a-word-variables-e = `{ $code }`: `{ $sign }` ni črka besede; spremenljivke, izrazi, preskočeni bloki in besede O niso upoštevani
+letter-is-followed-by-number-allowed-is-a-nu = črki `{ $letter }` sledi `{ $number }`: dovoljeno je število
+
+## crates/study/src/part/milling.rs
+
+the-step-is-step-mm-allowed-is-least-to-most = korak je { $step } mm: dovoljeno je od { $least } do { $most } mm
+the-program-has-no-feed-move-nothing-is-cut = program nima podajalnega giba: nič se ne reže
+a-way-of-length-mm-in-steps-of-step-mm-allow = pot { $length } mm s koraki { $step } mm: dovoljenih korakov je { $most }; večji korak jih ima manj
+mm-of-the-way = mm poti
+and-n-more = { " " }in še { $n }
+rapid-moves-through-material-lines-lines = Hitri gibi skozi material: vrstice { $lines }.
+straight-down-into-material-lines-lines = Naravnost navzdol v material: vrstice { $lines }.
+not-acted-on-word-lines-lines = Neupoštevano: { $word }, vrstice { $lines }.
+behind-the-end-of-the-program-n-lines-not-re = Za koncem programa: { $n } vrstic, neprebranih.
+there-are-feed-moves-before-the-first-f-thei = Pred prvim F so podajalni gibi: njihovo podajanje ni znano.
+
+## crates/study/src/part/path.rs
+
+the-part-has-n-cuts-with-air-between-them-on = obdelovanec ima več rezov z zrakom med njimi ({ $n }): samo ena pot je tabela globin
+
+## crates/study/src/part/taken.rs
+
+the-depths-change-at-n-places-allowed-are-mo = globine se spremenijo na { $n } mestih: dovoljenih je { $most }, pri čemer razlike do { $same } mm ne štejejo; večji korak ali del poti jih ima manj
+differences-of-depth-up-to-same-mm-are-taken = Razlike globine do { $same } mm ne štejejo, da gre obdelovanec v scenarij.
+the-time-limit-is-time-s-now-run-duration-s = Časovna omejitev je zdaj { $time } s (`run.duration_s`), dvakrat toliko, kolikor traja pot pri programiranem podajanju.
+it-would-take-wanted-s-a-run-has-most-s-at-m = Trajalo bi { $wanted } s; simulacija ima največ { $most } s in se lahko konča pred potjo.
+one-row-is-recorded-per-control-period-run-r = Zapiše se ena vrstica na regulacijsko periodo (`run.record_every`): simulacija je dolga.
+the-file-programs-feeds-from-low-to-high-mm = Datoteka programira podajanja od { $low } do { $high } mm/min; simulacija programira { $feed } mm/min (`program.feed_mm_min`).
+the-file-programs-speeds-from-low-to-high-1 = Datoteka programira vrtilne frekvence od { $low } do { $high } 1/min; simulacija programira { $speed } 1/min (`program.spindle_rpm`).
 
 ## crates/study/src/plan/constraints.rs
 
@@ -731,7 +824,6 @@ nothing-is-feasible-in-the-range-searched-at = v preiskanem območju pri globini
 
 ## crates/study/src/plan/over_depths.rs
 
-force = sila
 in-tolerance-2 = v toleranci
 above-its-tolerance = nad toleranco
 below-its-tolerance = pod toleranco
@@ -810,8 +902,11 @@ curves = krivulje
 
 ## crates/study/src/stability/mod.rs
 
-above-0-mm-for-a-stability-chart = nad 0 mm za karto stabilnosti
 r-d-radial-mm-of-a-cutter-of-diameter-mm-wit = R_D { $radial } mm frezala { $diameter } mm, število zob { $teeth }: vsak reže po kotu { $angle } stopinj
+above-0-mm-for-a-stability-chart = nad 0 mm za karto stabilnosti
+
+## crates/study/src/stability/tip/mod.rs
+
 
 ## crates/study/src/train/claim.rs
 
@@ -904,76 +999,24 @@ no-run-yet = simulacije še ni
 k4-of-the-papers = K4 iz člankov
 tooth-by-tooth-2 = zob za zobom
 
-## crates/study/src/part/blank.rs
-
-the-blank-s-size-along-axis-is-size-mm-allow = velikost surovca vzdolž { $axis } je { $size } mm: dovoljeno je od { $least } do { $most } mm
-the-blank-s-corner-has-to-be-three-numbers-i = vogal surovca morajo biti tri števila v mm
-a-grid-of-cell-mm-over-the-blank-has-n-cells = mreža { $cell } mm čez surovec ima { $n } celic: dovoljenih je { $most }; večji korak jih ima manj
-
-## crates/study/src/part/columns.rs
-
-column-name-the-unit-is-unit-allowed-is-all = stolpec `{ $name }`: enota je `{ $unit }`: dovoljeno je { $all }
-the-columns-name-and-other-mean-the-same = stolpca `{ $name }` in `{ $other }` pomenita isto
-s-or-x-and-y = s (ali x in y)
-the-columns-are-found-missing-are-missing = stolpci so { $found }; manjkajo { $missing }
-line-line-column-name-cell-allowed-is-a-numb = vrstica { $line }, stolpec `{ $name }`: `{ $cell }`: dovoljeno je število od { $least } do { $most } { $unit }
-line-line-the-path-begins-at-s-mm-allowed-is = vrstica { $line }: pot se začne pri { $s } mm: dovoljeno je 0
-line-line-the-path-is-at-s-mm-allowed-is-mor = vrstica { $line }: pot je pri { $s } mm: dovoljeno je več od { $before } mm prejšnje vrstice
-the-table-has-n-rows-allowed-is-2-or-more-fr = tabela ima toliko vrstic: { $n }; dovoljeni sta 2 ali več, od začetka poti do njenega konca
-the-path-is-length-mm-long-allowed-is-at-mos = pot je dolga { $length } mm: dovoljeno je največ { $most } mm
-columns-that-are-not-used-names = Neuporabljeni stolpci: { $names }.
-
-## crates/study/src/part/gcode/arc.rs
-
-the-arc-s-radius-is-first-mm-at-its-start-an = polmer loka je na začetku { $first } mm, na koncu { $last } mm: dovoljen je enak, večji od 0
-an-arc-of-radius-radius-mm-does-not-join-poi = lok s polmerom { $radius } mm ne povezuje točk, ki sta { $way } mm narazen: dovoljen je polmer polovice tega ali več in dve različni točki
-
-## crates/study/src/part/gcode/reader.rs
-
-line-line-problem = vrstica { $line }: { $problem }
-at-most-n-lines-are-read = največje število prebranih vrstic je { $n }
-letter-stands-there-twice = `{ $letter }` je zapisana dvakrat
-two-kinds-of-motion-in-one-line = dve vrsti gibanja v eni vrstici
-word-changes-where-the-tool-goes-in-a-way-th = { $word } spremeni pot orodja na način, ki ni upoštevan
-word-allowed-is-0-or-more = { $word }: dovoljeno je 0 ali več
-word-subprograms-are-not-followed = { $word }: podprogrami niso upoštevani
-word-only-x-y-z-i-j-and-r-say-where-the-tool = { $word }: pot orodja povedo samo X, Y, Z, I, J in R
-axis-is-relative-and-where-the-tool-is-along = `{ $axis }` je relativna in ni znano, kje vzdolž nje je orodje
-a-place-without-a-motion-g0-g1-g2-or-g3-come = mesto brez gibanja: najprej pride G0, G1, G2 ali G3
-a-feed-move-from-a-place-that-is-not-known-r = podajalni gib z mesta, ki ni znano: najprej pridejo hitri gibi na X, Y in Z
-i-j-and-r-belong-to-arcs-g2-and-g3 = I, J in R sodijo k lokom, G2 in G3
-an-arc-has-i-and-j-or-r-not-both = lok ima I in J ali R, ne obojega
-an-arc-without-i-j-or-r = lok brez I, J ali R
-
-## crates/study/src/part/gcode/words.rs
-
-a-comment-has-no-end = komentar nima konca
-code-sign-is-no-letter-of-a-word-variables-e = `{ $code }`: `{ $sign }` ni črka besede; spremenljivke, izrazi, preskočeni bloki in besede O niso upoštevani
-letter-is-followed-by-number-allowed-is-a-nu = črki `{ $letter }` sledi `{ $number }`: dovoljeno je število
-
-## crates/study/src/part/milling.rs
-
-the-step-is-step-mm-allowed-is-least-to-most = korak je { $step } mm: dovoljeno je od { $least } do { $most } mm
-the-program-has-no-feed-move-nothing-is-cut = program nima podajalnega giba: nič se ne reže
-a-way-of-length-mm-in-steps-of-step-mm-allow = pot { $length } mm s koraki { $step } mm: dovoljenih korakov je { $most }; večji korak jih ima manj
-mm-of-the-way = mm poti
-and-n-more = { " " }in še { $n }
-rapid-moves-through-material-lines-lines = Hitri gibi skozi material: vrstice { $lines }.
-straight-down-into-material-lines-lines = Naravnost navzdol v material: vrstice { $lines }.
-not-acted-on-word-lines-lines = Neupoštevano: { $word }, vrstice { $lines }.
-behind-the-end-of-the-program-n-lines-not-re = Za koncem programa: { $n } vrstic, neprebranih.
-there-are-feed-moves-before-the-first-f-thei = Pred prvim F so podajalni gibi: njihovo podajanje ni znano.
-
-## crates/study/src/part/path.rs
-
-the-part-has-n-cuts-with-air-between-them-on = obdelovanec ima več rezov z zrakom med njimi ({ $n }): samo ena pot je tabela globin
-
-## crates/study/src/part/taken.rs
-
-the-depths-change-at-n-places-allowed-are-mo = globine se spremenijo na { $n } mestih: dovoljenih je { $most }, pri čemer razlike do { $same } mm ne štejejo; večji korak ali del poti jih ima manj
-differences-of-depth-up-to-same-mm-are-taken = Razlike globine do { $same } mm ne štejejo, da gre obdelovanec v scenarij.
-the-time-limit-is-time-s-now-run-duration-s = Časovna omejitev je zdaj { $time } s (`run.duration_s`), dvakrat toliko, kolikor traja pot pri programiranem podajanju.
-it-would-take-wanted-s-a-run-has-most-s-at-m = Trajalo bi { $wanted } s; simulacija ima največ { $most } s in se lahko konča pred potjo.
-one-row-is-recorded-per-control-period-run-r = Zapiše se ena vrstica na regulacijsko periodo (`run.record_every`): simulacija je dolga.
-the-file-programs-feeds-from-low-to-high-mm = Datoteka programira podajanja od { $low } do { $high } mm/min; simulacija programira { $feed } mm/min (`program.feed_mm_min`).
-the-file-programs-speeds-from-low-to-high-1 = Datoteka programira vrtilne frekvence od { $low } do { $high } 1/min; simulacija programira { $speed } 1/min (`program.spindle_rpm`).
+own-script = Lasten skript
+the-response-has-no-resonance-im-has-no-peak = odziv nima resonance: -Im nima vrha nad 0; je to pomik na silo?
+its-columns-are-names-wanted-are-frequency-h = njeni stolpci so { $names }: potrebni so frequency_hz z real_m_n in imaginary_m_n ali z magnitude_m_n in phase_deg; _um_n za um/N
+the-response-has-count-points-allowed-are-le = odziv ima { $count } točk: dovoljenih je { $least } do { $most }
+the-frequencies-do-not-ascend-from-above-0-h = frekvence ne naraščajo od nad 0 Hz
+machine-file = datoteka stroja
+the-pole-re-and-im-rad-s-lacks-its-conjugate = polu { $re } in { $im } rad/s manjka konjugirani, { $re } in { $other }
+t-2-to-n-coefficients-above-0-a0-first-with-an = 2 do { $n } koeficientov nad 0, najprej a0: z drugim predznakom ni stabilen noben pogon
+one-of-poles-and-denominator-is-wanted-besid = zraven je potreben natanko eden od `poles` in `denominator`
+a-drive-has-at-least-one-pole = pogon ima vsaj en pol
+it-stands-without-poles = stoji brez `poles`
+the-feed-drive-stands-in-feed-drive-already = podajalni pogon je že v [feed_drive]
+there-is-nothing-in-it-dead-time-s-feed-driv = v njej ni ničesar: dead_time_s, [feed_drive] ali [spindle_drive]
+material-file = datoteka materiala
+file-of-your-own = lastna datoteka
+it-is-none-of-a-cutter-diameter-mm-teeth-a-s = ni ne frezalo (diameter_mm, teeth) ne struktura ([[mode]]) ne material (kc11_n_mm2) ne stroj ([feed_drive] ali poles)
+r-d-radial-mm-of-a-cutter-of-diameter-mm-wit-2 = R_D { $radial } mm frezala { $diameter } mm s { $teeth } zobmi: vsak reže od { $from } do { $to } stopinj, { $way }
+down-milling = istosmerno frezanje
+up-milling = protismerno frezanje
+machine-tip-modes-gives-the-machine-and-the = `machine.tip_modes` podaja stroj, koti zob pa smer
+machine-tip-modes-is-empty-the-five-masses-h = `machine.tip_modes` je prazen: pet mas ima eno smer
