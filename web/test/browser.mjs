@@ -364,8 +364,14 @@ async function reader(page, context) {
     }
   };
   const press = async (role, name, key = "Enter") => {
-    const { backendDOMNodeId } = await find(role, name);
-    await cdp.send("DOM.focus", { backendNodeId: backendDOMNodeId });
+    // What does nothing yet takes no focus: it is waited for until it does.
+    for (const end = Date.now() + PATIENCE.timeout; ; ) {
+      const { backendDOMNodeId } = await find(role, name);
+      const refused = await cdp.send("DOM.focus", { backendNodeId: backendDOMNodeId }).then(() => null, (error) => error);
+      if (!refused) break;
+      if (Date.now() > end) throw refused;
+      await new Promise((resolve) => setTimeout(resolve, PATIENCE.polling));
+    }
     await page.keyboard.press(key);
   };
   return { tree, find, press };

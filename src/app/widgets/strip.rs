@@ -49,7 +49,7 @@ pub fn strip(
     let most = (output.content_size.x - output.inner_rect.width()).max(0.0);
     // The area has the height that is left below it.
     let row = output.inner_rect.with_max_y(output.inner_rect.top() + output.content_size.y);
-    if let Some(inwards) = more(ui, row, [offset > 1.0, offset < most - 1.0]) {
+    if let Some(inwards) = more(ui, id, row, [offset > 1.0, offset < most - 1.0]) {
         let to = (offset - inwards * PAGE * row.width()).clamp(0.0, most);
         ui.data_mut(|data| data.insert_temp(pressed, to));
         ui.ctx().request_repaint();
@@ -59,7 +59,7 @@ pub fn strip(
 
 /// Signs at the ends of a row that goes on beyond them, at the left and at the right; of the one that is pressed, which
 /// way is inwards.
-fn more(ui: &Ui, rect: Rect, beyond: [bool; 2]) -> Option<f32> {
+fn more(ui: &Ui, id: &str, rect: Rect, beyond: [bool; 2]) -> Option<f32> {
     const WIDTH: f32 = 16.0;
     let palette = Palette::at(ui);
     let ends = [(rect.left(), 1.0), (rect.right(), -1.0)];
@@ -72,8 +72,8 @@ fn more(ui: &Ui, rect: Rect, beyond: [bool; 2]) -> Option<f32> {
         let tip = vec![place(4.0, 0.0), place(11.0, -5.0), place(11.0, 5.0)];
         ui.painter().add(Shape::convex_polygon(tip, palette.text, Stroke::NONE));
         // By hand alone and without a name: keys go from entry to entry, and each of those comes into sight.
-        let id = ui.scope_id().with(("sign", inwards > 0.0));
-        let sign = ui.interact(ground, id, Sense::CLICK);
+        let sign = ui.scope_id().with((id, "sign", inwards > 0.0));
+        let sign = ui.interact(ground, sign, Sense::CLICK);
         if sign.clicked() {
             pressed = Some(inwards);
         }

@@ -258,7 +258,7 @@ mod tests {
 
     #[test]
     fn the_blank_that_is_offered_lies_about_the_feed_moves() {
-        let program = "G0 X-50 Y0 Z5\nG0 X0\nG1 Z-2 F100\nG1 X60 Y0\nG2 X60 Y20 I0 J10\nG0 X500";
+        let program = "G0 X-50 Y0 Z5\nG0 X0\nG1 Z-2 F100\nG1 X60 Y0\nG3 X60 Y20 I0 J10\nG0 X500";
         let [size, corner] = about(&GCodeProgram::read(program).unwrap());
         assert_eq!(size, [70.0, 20.0, 7.0]);
         assert_eq!(corner, [0.0, 0.0, -7.0]);
