@@ -194,7 +194,8 @@ fn the_papers_screen_has_both_papers_and_every_force_model() {
         assert!(shown.contains("Initial force") && !shown.contains("Desired force"), "{shown}");
         assert!(shown.contains("Ra is off by +10.0 % in simulation 1"), "{shown}");
         for erratum in errata::of(PaperId::Strategy2013) {
-            assert!(shown.contains(erratum.problem), "{}", erratum.problem);
+            let problem = erratum.problem.replace(" um", " \u{b5}m");
+            assert!(shown.contains(&problem), "{problem} in {shown}");
         }
         harness.get_by_label("as printed").click();
         screen::rest(&mut harness);
@@ -285,7 +286,8 @@ fn the_papers_screen_has_the_combined_system_and_the_machine() {
         screen::rest(&mut harness);
         let shown = texts(&harness);
         for erratum in errata::COMBINED_2005 {
-            assert!(shown.contains(erratum.problem), "{}", erratum.problem);
+            let problem = erratum.problem.replace(" um", " \u{b5}m");
+            assert!(shown.contains(&problem), "{problem} in {shown}");
         }
         harness.get_by_label("Open Compare").click();
         harness.run_steps(3);

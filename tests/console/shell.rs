@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Pos2, Rect, Theme, TouchPhase, Vec2, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
-use egui_kittest::{Harness, HarnessBuilder, SnapshotOptions, SnapshotResults};
+use egui_kittest::{Harness, HarnessBuilder, Node, SnapshotOptions, SnapshotResults};
 use steadycut::app::Console;
 use steadycut::app::command::{Command, SessionCommand, ShellCommand};
 use steadycut::base::settings::Value;
@@ -377,9 +377,7 @@ fn the_states_of_the_loop_are_in_sight_in_the_first_window() {
     let playhead = rect_of(&screen, Role::Slider, "Playhead");
     for state in ["Controller", "Disturbances", "At a limit", "Outside model", "In the air"] {
         let begins = format!("{state}: ");
-        let found = screen.root().children_recursive().find(|node| {
-            node.accesskit_node().label().is_some_and(|label| label.starts_with(&begins))
-        });
+        let found = screen.root().children_recursive().find(|node| said(node).starts_with(&begins));
         let rect = found.unwrap_or_else(|| panic!("{state} in {}", texts(&screen))).rect();
         assert!(rect.bottom() < playhead.top(), "{state} at {rect:?}, {playhead:?}");
     }
@@ -391,10 +389,10 @@ fn a_press_on_the_sign_at_the_edge_brings_the_next_cards() {
     let mut screen = open(PHONE, None, false);
     screen.run_steps(4);
     let removed = |screen: &Screen<'_>| {
-        screen.root().children_recursive().find_map(|node| {
-            let label = node.accesskit_node().label()?;
-            label.starts_with("Metal removed").then(|| node.rect())
-        })
+        screen
+            .root()
+            .children_recursive()
+            .find_map(|node| said(&node).starts_with("Metal removed").then(|| node.rect()))
     };
     let first = rect_of_card(&screen, "Ra now");
     assert!(removed(&screen).is_none_or(|rect| rect.left() > PHONE.x), "{:?}", removed(&screen));
@@ -409,6 +407,13 @@ fn a_press_on_the_sign_at_the_edge_brings_the_next_cards() {
     }
     let last = removed(&screen).expect("the last card");
     assert!(last.right() <= PHONE.x, "{last:?}");
+}
+
+/// What a node says.
+fn said(node: &Node<'_>) -> String {
+    let node = node.accesskit_node();
+    let [label, value] = [node.label(), node.value()].map(Option::unwrap_or_default);
+    if label.is_empty() { value } else { label }
 }
 
 /// Where the card with this title stands.

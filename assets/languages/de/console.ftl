@@ -280,6 +280,7 @@ share-no-ra-model = { $share } % kein Ra ({ $model })
 share-outside-the-ra-model-model = { $share } % außerhalb des Ra-Modells ({ $model })
 target-target = Soll { $target }
 within-target-target = am Soll { $target }
+over-rough-under-smoother = { $over } % rau, { $under } % glatter
 of-the-length-cut = der gefrästen Länge
 without-dynamics-share = ohne Dynamik { $share }
 share-rest-smoother = { $share }, Rest glatter
@@ -328,9 +329,9 @@ without-the-changes-made-in-the-cut-about = Ohne die Änderungen während des Sc
 ## src/app/panels/console/disturb.rs
 
 drops-a-disturbance-into-the-cut-a-little-ah = Setzt eine Störung in den Schnitt, etwas vor dem Werkzeug; Rückgängig nimmt sie zurück
-disturb-the-cut-2 = Den Schnitt stören
 names-and-sizes-of-disturbances = Namen und Größen der Störungen
 disturb-the-cut = Den Schnitt stören…
+disturb-the-cut-2 = Den Schnitt stören
 a-press-on-a-name-drops-that-disturbance-a-l = Ein Druck auf einen Namen setzt diese Störung etwas vor das Werkzeug, so lang und so groß wie daneben eingestellt.
 length-of-the-disturbance = Länge: { $disturbance }
 mm-long = { " " }mm lang
@@ -695,6 +696,7 @@ the-mission-title-is-left = Die Mission „{ $title }“ ist verlassen.
 the-mission-title-is-open-of-setting-it-offe = Die Mission „{ $title }“ ist offen. Für „{ $setting }“ bietet sie: { $list }. Für eine andere Wahl die Mission verlassen.
 the-cut-is-over-setting-is-set-for-the-whole = Der Schnitt ist zu Ende: „{ $setting }“ gilt für das ganze Werkstück, das von Anfang an neu gefräst wird. „Rückgängig“ bringt den vorigen Schnitt zurück; eine Änderung während des Schnitts wirkt von dort an.
 name-is-the-part-now-length-mm-long-air-mm-o = { $name } ist jetzt das Werkstück: { $length } mm lang, davon { $air } mm Luft.
+title-is-taken-as-the-kind-of-this-cut = { $title } gilt für diesen Schnitt ({ $kind })
 
 ## src/app/session/disturb.rs
 
@@ -1042,7 +1044,4 @@ iso-1302-grade-grade-ra-ra-um-m = Rauheitsklasse { $grade } nach ISO 1302: Ra { 
 
 close-window = Fenster schließen
 
-over-rough-under-smoother = { $over } % rau, { $under } % glatter
-names-sizes = Namen, Größen…
-title-is-taken-as-the-kind-of-this-cut = { $title } gilt für diesen Schnitt ({ $kind })
-the-safe-constant-feed-is-now-now-from-the-s = Der sichere konstante Vorschub ist jetzt { $now }, vom Anfang des Schnitts an, denn er hält das Ziel am ganzen Teil; er war { $before }.
+safe-constant-feed-from-the-start-at = sicherer konstanter Vorschub von Anfang an: { $at }

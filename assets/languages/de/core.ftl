@@ -366,12 +366,26 @@ table-2 = Tisch
 
 ## crates/core/src/models/structure/reduction.rs
 
+n-modes-across-the-feed-in-a-running-cut = { $n } Moden quer zum Vorschub im laufenden Schnitt
+t-1-to-4-modes-across-the-feed-which-the-surfa = 1 bis 4 Moden quer zum Vorschub, die die Oberfläche sieht
 
 ## crates/core/src/models/tip_modes/file.rs
 
+structure-file = Strukturdatei
+line-line-entry-cannot-be-value-allowed-is-a = Zeile { $line }: `{ $entry }` kann nicht { $value } sein: erlaubt ist { $allowed }
+x-or-y = x oder y
+mode-place-one-of-mass-kg-and-stiffness-n-m = Mode { $place }: genau eines von `mass_kg` und `stiffness_n_m` wird gebraucht
+what-makes-a-modal-mass-from-low-to-high-kg = was bei dieser Frequenz eine modale Masse von { $low } bis { $high } kg ergibt
+a-number-from-low-to-high = eine Zahl von { $low } bis { $high }
+text-of-n-characters = ein Text von { $n } Zeichen
+text-of-1-to-n-characters = ein Text von 1 bis { $n } Zeichen
+there-is-no-mode-at-least-one-mode-is-wanted = es gibt keine Mode: mindestens ein `[[mode]]` wird gebraucht
 
 ## crates/core/src/models/tip_modes/mod.rs
 
+n-modes-allowed-are-at-most-most = { $n } Moden: erlaubt sind höchstens { $most }
+mode-place-entry-cannot-be-value-allowed-is = Mode { $place }: `{ $entry }` kann nicht { $value } sein: erlaubt ist eine Zahl von { $low } bis { $high }
+at-most-n-lists-axis-frequency-damping-ratio = höchstens { $n } Listen [Achse, Frequenz, Dämpfungsgrad, modale Masse]: Achse 0 für x oder 1 für y, { $f0 } bis { $f1 } Hz, { $d0 } bis { $d1 }, { $m0 } bis { $m1 } kg
 
 ## crates/core/src/models/tool/file.rs
 
@@ -381,9 +395,14 @@ key-is-missing = `{ $key }` fehlt
 version-version-is-missing = `version = { $version }` fehlt
 key-is-missing-allowed = `{ $key }` fehlt: { $allowed }
 unknown-entry-key-there-are-version-title-so = unbekannter Eintrag `{ $key }`; es gibt version, title, source, { $known }
+line-line-corner-radius-mm-cannot-be-radius = Zeile { $line }: `corner_radius_mm` kann nicht { $radius } mm sein: erlaubt ist höchstens die Hälfte von `diameter_mm`, { $most } mm
 
 ## crates/core/src/models/transfer/setting.rs
 
+stable-poles-real-parts-from-slowest-down-to = stabile Pole: Realteile von { $slowest } bis { $fastest } rad/s, Imaginärteile von 0 bis { $largest } rad/s, Ordnung höchstens { $n }
+pole-place-cannot-be-re-and-im-rad-s-allowed = Pol { $place } kann nicht { $re } und { $im } rad/s sein: erlaubt ist { $allowed }
+the-order-cannot-be-order-allowed-is-allowed = die Ordnung kann nicht { $order } sein: erlaubt ist { $allowed }
+lists-real-imaginary-of-poles = Listen [Realteil, Imaginärteil]: { $poles }
 
 ## crates/core/src/models/unks/stored.rs
 
@@ -451,6 +470,8 @@ control-strategy-2013-eq-2 = Regelungsstrategie 2013, Gl. 2
 control-strategy-2013-eq-3-10-05-can-only-be = Regelungsstrategie 2013, Gl. 3 („10^05“ kann nur 10^-5 sein)
 control-strategy-2013-eq-4 = Regelungsstrategie 2013, Gl. 4
 control-strategy-2013-eq-6 = Regelungsstrategie 2013, Gl. 6
+a-drive-of-your-own-by-its-poles-and-gain = ein eigener Antrieb, nach Polen und Verstärkung
+the-dead-time-of-the-command-channel-the-dri = die Totzeit des Befehlskanals; der Antrieb ist ein eigener
 sdnrp-2007-eq-1-with-the-constants-of-its-ta = SDNRP 2007, Gl. 1, mit den Konstanten seiner Tabelle 1
 sdnrp-2007-eq-2-the-sum-is-a-misprint-a-prod = SDNRP 2007, Gl. 2 (die Summe ist ein Druckfehler: Ein Produkt hat die Verstärkung 1)
 sdnrp-2007-eq-3-the-drive-that-the-paper-sim = SDNRP 2007, Gl. 3: der Antrieb, mit dem der Artikel simuliert
@@ -512,6 +533,8 @@ formula-without-a-formula = formula ohne Formel
 formula-together-with-one-of-formula-force-o = formula zusammen mit einer von `formula.force_of_ra`, `formula.feed`, `formula.speed`, `formula.force`, `formula.ra`: beides zugleich setzen, oder zuerst die Formel, und sie zuletzt wegnehmen
 model-with-plant-steps-of-step-s = { $model } mit Streckenschritten von { $step } s
 plant-steps-of-at-most-longest-s-run-steps-p = Streckenschritte von höchstens { $longest } s: `run.steps_per_control` ab { $steps } (576 ergeben 28,8 kHz)
+n-modes-across-the-feed-with-machine-coupled = { $n } Moden quer zum Vorschub mit `machine.coupled` = true
+t-1-to-4-modes-across-the-feed-axis-1-there-of = dort 1 bis 4 Moden quer zum Vorschub (Achse 1) mit höchstens { $most } Hz: zehn Schritte von 0,1 ms je Periode
 parameters-with-machine-coupled-true-overdam = { $parameters } mit `machine.coupled` = true (überdämpfte Moden)
 d-or-t-in-a-coupled-run = D oder T in einem gekoppelten Lauf
 true-without-the-machine-s-sound = true ohne das Geräusch der Maschine
@@ -562,11 +585,18 @@ noise-band-percent-is-0 = `noise.band_percent` ist 0
 noise-inhomogeneity-percent-is-0 = `noise.inhomogeneity_percent` ist 0
 nothing-is-random-noise-level-or-every-size = nichts ist zufällig: `noise.level` oder jede Rauschgröße ist 0
 cnc-override-rate-limited-is-false = `cnc.override_rate_limited` ist false
+feed-drive-poles-gives-the-drive = `feed_drive.poles` gibt den Antrieb an
+feed-drive-poles-is-empty-the-papers-drives = `feed_drive.poles` ist leer: die Antriebe der Aufsätze haben die Verstärkung 1
+spindle-drive-poles-gives-the-drive = `spindle_drive.poles` gibt den Antrieb an
+spindle-drive-poles-is-empty-lag-and-rate-li = `spindle_drive.poles` ist leer: Verzögerung und Ratenbegrenzung haben die Verstärkung 1
 cnc-force-stop-is-false = `cnc.force_stop` ist false
 workpiece-cuts-is-empty = `workpiece.cuts` ist leer
 program-cut-feeds-mm-min-programs-every-cut = `program.cut_feeds_mm_min` programmiert jeden Schnitt
 workpiece-cuts-gives-lengths-and-depths = `workpiece.cuts` gibt Längen und Tiefen
 machine-coupled-is-false-the-cut-does-not-fe = `machine.coupled` ist false: Der Schnitt spürt die Maschine nicht
+machine-tip-modes-gives-the-machine = `machine.tip_modes` gibt die Maschine an
+only-the-stability-chart-of-measured-modes-h = nur die Stabilitätskarte gemessener Moden hat es
+machine-tip-modes-gives-the-machine-its-toot = `machine.tip_modes` gibt die Maschine an: ihr Zahn ist starr
 wear-model-is-fixed = `wear.model` ist fixed
 wear-model-is-fixed-the-tool-is-worn-by-dist = `wear.model` ist fixed: Das Werkzeug verschleißt nur durch `disturbances.wear_jumps`
 machine-coupled-is-false-nothing-vibrates = `machine.coupled` ist false: Nichts schwingt
@@ -827,34 +857,3 @@ the-cut-at-the-programmed-feed-met = der Schnitt mit dem programmierten Vorschub
 the-controller-moves-and-met = der Regler { $moves } und { $met }
 the-controller-met = der Regler { $met }
 the-tool-is-in-the-air-for-length-no-force-a = Das Werkzeug ist { $length } lang in der Luft: keine Kraft und keine Oberfläche; der Vorschub geht auf { $feed }.
-
-n-modes-across-the-feed-in-a-running-cut = { $n } Moden quer zum Vorschub im laufenden Schnitt
-t-1-to-4-modes-across-the-feed-which-the-surfa = 1 bis 4 Moden quer zum Vorschub, die die Oberfläche sieht
-structure-file = Strukturdatei
-line-line-entry-cannot-be-value-allowed-is-a = Zeile { $line }: `{ $entry }` kann nicht { $value } sein: erlaubt ist { $allowed }
-x-or-y = x oder y
-mode-place-one-of-mass-kg-and-stiffness-n-m = Mode { $place }: genau eines von `mass_kg` und `stiffness_n_m` wird gebraucht
-what-makes-a-modal-mass-from-low-to-high-kg = was bei dieser Frequenz eine modale Masse von { $low } bis { $high } kg ergibt
-a-number-from-low-to-high = eine Zahl von { $low } bis { $high }
-text-of-n-characters = ein Text von { $n } Zeichen
-text-of-1-to-n-characters = ein Text von 1 bis { $n } Zeichen
-there-is-no-mode-at-least-one-mode-is-wanted = es gibt keine Mode: mindestens ein `[[mode]]` wird gebraucht
-n-modes-allowed-are-at-most-most = { $n } Moden: erlaubt sind höchstens { $most }
-mode-place-entry-cannot-be-value-allowed-is = Mode { $place }: `{ $entry }` kann nicht { $value } sein: erlaubt ist eine Zahl von { $low } bis { $high }
-at-most-n-lists-axis-frequency-damping-ratio = höchstens { $n } Listen [Achse, Frequenz, Dämpfungsgrad, modale Masse]: Achse 0 für x oder 1 für y, { $f0 } bis { $f1 } Hz, { $d0 } bis { $d1 }, { $m0 } bis { $m1 } kg
-line-line-corner-radius-mm-cannot-be-radius = Zeile { $line }: `corner_radius_mm` kann nicht { $radius } mm sein: erlaubt ist höchstens die Hälfte von `diameter_mm`, { $most } mm
-stable-poles-real-parts-from-slowest-down-to = stabile Pole: Realteile von { $slowest } bis { $fastest } rad/s, Imaginärteile von 0 bis { $largest } rad/s, Ordnung höchstens { $n }
-pole-place-cannot-be-re-and-im-rad-s-allowed = Pol { $place } kann nicht { $re } und { $im } rad/s sein: erlaubt ist { $allowed }
-the-order-cannot-be-order-allowed-is-allowed = die Ordnung kann nicht { $order } sein: erlaubt ist { $allowed }
-lists-real-imaginary-of-poles = Listen [Realteil, Imaginärteil]: { $poles }
-a-drive-of-your-own-by-its-poles-and-gain = ein eigener Antrieb, nach Polen und Verstärkung
-the-dead-time-of-the-command-channel-the-dri = die Totzeit des Befehlskanals; der Antrieb ist ein eigener
-n-modes-across-the-feed-with-machine-coupled = { $n } Moden quer zum Vorschub mit `machine.coupled` = true
-t-1-to-4-modes-across-the-feed-axis-1-there-of = dort 1 bis 4 Moden quer zum Vorschub (Achse 1) mit höchstens { $most } Hz: zehn Schritte von 0,1 ms je Periode
-feed-drive-poles-gives-the-drive = `feed_drive.poles` gibt den Antrieb an
-feed-drive-poles-is-empty-the-papers-drives = `feed_drive.poles` ist leer: die Antriebe der Aufsätze haben die Verstärkung 1
-spindle-drive-poles-gives-the-drive = `spindle_drive.poles` gibt den Antrieb an
-spindle-drive-poles-is-empty-lag-and-rate-li = `spindle_drive.poles` ist leer: Verzögerung und Ratenbegrenzung haben die Verstärkung 1
-machine-tip-modes-gives-the-machine = `machine.tip_modes` gibt die Maschine an
-only-the-stability-chart-of-measured-modes-h = nur die Stabilitätskarte gemessener Moden hat es
-machine-tip-modes-gives-the-machine-its-toot = `machine.tip_modes` gibt die Maschine an: ihr Zahn ist starr

@@ -2,6 +2,7 @@
 
 ## src/app/panels/block_diagram/brush.rs
 
+your-own-order-order = eigener, Ordnung { $order }
 low-to-high-whole = { $low } bis { $high } %, ganze
 low-to-high-2 = { $low } bis { $high } %
 at-most-rate-s = höchstens { $rate } %/s
@@ -144,6 +145,7 @@ opens-the-cut-in-the-console-with-this-way-o = Öffnet den Schnitt in der Konsol
 n-of-all-not-finished = { $n } von { $all } nicht beendet
 n-of-all-stopped-by-overload = { $n } von { $all } durch Überlast gestoppt
 n-of-all-unstable = { $n } von { $all } instabil
+n-of-all-chattered = { $n } von { $all } mit Rattern
 why-not-all-hold-the-tolerance = Warum nicht alle die Toleranz halten
 mean-and-standard-deviation-over-the-seeds-a = Mittelwert und Standardabweichung über die Startwerte. Ein Stern markiert den besten einer Spalte, wo er um mehr als beide Abweichungen zusammen führt; bei weniger als drei Startwerten ist keine Streuung bekannt, und keiner führt. Nsn: normierter Standardfehler, wie weit die Kraft von ihrer Referenz abweicht, weniger ist besser.
 columns-are-ranked-only-among-those-that-hol-2 = { $columns }: Rangfolge nur unter denen, die die Toleranz halten; außerhalb sind sie kein Gewinn.
@@ -172,6 +174,7 @@ choose-at-least-one-way-of-control-above = Oben mindestens eine Art der Regelung
 
 symbol-c-delayed-by-time-s = { $symbol }_c um { $time } s verzögert
 in-now-out-then-unit = ein { $now }, aus { $then } { $unit }
+symbol-c-command-gives-symbol-a-actual-unit = { $symbol }_c = { $command } ergibt { $symbol }_a = { $actual } { $unit }
 f-c-command-gives-f-a-feed-mm-min = f_c = { $command } ergibt f_a = { $feed } mm/min
 a-straight-ramp-beyond-error-1-min-of-error = eine gerade Rampe jenseits von { $error } 1/min Abweichung
 level-level-band-band-ripple-ripple-inhomoge = Pegel { $level }: Band { $band } %, Welligkeit { $ripple } %, Inhomogenität { $inhomogeneity } %
@@ -778,6 +781,10 @@ stability-chart = Stabilitätskarte
 no-chart-can-be-made-of-this-machine = Von dieser Maschine lässt sich keine Karte machen
 charted-cut = Karte: { $cut }.
 go-on-with-the-chart = Mit der Karte fortfahren
+structure = Struktur
+n-measured-modes-at-the-tool-s-tip = { $n } gemessene Moden an der Werkzeugspitze
+takes-the-measured-modes-away-the-five-masse = Nimmt die gemessenen Moden weg: die fünf Massen von 2019 gelten wieder
+back-to-the-five-masses = Zurück zu den fünf Massen
 spindle-quality = Güte der Spindel
 q-5-by-its-damper = Q 5, nach ihrem Dämpfer
 the-printed-damper-of-2348-n-s-m-belongs-to = Der gedruckte Dämpfer von 2348 N s/m gehört dazu
@@ -976,6 +983,7 @@ cutting-speed = Schnittgeschwindigkeit
 removal = Zeitspanvol.
 time-at-this-feed = Zeit bei diesem Vorschub
 with-tool-changes = mit Werkzeugwechseln
+cost-of-cut-your-currency = Kosten des Schnitts, in Ihrer Währung
 objective = Zielfunktion
 
 ## src/app/panels/plan/controls.rs
@@ -1268,12 +1276,3 @@ length-of-the-way-beyond-the-tolerance-on-th = Länge des Wegs jenseits der Tole
 too-rough-is-rework-or-scrap-smoother-than-a = Zu rau ist Nacharbeit oder Ausschuss; glatter als verlangt ist keines von beiden.
 the-cutter-is-drawn-turning-times-times-slow = Der Fräser ist { $times }-mal langsamer drehend gezeichnet. Was vor der Wand steht, hat ein früherer Schnitt weggenommen.
 simulated-tooth-by-tooth-k5-s-ra-does-not-ho = Zahn für Zahn simuliert, gilt das Ra von K5 nicht: Die Oberfläche zeigt Vorschubmarken und Rundlauffehler allein.
-
-your-own-order-order = eigener, Ordnung { $order }
-n-of-all-chattered = { $n } von { $all } mit Rattern
-symbol-c-command-gives-symbol-a-actual-unit = { $symbol }_c = { $command } ergibt { $symbol }_a = { $actual } { $unit }
-structure = Struktur
-n-measured-modes-at-the-tool-s-tip = { $n } gemessene Moden an der Werkzeugspitze
-takes-the-measured-modes-away-the-five-masse = Nimmt die gemessenen Moden weg: die fünf Massen von 2019 gelten wieder
-back-to-the-five-masses = Zurück zu den fünf Massen
-cost-of-cut-your-currency = Kosten des Schnitts, in Ihrer Währung

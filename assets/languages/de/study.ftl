@@ -33,6 +33,7 @@ p-smith-predictor = P, Smith-Prädiktor
 mrac-one-gain = MRAC, eine Verstärkung
 preview = Vorausschau
 tracking = Folgeregler
+own-script = Eigenes Skript
 
 ## crates/study/src/compare/iterations.rs
 
@@ -500,9 +501,13 @@ at-rest = in Ruhe
 
 ## crates/study/src/identify/response/fit.rs
 
+the-response-has-no-resonance-im-has-no-peak = der Frequenzgang hat keine Resonanz: -Im hat keine Spitze über 0; ist es Weg durch Kraft?
 
 ## crates/study/src/identify/response/table.rs
 
+its-columns-are-names-wanted-are-frequency-h = ihre Spalten sind { $names }: gebraucht werden frequency_hz mit real_m_n und imaginary_m_n oder mit magnitude_m_n und phase_deg; _um_n für um/N
+the-response-has-count-points-allowed-are-le = der Frequenzgang hat { $count } Punkte: erlaubt sind { $least } bis { $most }
+the-frequencies-do-not-ascend-from-above-0-h = die Frequenzen steigen nicht von über 0 Hz an
 
 ## crates/study/src/identify/wear.rs
 
@@ -700,12 +705,23 @@ line-line-problem = Zeile { $line }: { $problem }
 
 ## crates/study/src/own_file/machine.rs
 
+machine-file = Maschinendatei
+the-pole-re-and-im-rad-s-lacks-its-conjugate = dem Pol { $re } und { $im } rad/s fehlt der konjugierte, { $re } und { $other }
+t-2-to-n-coefficients-above-0-a0-first-with-an = 2 bis { $n } Koeffizienten über 0, a0 zuerst: mit anderem Vorzeichen ist kein Antrieb stabil
+one-of-poles-and-denominator-is-wanted-besid = daneben wird genau eines von `poles` und `denominator` gebraucht
+a-drive-has-at-least-one-pole = ein Antrieb hat mindestens einen Pol
+it-stands-without-poles = es steht ohne `poles`
+the-feed-drive-stands-in-feed-drive-already = der Vorschubantrieb steht schon in [feed_drive]
+there-is-nothing-in-it-dead-time-s-feed-driv = es steht nichts darin: dead_time_s, [feed_drive] oder [spindle_drive]
 
 ## crates/study/src/own_file/material.rs
 
+material-file = Werkstoffdatei
 
 ## crates/study/src/own_file/mod.rs
 
+file-of-your-own = eigene Datei
+it-is-none-of-a-cutter-diameter-mm-teeth-a-s = sie ist weder ein Fräser (diameter_mm, teeth) noch eine Struktur ([[mode]]), ein Werkstoff (kc11_n_mm2) oder eine Maschine ([feed_drive] oder poles)
 
 ## crates/study/src/papers/calibrations.rs
 
@@ -919,6 +935,9 @@ above-0-mm-for-a-stability-chart = über 0 mm für eine Stabilitätskarte
 
 ## crates/study/src/stability/tip/mod.rs
 
+r-d-radial-mm-of-a-cutter-of-diameter-mm-wit-2 = R_D { $radial } mm eines Fräsers von { $diameter } mm mit { $teeth } Zähnen: jeder schneidet von { $from } bis { $to } Grad, { $way }
+down-milling = Gleichlauf
+up-milling = Gegenlauf
 
 ## crates/study/src/train/claim.rs
 
@@ -962,6 +981,8 @@ twin-kind-is-programmed = `twin.kind` ist programmed
 plan-force-limit-is-not-fixed = `plan.force_limit` ist nicht fixed
 plan-force-limit-is-fixed = `plan.force_limit` ist fixed
 plan-free-speed-is-true-the-speed-is-searche = `plan.free_speed` ist true: Die Drehzahl wird gesucht
+machine-tip-modes-gives-the-machine-and-the = `machine.tip_modes` gibt die Maschine an, die Winkel der Zähne die Richtung
+machine-tip-modes-is-empty-the-five-masses-h = `machine.tip_modes` ist leer: die fünf Massen haben eine Richtung
 workpiece-cuts-gives-the-radial-depths = `workpiece.cuts` gibt die Schnittbreiten
 workpiece-radial-depth-mm-is-the-width-of-th = `workpiece.radial_depth_mm` ist die Breite des Schnitts, welche Form die Stirn auch hat
 plant-calibration-is-not-formula = `plant.calibration` ist nicht formula
@@ -1010,25 +1031,3 @@ does-not-hold = trifft nicht zu
 no-run-yet = noch kein Lauf
 k4-of-the-papers = K4 der Artikel
 tooth-by-tooth-2 = Zahn für Zahn
-
-own-script = Eigenes Skript
-the-response-has-no-resonance-im-has-no-peak = der Frequenzgang hat keine Resonanz: -Im hat keine Spitze über 0; ist es Weg durch Kraft?
-its-columns-are-names-wanted-are-frequency-h = ihre Spalten sind { $names }: gebraucht werden frequency_hz mit real_m_n und imaginary_m_n oder mit magnitude_m_n und phase_deg; _um_n für um/N
-the-response-has-count-points-allowed-are-le = der Frequenzgang hat { $count } Punkte: erlaubt sind { $least } bis { $most }
-the-frequencies-do-not-ascend-from-above-0-h = die Frequenzen steigen nicht von über 0 Hz an
-machine-file = Maschinendatei
-the-pole-re-and-im-rad-s-lacks-its-conjugate = dem Pol { $re } und { $im } rad/s fehlt der konjugierte, { $re } und { $other }
-t-2-to-n-coefficients-above-0-a0-first-with-an = 2 bis { $n } Koeffizienten über 0, a0 zuerst: mit anderem Vorzeichen ist kein Antrieb stabil
-one-of-poles-and-denominator-is-wanted-besid = daneben wird genau eines von `poles` und `denominator` gebraucht
-a-drive-has-at-least-one-pole = ein Antrieb hat mindestens einen Pol
-it-stands-without-poles = es steht ohne `poles`
-the-feed-drive-stands-in-feed-drive-already = der Vorschubantrieb steht schon in [feed_drive]
-there-is-nothing-in-it-dead-time-s-feed-driv = es steht nichts darin: dead_time_s, [feed_drive] oder [spindle_drive]
-material-file = Werkstoffdatei
-file-of-your-own = eigene Datei
-it-is-none-of-a-cutter-diameter-mm-teeth-a-s = sie ist weder ein Fräser (diameter_mm, teeth) noch eine Struktur ([[mode]]), ein Werkstoff (kc11_n_mm2) oder eine Maschine ([feed_drive] oder poles)
-r-d-radial-mm-of-a-cutter-of-diameter-mm-wit-2 = R_D { $radial } mm eines Fräsers von { $diameter } mm mit { $teeth } Zähnen: jeder schneidet von { $from } bis { $to } Grad, { $way }
-down-milling = Gleichlauf
-up-milling = Gegenlauf
-machine-tip-modes-gives-the-machine-and-the = `machine.tip_modes` gibt die Maschine an, die Winkel der Zähne die Richtung
-machine-tip-modes-is-empty-the-five-masses-h = `machine.tip_modes` ist leer: die fünf Massen haben eine Richtung

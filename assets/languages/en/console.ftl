@@ -317,10 +317,9 @@ without-the-changes-made-in-the-cut-about = Without the changes made in the cut:
 ## src/app/panels/console/disturb.rs
 
 drops-a-disturbance-into-the-cut-a-little-ah = Drops a disturbance into the cut, a little ahead of the tool; Undo takes it back
-disturb-the-cut-2 = Disturb the cut
-names-sizes = Names, sizes…
 names-and-sizes-of-disturbances = Names and sizes of disturbances
 disturb-the-cut = Disturb the cut…
+disturb-the-cut-2 = Disturb the cut
 a-press-on-a-name-drops-that-disturbance-a-l = A press on a name drops that disturbance a little ahead of the tool, as long and as large as set beside it.
 length-of-the-disturbance = Length of the { $disturbance }
 mm-long = { " " }mm long
@@ -707,6 +706,7 @@ nothing-has-gone-wrong-so-far-no-tooth-broke = Nothing has gone wrong so far: no
 constant-feed-2 = constant feed
 const = const.
 feeds-mm-min-at-speed-1-min = { $feeds } mm/min at { $speed } 1/min
+safe-constant-feed-from-the-start-at = safe constant feed from the start: { $at }
 safe-constant-feed-at = safe constant feed: { $at }
 safe-constant-feed-finding = safe constant feed: finding …
 constant-feed-as-programmed-at = constant feed as programmed: { $at }
@@ -715,7 +715,6 @@ name-finding = { $name }: finding …
 name-none-is-safe-at = { $name }, none is safe: { $at }
 the-cut-is-compared-with-constant-feed-as-pr = The cut is compared with constant feed as programmed now: { $why }.
 the-cut-is-compared-with-a-safe-constant-fee = The cut is compared with a safe constant feed again.
-the-safe-constant-feed-is-now-now-from-the-s = The safe constant feed is { $now } now, from the start of the cut on, since it holds the target on the whole part; it was { $before }.
 
 ## src/app/session.rs
 

@@ -292,6 +292,7 @@ share-no-ra-model = { $share } % brez Ra ({ $model })
 share-outside-the-ra-model-model = { $share } % zunaj modela Ra ({ $model })
 target-target = cilj { $target }
 within-target-target = na cilju { $target }
+over-rough-under-smoother = { $over } % grobo, { $under } % bolj gladko
 of-the-length-cut = obdelane dolžine
 without-dynamics-share = brez dinamike { $share }
 share-rest-smoother = { $share }, ostalo bolj gladko
@@ -340,9 +341,9 @@ without-the-changes-made-in-the-cut-about = Brez sprememb med rezom: { $about }
 ## src/app/panels/console/disturb.rs
 
 drops-a-disturbance-into-the-cut-a-little-ah = Vstavi motnjo v rez, malo pred orodjem; »Razveljavi« jo odstrani
-disturb-the-cut-2 = Zmoti rez
 names-and-sizes-of-disturbances = Imena in velikosti motenj
 disturb-the-cut = Zmoti rez…
+disturb-the-cut-2 = Zmoti rez
 a-press-on-a-name-drops-that-disturbance-a-l = Pritisk na ime vstavi to motnjo malo pred orodjem, tako dolgo in veliko, kot je nastavljeno zraven.
 length-of-the-disturbance = Dolžina: { $disturbance }
 mm-long = { " " }mm dolžine
@@ -693,6 +694,7 @@ the-mission-title-is-left = Naloga »{ $title }« je zapuščena.
 the-mission-title-is-open-of-setting-it-offe = Odprta je naloga »{ $title }«. Pri »{ $setting }« ponuja: { $list }. Za drugo izbiro zapustite nalogo.
 the-cut-is-over-setting-is-set-for-the-whole = Rez je končan: nastavitev »{ $setting }« velja za ves obdelovanec, ki se reže znova od začetka. »Razveljavi« vrne prejšnji rez; sprememba med rezanjem deluje od tam naprej.
 name-is-the-part-now-length-mm-long-air-mm-o = { $name } je zdaj obdelovanec: dolg { $length } mm, od tega { $air } mm zraka.
+title-is-taken-as-the-kind-of-this-cut = { $title } je prevzeto za ta rez ({ $kind })
 
 ## src/app/session/disturb.rs
 
@@ -1046,7 +1048,4 @@ iso-1302-grade-grade-ra-ra-um-m = ISO 1302, razred { $grade }: Ra { $ra_um } µm
 
 close-window = Zapri okno
 
-over-rough-under-smoother = { $over } % grobo, { $under } % bolj gladko
-names-sizes = Imena, velikosti…
-title-is-taken-as-the-kind-of-this-cut = { $title } je prevzeto za ta rez ({ $kind })
-the-safe-constant-feed-is-now-now-from-the-s = Varno stalno podajanje je zdaj { $now }, od začetka reza, ker drži cilj na vsem obdelovancu; prej je bilo { $before }.
+safe-constant-feed-from-the-start-at = varno stalno podajanje od začetka: { $at }

@@ -346,12 +346,26 @@ table-2 = miza
 
 ## crates/core/src/models/structure/reduction.rs
 
+n-modes-across-the-feed-in-a-running-cut = { $n } nihajnih oblik prečno na podajanje v tekočem rezu
+t-1-to-4-modes-across-the-feed-which-the-surfa = 1 do 4 nihajne oblike prečno na podajanje, ki jih vidi površina
 
 ## crates/core/src/models/tip_modes/file.rs
 
+structure-file = datoteka strukture
+line-line-entry-cannot-be-value-allowed-is-a = vrstica { $line }: `{ $entry }` ne more biti { $value }: dovoljeno je { $allowed }
+x-or-y = x ali y
+mode-place-one-of-mass-kg-and-stiffness-n-m = nihajna oblika { $place }: potreben je natanko eden od `mass_kg` in `stiffness_n_m`
+what-makes-a-modal-mass-from-low-to-high-kg = kar da pri tej frekvenci modalno maso od { $low } do { $high } kg
+a-number-from-low-to-high = število od { $low } do { $high }
+text-of-n-characters = besedilo z { $n } znaki
+text-of-1-to-n-characters = besedilo z 1 do { $n } znaki
+there-is-no-mode-at-least-one-mode-is-wanted = ni nihajne oblike: potreben je vsaj en `[[mode]]`
 
 ## crates/core/src/models/tip_modes/mod.rs
 
+n-modes-allowed-are-at-most-most = { $n } nihajnih oblik: dovoljenih je največ { $most }
+mode-place-entry-cannot-be-value-allowed-is = nihajna oblika { $place }: `{ $entry }` ne more biti { $value }: dovoljeno je število od { $low } do { $high }
+at-most-n-lists-axis-frequency-damping-ratio = največ { $n } seznamov [os, frekvenca, dušilno razmerje, modalna masa]: os 0 za x ali 1 za y, { $f0 } do { $f1 } Hz, { $d0 } do { $d1 }, { $m0 } do { $m1 } kg
 
 ## crates/core/src/models/tool/file.rs
 
@@ -361,9 +375,14 @@ key-is-missing = `{ $key }` manjka
 version-version-is-missing = `version = { $version }` manjka
 key-is-missing-allowed = `{ $key }` manjka: { $allowed }
 unknown-entry-key-there-are-version-title-so = neznan vnos `{ $key }`; obstajajo version, title, source, { $known }
+line-line-corner-radius-mm-cannot-be-radius = vrstica { $line }: `corner_radius_mm` ne more biti { $radius } mm: dovoljena je največ polovica `diameter_mm`, { $most } mm
 
 ## crates/core/src/models/transfer/setting.rs
 
+stable-poles-real-parts-from-slowest-down-to = stabilni poli: realni deli od { $slowest } do { $fastest } rad/s, imaginarni deli od 0 do { $largest } rad/s, red največ { $n }
+pole-place-cannot-be-re-and-im-rad-s-allowed = pol { $place } ne more biti { $re } in { $im } rad/s: dovoljeno je { $allowed }
+the-order-cannot-be-order-allowed-is-allowed = red ne more biti { $order }: dovoljeno je { $allowed }
+lists-real-imaginary-of-poles = seznami [realni, imaginarni del]: { $poles }
 
 ## crates/core/src/models/unks/stored.rs
 
@@ -431,6 +450,8 @@ control-strategy-2013-eq-2 = Strategija vodenja 2013, en. 2
 control-strategy-2013-eq-3-10-05-can-only-be = Strategija vodenja 2013, en. 3 (»10^05« je lahko le 10^-5)
 control-strategy-2013-eq-4 = Strategija vodenja 2013, en. 4
 control-strategy-2013-eq-6 = Strategija vodenja 2013, en. 6
+a-drive-of-your-own-by-its-poles-and-gain = lasten pogon, po polih in ojačenju
+the-dead-time-of-the-command-channel-the-dri = mrtvi čas ukaznega kanala; pogon je lasten
 sdnrp-2007-eq-1-with-the-constants-of-its-ta = SDNRP 2007, en. 1, s konstantami iz preglednice 1
 sdnrp-2007-eq-2-the-sum-is-a-misprint-a-prod = SDNRP 2007, en. 2 (vsota je tiskovna napaka: zmnožek ima ojačanje 1)
 sdnrp-2007-eq-3-the-drive-that-the-paper-sim = SDNRP 2007, en. 3: pogon, s katerim članek simulira
@@ -492,6 +513,8 @@ formula-without-a-formula = formula brez formule
 formula-together-with-one-of-formula-force-o = formula skupaj z eno od `formula.force_of_ra`, `formula.feed`, `formula.speed`, `formula.force`, `formula.ra`: nastavite oboje hkrati ali najprej formulo in jo nazadnje odstranite
 model-with-plant-steps-of-step-s = { $model } s koraki procesa { $step } s
 plant-steps-of-at-most-longest-s-run-steps-p = koraki procesa največ { $longest } s: `run.steps_per_control` od { $steps } naprej (576 jih da 28,8 kHz)
+n-modes-across-the-feed-with-machine-coupled = { $n } nihajnih oblik prečno na podajanje z `machine.coupled` = true
+t-1-to-4-modes-across-the-feed-axis-1-there-of = tam 1 do 4 nihajne oblike prečno na podajanje (os 1) z največ { $most } Hz: deset korakov po 0,1 ms na periodo
 parameters-with-machine-coupled-true-overdam = { $parameters } z `machine.coupled` = true (nadkritično dušena nihanja)
 d-or-t-in-a-coupled-run = D ali T v sklopljeni simulaciji
 true-without-the-machine-s-sound = true brez zvoka stroja
@@ -538,11 +561,18 @@ noise-band-percent-is-0 = `noise.band_percent` je 0
 noise-inhomogeneity-percent-is-0 = `noise.inhomogeneity_percent` je 0
 nothing-is-random-noise-level-or-every-size = nič ni naključno: `noise.level` ali vse velikosti šuma so 0
 cnc-override-rate-limited-is-false = `cnc.override_rate_limited` je false
+feed-drive-poles-gives-the-drive = `feed_drive.poles` podaja pogon
+feed-drive-poles-is-empty-the-papers-drives = `feed_drive.poles` je prazen: pogoni iz člankov imajo ojačenje 1
+spindle-drive-poles-gives-the-drive = `spindle_drive.poles` podaja pogon
+spindle-drive-poles-is-empty-lag-and-rate-li = `spindle_drive.poles` je prazen: zakasnitev in omejitev hitrosti spremembe imata ojačenje 1
 cnc-force-stop-is-false = `cnc.force_stop` je false
 workpiece-cuts-is-empty = `workpiece.cuts` je prazen
 program-cut-feeds-mm-min-programs-every-cut = `program.cut_feeds_mm_min` programira vsak rez
 workpiece-cuts-gives-lengths-and-depths = `workpiece.cuts` podaja dolžine in globine
 machine-coupled-is-false-the-cut-does-not-fe = `machine.coupled` je false: rez ne čuti stroja
+machine-tip-modes-gives-the-machine = `machine.tip_modes` podaja stroj
+only-the-stability-chart-of-measured-modes-h = ima jo samo karta stabilnosti izmerjenih nihajnih oblik
+machine-tip-modes-gives-the-machine-its-toot = `machine.tip_modes` podaja stroj: njegov zob je tog
 wear-model-is-fixed = `wear.model` je fixed
 wear-model-is-fixed-the-tool-is-worn-by-dist = `wear.model` je fixed: orodje obrabijo samo `disturbances.wear_jumps`
 machine-coupled-is-false-nothing-vibrates = `machine.coupled` je false: nič ne vibrira
@@ -799,34 +829,3 @@ the-cut-at-the-programmed-feed-met = rez s programiranim podajanjem { $met }
 the-controller-moves-and-met = regulator { $moves } in { $met }
 the-controller-met = regulator { $met }
 the-tool-is-in-the-air-for-length-no-force-a = Orodje je na dolžini { $length } v zraku: ni sile in ni površine; podajanje gre na { $feed }.
-
-n-modes-across-the-feed-in-a-running-cut = { $n } nihajnih oblik prečno na podajanje v tekočem rezu
-t-1-to-4-modes-across-the-feed-which-the-surfa = 1 do 4 nihajne oblike prečno na podajanje, ki jih vidi površina
-structure-file = datoteka strukture
-line-line-entry-cannot-be-value-allowed-is-a = vrstica { $line }: `{ $entry }` ne more biti { $value }: dovoljeno je { $allowed }
-x-or-y = x ali y
-mode-place-one-of-mass-kg-and-stiffness-n-m = nihajna oblika { $place }: potreben je natanko eden od `mass_kg` in `stiffness_n_m`
-what-makes-a-modal-mass-from-low-to-high-kg = kar da pri tej frekvenci modalno maso od { $low } do { $high } kg
-a-number-from-low-to-high = število od { $low } do { $high }
-text-of-n-characters = besedilo z { $n } znaki
-text-of-1-to-n-characters = besedilo z 1 do { $n } znaki
-there-is-no-mode-at-least-one-mode-is-wanted = ni nihajne oblike: potreben je vsaj en `[[mode]]`
-n-modes-allowed-are-at-most-most = { $n } nihajnih oblik: dovoljenih je največ { $most }
-mode-place-entry-cannot-be-value-allowed-is = nihajna oblika { $place }: `{ $entry }` ne more biti { $value }: dovoljeno je število od { $low } do { $high }
-at-most-n-lists-axis-frequency-damping-ratio = največ { $n } seznamov [os, frekvenca, dušilno razmerje, modalna masa]: os 0 za x ali 1 za y, { $f0 } do { $f1 } Hz, { $d0 } do { $d1 }, { $m0 } do { $m1 } kg
-line-line-corner-radius-mm-cannot-be-radius = vrstica { $line }: `corner_radius_mm` ne more biti { $radius } mm: dovoljena je največ polovica `diameter_mm`, { $most } mm
-stable-poles-real-parts-from-slowest-down-to = stabilni poli: realni deli od { $slowest } do { $fastest } rad/s, imaginarni deli od 0 do { $largest } rad/s, red največ { $n }
-pole-place-cannot-be-re-and-im-rad-s-allowed = pol { $place } ne more biti { $re } in { $im } rad/s: dovoljeno je { $allowed }
-the-order-cannot-be-order-allowed-is-allowed = red ne more biti { $order }: dovoljeno je { $allowed }
-lists-real-imaginary-of-poles = seznami [realni, imaginarni del]: { $poles }
-a-drive-of-your-own-by-its-poles-and-gain = lasten pogon, po polih in ojačenju
-the-dead-time-of-the-command-channel-the-dri = mrtvi čas ukaznega kanala; pogon je lasten
-n-modes-across-the-feed-with-machine-coupled = { $n } nihajnih oblik prečno na podajanje z `machine.coupled` = true
-t-1-to-4-modes-across-the-feed-axis-1-there-of = tam 1 do 4 nihajne oblike prečno na podajanje (os 1) z največ { $most } Hz: deset korakov po 0,1 ms na periodo
-feed-drive-poles-gives-the-drive = `feed_drive.poles` podaja pogon
-feed-drive-poles-is-empty-the-papers-drives = `feed_drive.poles` je prazen: pogoni iz člankov imajo ojačenje 1
-spindle-drive-poles-gives-the-drive = `spindle_drive.poles` podaja pogon
-spindle-drive-poles-is-empty-lag-and-rate-li = `spindle_drive.poles` je prazen: zakasnitev in omejitev hitrosti spremembe imata ojačenje 1
-machine-tip-modes-gives-the-machine = `machine.tip_modes` podaja stroj
-only-the-stability-chart-of-measured-modes-h = ima jo samo karta stabilnosti izmerjenih nihajnih oblik
-machine-tip-modes-gives-the-machine-its-toot = `machine.tip_modes` podaja stroj: njegov zob je tog

@@ -2,6 +2,7 @@
 
 ## src/app/panels/block_diagram/brush.rs
 
+your-own-order-order = lasten, red { $order }
 low-to-high-whole = { $low } do { $high } %, celi
 low-to-high-2 = { $low } do { $high } %
 at-most-rate-s = največ { $rate } %/s
@@ -146,6 +147,7 @@ opens-the-cut-in-the-console-with-this-way-o = Odpre rez na pultu s tem načinom
 n-of-all-not-finished = nedokončanih: { $n } od { $all }
 n-of-all-stopped-by-overload = ustavila preobremenitev: { $n } od { $all }
 n-of-all-unstable = nestabilno: { $n } od { $all }
+n-of-all-chattered = z drdranjem: { $n } od { $all }
 why-not-all-hold-the-tolerance = Zakaj vsi ne držijo tolerance
 mean-and-standard-deviation-over-the-seeds-a = Povprečje in standardni odklon po semenih. Zvezdica označuje najboljšega v stolpcu, kjer vodi za več kot oba odklona skupaj; pri manj kot treh semenih raztros ni znan in ne vodi nihče. Nsn: normirana standardna napaka, koliko sila odstopa od reference, manj je bolje.
 columns-are-ranked-only-among-those-that-hol-2 = Razvrstitev ({ $columns }) je samo med tistimi, ki držijo toleranco: zunaj nje ni pridobitev.
@@ -174,6 +176,7 @@ choose-at-least-one-way-of-control-above = Zgoraj izberite vsaj en regulator.
 
 symbol-c-delayed-by-time-s = { $symbol }_c z zamikom { $time } s
 in-now-out-then-unit = vhod { $now }, izhod { $then } { $unit }
+symbol-c-command-gives-symbol-a-actual-unit = { $symbol }_c = { $command } da { $symbol }_a = { $actual } { $unit }
 f-c-command-gives-f-a-feed-mm-min = f_c = { $command } da f_a = { $feed } mm/min
 a-straight-ramp-beyond-error-1-min-of-error = enakomerna rampa pri pogrešku nad { $error } 1/min
 level-level-band-band-ripple-ripple-inhomoge = raven { $level }: pas { $band } %, valovanje { $ripple } %, nehomogenost { $inhomogeneity } %
@@ -734,6 +737,10 @@ stability-chart = Karta stabilnosti
 no-chart-can-be-made-of-this-machine = Za ta stroj ni mogoče izdelati karte
 charted-cut = Na karti: { $cut }.
 go-on-with-the-chart = Nadaljuj karto
+structure = Struktura
+n-measured-modes-at-the-tool-s-tip = { $n } izmerjenih nihajnih oblik na konici orodja
+takes-the-measured-modes-away-the-five-masse = Odstrani izmerjene nihajne oblike: spet velja pet mas iz leta 2019
+back-to-the-five-masses = Nazaj k petim masam
 spindle-quality = Dobrota vretena
 q-5-by-its-damper = Q 5, po njegovi dušilki
 the-printed-damper-of-2348-n-s-m-belongs-to = K njemu spada natisnjena dušilka 2348 N s/m
@@ -932,6 +939,7 @@ cutting-speed = Rezalna hitrost
 removal = Odvzem
 time-at-this-feed = Čas pri tem podajanju
 with-tool-changes = z menjavami orodja
+cost-of-cut-your-currency = Cena reza, v vaši valuti
 objective = Ciljna funkcija
 
 ## src/app/panels/plan/controls.rs
@@ -1210,12 +1218,3 @@ length-of-the-way-beyond-the-tolerance-on-th = Dolžina poti zunaj tolerance na 
 too-rough-is-rework-or-scrap-smoother-than-a = Prehrapavo pomeni dodelavo ali izmet; bolj gladko od zahtevanega nobenega.
 the-cutter-is-drawn-turning-times-times-slow = Frezalo je narisano pri { $times }-krat počasnejšem vrtenju. Kar stoji pred steno, je odvzel prejšnji rez.
 simulated-tooth-by-tooth-k5-s-ra-does-not-ho = Pri simulaciji zob za zobom Ra iz K5 ne velja: površina kaže samo sledi podajanja in opletanje.
-
-your-own-order-order = lasten, red { $order }
-n-of-all-chattered = z drdranjem: { $n } od { $all }
-symbol-c-command-gives-symbol-a-actual-unit = { $symbol }_c = { $command } da { $symbol }_a = { $actual } { $unit }
-structure = Struktura
-n-measured-modes-at-the-tool-s-tip = { $n } izmerjenih nihajnih oblik na konici orodja
-takes-the-measured-modes-away-the-five-masse = Odstrani izmerjene nihajne oblike: spet velja pet mas iz leta 2019
-back-to-the-five-masses = Nazaj k petim masam
-cost-of-cut-your-currency = Cena reza, v vaši valuti

@@ -39,6 +39,7 @@ p-smith-predictor = P, Smithov prediktor
 mrac-one-gain = MRAC, eno ojačanje
 preview = Pogled naprej
 tracking = Sledenje
+own-script = Lasten skript
 
 ## crates/study/src/compare/iterations.rs
 
@@ -496,9 +497,13 @@ at-rest = v mirovanju
 
 ## crates/study/src/identify/response/fit.rs
 
+the-response-has-no-resonance-im-has-no-peak = odziv nima resonance: -Im nima vrha nad 0; je to pomik na silo?
 
 ## crates/study/src/identify/response/table.rs
 
+its-columns-are-names-wanted-are-frequency-h = njeni stolpci so { $names }: potrebni so frequency_hz z real_m_n in imaginary_m_n ali z magnitude_m_n in phase_deg; _um_n za um/N
+the-response-has-count-points-allowed-are-le = odziv ima { $count } točk: dovoljenih je { $least } do { $most }
+the-frequencies-do-not-ascend-from-above-0-h = frekvence ne naraščajo od nad 0 Hz
 
 ## crates/study/src/identify/wear.rs
 
@@ -688,12 +693,23 @@ line-line-problem = vrstica { $line }: { $problem }
 
 ## crates/study/src/own_file/machine.rs
 
+machine-file = datoteka stroja
+the-pole-re-and-im-rad-s-lacks-its-conjugate = polu { $re } in { $im } rad/s manjka konjugirani, { $re } in { $other }
+t-2-to-n-coefficients-above-0-a0-first-with-an = 2 do { $n } koeficientov nad 0, najprej a0: z drugim predznakom ni stabilen noben pogon
+one-of-poles-and-denominator-is-wanted-besid = zraven je potreben natanko eden od `poles` in `denominator`
+a-drive-has-at-least-one-pole = pogon ima vsaj en pol
+it-stands-without-poles = stoji brez `poles`
+the-feed-drive-stands-in-feed-drive-already = podajalni pogon je že v [feed_drive]
+there-is-nothing-in-it-dead-time-s-feed-driv = v njej ni ničesar: dead_time_s, [feed_drive] ali [spindle_drive]
 
 ## crates/study/src/own_file/material.rs
 
+material-file = datoteka materiala
 
 ## crates/study/src/own_file/mod.rs
 
+file-of-your-own = lastna datoteka
+it-is-none-of-a-cutter-diameter-mm-teeth-a-s = ni ne frezalo (diameter_mm, teeth) ne struktura ([[mode]]) ne material (kc11_n_mm2) ne stroj ([feed_drive] ali poles)
 
 ## crates/study/src/papers/calibrations.rs
 
@@ -907,6 +923,9 @@ above-0-mm-for-a-stability-chart = nad 0 mm za karto stabilnosti
 
 ## crates/study/src/stability/tip/mod.rs
 
+r-d-radial-mm-of-a-cutter-of-diameter-mm-wit-2 = R_D { $radial } mm frezala { $diameter } mm s { $teeth } zobmi: vsak reže od { $from } do { $to } stopinj, { $way }
+down-milling = istosmerno frezanje
+up-milling = protismerno frezanje
 
 ## crates/study/src/train/claim.rs
 
@@ -950,6 +969,8 @@ twin-kind-is-programmed = `twin.kind` je programmed
 plan-force-limit-is-not-fixed = `plan.force_limit` ni fixed
 plan-force-limit-is-fixed = `plan.force_limit` je fixed
 plan-free-speed-is-true-the-speed-is-searche = `plan.free_speed` je true: hitrost se išče
+machine-tip-modes-gives-the-machine-and-the = `machine.tip_modes` podaja stroj, koti zob pa smer
+machine-tip-modes-is-empty-the-five-masses-h = `machine.tip_modes` je prazen: pet mas ima eno smer
 workpiece-cuts-gives-the-radial-depths = `workpiece.cuts` podaja radialne globine
 workpiece-radial-depth-mm-is-the-width-of-th = `workpiece.radial_depth_mm` je širina reza ne glede na obliko čela
 plant-calibration-is-not-formula = `plant.calibration` ni formula
@@ -998,25 +1019,3 @@ does-not-hold = ne drži
 no-run-yet = simulacije še ni
 k4-of-the-papers = K4 iz člankov
 tooth-by-tooth-2 = zob za zobom
-
-own-script = Lasten skript
-the-response-has-no-resonance-im-has-no-peak = odziv nima resonance: -Im nima vrha nad 0; je to pomik na silo?
-its-columns-are-names-wanted-are-frequency-h = njeni stolpci so { $names }: potrebni so frequency_hz z real_m_n in imaginary_m_n ali z magnitude_m_n in phase_deg; _um_n za um/N
-the-response-has-count-points-allowed-are-le = odziv ima { $count } točk: dovoljenih je { $least } do { $most }
-the-frequencies-do-not-ascend-from-above-0-h = frekvence ne naraščajo od nad 0 Hz
-machine-file = datoteka stroja
-the-pole-re-and-im-rad-s-lacks-its-conjugate = polu { $re } in { $im } rad/s manjka konjugirani, { $re } in { $other }
-t-2-to-n-coefficients-above-0-a0-first-with-an = 2 do { $n } koeficientov nad 0, najprej a0: z drugim predznakom ni stabilen noben pogon
-one-of-poles-and-denominator-is-wanted-besid = zraven je potreben natanko eden od `poles` in `denominator`
-a-drive-has-at-least-one-pole = pogon ima vsaj en pol
-it-stands-without-poles = stoji brez `poles`
-the-feed-drive-stands-in-feed-drive-already = podajalni pogon je že v [feed_drive]
-there-is-nothing-in-it-dead-time-s-feed-driv = v njej ni ničesar: dead_time_s, [feed_drive] ali [spindle_drive]
-material-file = datoteka materiala
-file-of-your-own = lastna datoteka
-it-is-none-of-a-cutter-diameter-mm-teeth-a-s = ni ne frezalo (diameter_mm, teeth) ne struktura ([[mode]]) ne material (kc11_n_mm2) ne stroj ([feed_drive] ali poles)
-r-d-radial-mm-of-a-cutter-of-diameter-mm-wit-2 = R_D { $radial } mm frezala { $diameter } mm s { $teeth } zobmi: vsak reže od { $from } do { $to } stopinj, { $way }
-down-milling = istosmerno frezanje
-up-milling = protismerno frezanje
-machine-tip-modes-gives-the-machine-and-the = `machine.tip_modes` podaja stroj, koti zob pa smer
-machine-tip-modes-is-empty-the-five-masses-h = `machine.tip_modes` je prazen: pet mas ima eno smer

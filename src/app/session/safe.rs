@@ -7,7 +7,6 @@ use crate::app::clock::now_s;
 use crate::app::format;
 use crate::base::language::tr;
 use crate::base::math::extent;
-use crate::models::feed_speed::FeedSpeed;
 use crate::run::job::{Budget, Job, OneThread};
 use crate::run::scenario::{Scenario, TwinKind};
 use crate::study::safe_feed::{SafeFeed, SafeFeedJob, SafeFeedProblem, SafeTwin, twin_scenario};
@@ -79,8 +78,8 @@ pub(super) struct Finder {
     known: Vec<(SafeFeedProblem, SafeFeed)>,
     search: Option<(SafeFeedProblem, SafeFeedJob)>,
     since_change_s: f64,
-    /// The scenario by its name, and the safe feed that stood beside its cut last, if one did.
-    last: Option<(String, Option<SafeTwin>)>,
+    /// The scenario by its name, and whether a safe feed stood beside its cut last.
+    last: Option<(String, bool)>,
 }
 
 impl Finder {
@@ -109,16 +108,6 @@ pub(super) fn scenario_of(chosen: &Scenario, stand: &TwinStand) -> Scenario {
     twin_scenario(chosen, safe.as_ref())
 }
 
-/// Feed and speed in words.
-fn written(at: FeedSpeed) -> String {
-    let at = tr!(
-        "{feeds} mm/min at {speed:.0} 1/min",
-        feeds = format!("{:.0}", at.feed_mm_min),
-        speed = at.speed_rpm
-    );
-    format::typeset(&at)
-}
-
 /// Feed and speed of a twin in words.
 fn feed_and_speed(twin: &Scenario) -> String {
     let program = &twin.program;
@@ -145,6 +134,10 @@ impl Session {
     pub fn twin_title(&self) -> String {
         let at = feed_and_speed(self.twin.run().scenario());
         match &self.stand {
+            // It holds the target on the whole part, so that a change ahead of the tool is a change of what was cut, too.
+            TwinStand::Safe(_) if !self.edits().list().is_empty() => {
+                tr!("safe constant feed from the start: {at}", at = at)
+            }
             TwinStand::Safe(_) => tr!("safe constant feed: {at}", at = at),
             TwinStand::Finding(_) => tr("safe constant feed: finding \u{2026}").to_owned(),
             TwinStand::Programmed => tr!("constant feed as programmed: {at}", at = at),
@@ -172,7 +165,7 @@ impl Session {
         let at = tr!("{feeds} mm/min at {speed:.0} 1/min", feeds = "8888", speed = 8888.0);
         match short {
             true => format!("{}: {at}", tr("safe feed")),
-            false => tr!("safe constant feed: {at}", at = at),
+            false => tr!("safe constant feed from the start: {at}", at = at),
         }
     }
 
@@ -238,34 +231,24 @@ impl Session {
         self.meet();
     }
 
-    /// Says that what the cut is compared with is another one than before: the safe feed of the same part is gone, is
-    /// back, or is another one because the part has changed ahead of the playhead. It is found for the whole part, so that
-    /// what is cut already is compared with another twin as well.
+    /// Says that what the cut is compared with is another one than before: the safe feed of the same part is gone, or
+    /// is back.
     fn tell_another(&mut self, stand: &TwinStand) {
-        let safe = match stand {
-            TwinStand::Safe(twin) => Some(*twin),
-            TwinStand::NoneSafe(_) => None,
+        let is_safe = match stand {
+            TwinStand::Safe(_) => true,
+            TwinStand::NoneSafe(_) => false,
             TwinStand::Programmed | TwinStand::Finding(_) => return,
         };
         let name = self.plan.0.info.name.clone();
-        let before = self.finder.last.replace((name.clone(), safe));
-        let before = before.filter(|(of, _)| *of == name).map(|(_, safe)| safe);
-        let cutting = self.playback.playhead_s > 0.0;
-        match (before, stand) {
-            (Some(Some(_)), TwinStand::NoneSafe(why)) => self.notify(tr!(
+        let before = self.finder.last.replace((name.clone(), is_safe));
+        let was_safe = before.filter(|(of, _)| *of == name).map(|(_, safe)| safe);
+        match (was_safe, stand) {
+            (Some(true), TwinStand::NoneSafe(why)) => self.notify(tr!(
                 "The cut is compared with constant feed as programmed now: {why}.",
                 why = why
             )),
-            (Some(None), TwinStand::Safe(_)) => {
+            (Some(false), TwinStand::Safe(_)) => {
                 self.notify(tr("The cut is compared with a safe constant feed again."));
-            }
-            (Some(Some(before)), TwinStand::Safe(now)) if cutting && before.at() != now.at() => {
-                self.notify(tr!(
-                    "The safe constant feed is {now} now, from the start of the cut on, since it holds the target on the \
-                     whole part; it was {before}.",
-                    now = written(now.at()),
-                    before = written(before.at())
-                ));
             }
             (None | Some(_), _) => {}
         }

@@ -2,6 +2,8 @@
 
 use egui::{Label, RectAlign, Response, Tooltip};
 
+use super::super::format;
+
 /// Shows what an entry is at its right, as long as it is pointed at.
 pub fn help_beside(response: &Response, text: &str) {
     let ctx = &response.ctx;
@@ -12,6 +14,6 @@ pub fn help_beside(response: &Response, text: &str) {
     tooltip.popup = tooltip.popup.align(RectAlign::RIGHT);
     tooltip.show(|ui| {
         ui.set_max_width(ui.spacing().tooltip_width);
-        ui.add(Label::new(text));
+        ui.add(Label::new(format::typeset(text)));
     });
 }

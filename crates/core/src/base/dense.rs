@@ -33,7 +33,7 @@ pub fn exponential(matrix: &[f64], size: usize) -> Vec<f64> {
         squarings += 1;
     }
     let scaled: Vec<f64> = matrix.iter().map(|x| x * scale).collect();
-    let identity = |i: usize| if i % (size + 1) == 0 { 1.0 } else { 0.0 };
+    let identity = |i: usize| if i.is_multiple_of(size + 1) { 1.0 } else { 0.0 };
     let mut sum: Vec<f64> = (0..size * size).map(identity).collect();
     let mut term = sum.clone();
     for k in 1..=TERMS {

@@ -240,7 +240,7 @@ impl MissionResult {
     pub fn untrue(&self, found: &MissionVerdict) -> Vec<String> {
         let value = |verdict: &MissionVerdict| serde_json::to_value(verdict).unwrap_or_default();
         let mut untrue = Vec::new();
-        let found = found.clone().as_far_as(&self.verdict);
+        let found = found.clone().limited_to(&self.verdict);
         differ("verdict", &value(&self.verdict), &value(&found), &mut untrue);
         untrue
     }

@@ -118,7 +118,7 @@ impl MissionVerdict {
 
     /// The same without what `kept` leaves out of it: right answers, how far they are off, and the conditions for
     /// stars, which files of before have none of.
-    pub(super) fn as_far_as(mut self, kept: &Self) -> Self {
+    pub(super) fn limited_to(mut self, kept: &Self) -> Self {
         for (own, kept) in self.predictions.iter_mut().zip(&kept.predictions) {
             if kept.solution.is_empty() {
                 own.solution.clear();

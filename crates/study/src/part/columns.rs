@@ -148,12 +148,12 @@ fn used(names: &[String]) -> Result<(Vec<Used<'_>>, Vec<&str>), String> {
                 other = name
             ));
         }
-        used.push(Used { holds, place, name, unit: *unit, times: *times });
+        used.push(Used { holds, place, name, unit, times: *times });
     }
     let has = |holds| used.iter().any(|column: &Used<'_>| column.holds == holds);
     let along = has(Holds::Length);
     let mut missing = Vec::new();
-    if !along && !(has(Holds::X) && has(Holds::Y)) {
+    if !(along || has(Holds::X) && has(Holds::Y)) {
         missing.push(tr("s (or x and y)"));
     }
     for (holds, name) in [(Holds::Axial, "a_p"), (Holds::Radial, "a_e")] {
@@ -239,7 +239,7 @@ pub(super) fn read(text: &str) -> Result<PartPath, String> {
     for row in &table.rows {
         let (at, along_mm) = along_mm(&table, row, &used, place.as_ref())?;
         let refused = match (&place, along_mm) {
-            (None, s) if s == 0.0 => None,
+            (None, 0.0) => None,
             (None, _) => Some(tr!(
                 "line {line}: the path begins at {s} mm: allowed is 0",
                 line = row.line,

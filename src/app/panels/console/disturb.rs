@@ -1,8 +1,6 @@
 //! Disturbances for the running cut: a button each, and a window with their lengths and sizes.
 
-use egui::{
-    Align, Button, Color32, Label, Layout, Rect, RichText, Role, TextStyle, Ui, WidgetInfo, vec2,
-};
+use egui::{Button, Color32, Label, Rect, RichText, Role, TextStyle, Ui, WidgetInfo, vec2};
 
 use super::super::View;
 use crate::app::command::{Command, DisturbCommand, SessionCommand};
@@ -28,24 +26,11 @@ pub struct DisturbWindow {
     pub open: bool,
 }
 
-/// What the row is, a button for the window with names and sizes, and a sign for each kind in one row, where there is
-/// room for it.
+/// A sign for each kind in one row, where there is room for it, and a button for the window with names and sizes.
 pub fn buttons(ui: &mut Ui, view: &View<'_>, open: &mut bool, commands: &mut Vec<Command>) {
     /// Room between the signs, points.
     const GAP: f32 = 2.0;
-    ui.horizontal(|ui| {
-        ui.label(RichText::new(tr("Disturb the cut")).strong()).on_hover_text(tr(HELP));
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let words = touch::small(ui, Button::new(tr("Names, sizes\u{2026}")));
-            let name = tr("Names and sizes of disturbances");
-            let button = ui.add(words);
-            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
-            if button.on_hover_text(name).clicked() {
-                *open = !*open;
-            }
-        });
-    });
-    let count = Disturbance::ALL.len();
+    let count = Disturbance::ALL.len() + 1;
     let room = ui.available_width() - (count - 1) as f32 * GAP;
     let least = vec2(room / count as f32, ui.spacing().interact_size.y).max(touch::least(ui));
     ui.scope(|ui| {
@@ -57,6 +42,16 @@ pub fn buttons(ui: &mut Ui, view: &View<'_>, open: &mut bool, commands: &mut Vec
                 if drop::sign(ui, kind, least, &keys).clicked() {
                     commands.push(command);
                 }
+            }
+            let dots = Button::new("\u{2026}").min_size(least).frame(true);
+            let dots = ui.scope(|ui| {
+                ui.spacing_mut().button_padding.x = 0.0;
+                ui.add(dots)
+            });
+            let name = tr("Names and sizes of disturbances");
+            dots.inner.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
+            if dots.inner.on_hover_text(name).clicked() {
+                *open = !*open;
             }
         });
     });
