@@ -133,7 +133,7 @@ fn a_safe_feed_that_a_later_change_asks_for_is_said_to_hold_from_the_start() {
     set(&mut session, "target.ra_um", Value::Float(0.7));
     to_rest(&mut session);
     let now = session.twin_title();
-    assert!(now.starts_with("safe constant feed from the start: "), "{now}");
+    assert!(now.starts_with("safe feed from start: "), "{now}");
     session.execute(SessionCommand::Undo);
     to_rest(&mut session);
     assert_eq!(session.twin_title(), before);

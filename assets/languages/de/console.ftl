@@ -1044,4 +1044,4 @@ iso-1302-grade-grade-ra-ra-um-m = Rauheitsklasse { $grade } nach ISO 1302: Ra { 
 
 close-window = Fenster schließen
 
-safe-constant-feed-from-the-start-at = sicherer konstanter Vorschub von Anfang an: { $at }
+safe-feed-from-start-at = sicherer Vorschub ab Beginn: { $at }

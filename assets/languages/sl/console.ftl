@@ -1048,4 +1048,4 @@ iso-1302-grade-grade-ra-ra-um-m = ISO 1302, razred { $grade }: Ra { $ra_um } µm
 
 close-window = Zapri okno
 
-safe-constant-feed-from-the-start-at = varno stalno podajanje od začetka: { $at }
+safe-feed-from-start-at = varno podajanje od začetka: { $at }

@@ -136,7 +136,7 @@ impl Session {
         match &self.stand {
             // It holds the target on the whole part, so that a change ahead of the tool is a change of what was cut, too.
             TwinStand::Safe(_) if !self.edits().list().is_empty() => {
-                tr!("safe constant feed from the start: {at}", at = at)
+                tr!("safe feed from start: {at}", at = at)
             }
             TwinStand::Safe(_) => tr!("safe constant feed: {at}", at = at),
             TwinStand::Finding(_) => tr("safe constant feed: finding \u{2026}").to_owned(),
@@ -165,7 +165,7 @@ impl Session {
         let at = tr!("{feeds} mm/min at {speed:.0} 1/min", feeds = "8888", speed = 8888.0);
         match short {
             true => format!("{}: {at}", tr("safe feed")),
-            false => tr!("safe constant feed from the start: {at}", at = at),
+            false => tr!("safe feed from start: {at}", at = at),
         }
     }
 

@@ -8,7 +8,7 @@
 //! The life T of every tool is the time at which its wear land VB comes to the limit, on the line between two readings (ISO
 //! 8688-2); tools that were not worn so far are left out and told. The logarithms of the lives give the constants by linear
 //! least squares; the exponents of feed and depth where these were varied. References are the geometric means of the cuts,
-//! where the life is told best. Intervals are those of 95 % ([`super::estimate`]).
+//! where the life is told best. Intervals are those of 95 % (`estimate.rs`).
 
 use std::fmt::Write as _;
 

@@ -9,11 +9,11 @@
 //! F(t) = F(angle),  angle = phase + 2 pi n (t - t_0)     one turn like the other: the cut is steady
 //! ```
 //!
-//! The recording is laid over one turn ([`fold`]): places of a turn with the mean of their samples. To these the model is
+//! The recording is laid over one turn (`fold.rs`): places of a turn with the mean of their samples. To these the model is
 //! fitted by least squares, weighted by the number of samples: k_i at the reference thickness and m_i, the run-out of every
 //! tooth off their mean, and the angle of the spindle at the first sample. Where to begin says a search over the angles of
 //! a tooth's pitch, each with the k_i that are best there (linear least squares). Intervals are those of 95 % of the
-//! linearised fit ([`super::estimate`]); they take what is left between the places, so that a model that does not fit has
+//! linearised fit (`estimate.rs` beside it); they take what is left between the places, so that a model that does not fit has
 //! wider ones. Corrections for rake, speed and hardness are not asked for: the k_i are those of this very cut.
 
 mod fit;
