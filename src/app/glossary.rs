@@ -8,6 +8,7 @@ use egui::{
     Align2, Area, Context, Frame, Id, LayerId, Order, Pos2, Rect, RichText, Shape, Vec2, vec2,
 };
 
+use super::format;
 use crate::base::language::tr;
 use crate::run::glossary::{Term, terms_in};
 
@@ -214,7 +215,7 @@ fn show(ctx: &Context, id: Id, rect: Rect, terms: &[&'static Term]) {
                 ui.set_max_width(WIDTH.min(screen.width() - 24.0));
                 for term in terms {
                     ui.label(RichText::new(term.written()).strong());
-                    ui.label(tr(term.meaning));
+                    ui.label(format::typeset(tr(term.meaning)));
                 }
             });
         });

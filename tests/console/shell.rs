@@ -383,46 +383,11 @@ fn the_states_of_the_loop_are_in_sight_in_the_first_window() {
     }
 }
 
-/// The cards of a narrow window go on beyond its edge: a press on the sign there, by a mouse as well, brings the next ones.
-#[test]
-fn a_press_on_the_sign_at_the_edge_brings_the_next_cards() {
-    let mut screen = open(PHONE, None, false);
-    screen.run_steps(4);
-    let removed = |screen: &Screen<'_>| {
-        screen
-            .root()
-            .children_recursive()
-            .find_map(|node| said(&node).starts_with("Metal removed").then(|| node.rect()))
-    };
-    let first = rect_of_card(&screen, "Ra now");
-    assert!(removed(&screen).is_none_or(|rect| rect.left() > PHONE.x), "{:?}", removed(&screen));
-    for _ in 0..3 {
-        let edge = pos2(PHONE.x - 18.0, first.center().y);
-        screen.hover_at(edge);
-        screen.run_steps(1);
-        screen.drag_at(edge);
-        screen.run_steps(1);
-        screen.drop_at(edge);
-        screen.run_steps(4);
-    }
-    let last = removed(&screen).expect("the last card");
-    assert!(last.right() <= PHONE.x, "{last:?}");
-}
-
 /// What a node says.
 fn said(node: &Node<'_>) -> String {
     let node = node.accesskit_node();
     let [label, value] = [node.label(), node.value()].map(Option::unwrap_or_default);
     if label.is_empty() { value } else { label }
-}
-
-/// Where the card with this title stands.
-fn rect_of_card(screen: &Screen<'_>, title: &str) -> Rect {
-    let card = screen
-        .root()
-        .children_recursive()
-        .find(|node| node.accesskit_node().label().is_some_and(|label| label.starts_with(title)));
-    card.unwrap_or_else(|| panic!("{title} in {}", texts(screen))).rect()
 }
 
 /// A finger that goes from a place by a way, in ten frames, rests and is lifted.
