@@ -142,10 +142,8 @@ impl Outcome {
         let steps = samples
             .windows(2)
             .map(|pair| (pair[1].feed_override_percent - pair[0].feed_override_percent).abs());
-        let told = judged_by_story(run).then(|| Story::of(run, None));
-        let stretches = |kind| {
-            told.as_ref().map_or(Vec::new(), |story| story.stretches_until(kind, f64::INFINITY))
-        };
+        let story = story_of_swings(run);
+        let stretches = |kind| story.stretches_until(kind, f64::INFINITY);
         let unstable = stretches(EventKind::LimitCycle);
         let longest_s = metrics.time_of_cut_s.max(run.scenario().control_period_s());
         Self {
@@ -189,15 +187,16 @@ impl Outcome {
 
 /// The stretches of time in s in which the run's story calls it unstable: the console's judgement.
 pub(super) fn unstable(run: &Run) -> Vec<[f64; 2]> {
-    let told = judged_by_story(run).then(|| Story::of(run, None));
-    told.map_or(Vec::new(), |story| story.stretches_until(EventKind::LimitCycle, f64::INFINITY))
+    story_of_swings(run).stretches_until(EventKind::LimitCycle, f64::INFINITY)
 }
 
-/// Whether a run can swing at all: a feed that nothing moves cannot with the force, nor a machine that does not vibrate
-/// with its teeth, and a story costs some time.
-fn judged_by_story(run: &Run) -> bool {
+/// The story of a run that can swing at all, which costs some time; an empty one of any other: a feed that nothing moves
+/// cannot swing with the force, nor a machine that does not vibrate with its teeth.
+fn story_of_swings(run: &Run) -> Story {
     let scenario = run.scenario();
-    scenario.controller.kind != ControllerKind::ConstantFeed || scenario.coupled_machine().is_some()
+    let is_still = scenario.controller.kind == ControllerKind::ConstantFeed
+        && scenario.coupled_machine().is_none();
+    if is_still { Story::default() } else { Story::of(run, None) }
 }
 
 /// Force over desired force as running means of four control samples in contact, with the place of
