@@ -44,17 +44,24 @@ pub(super) fn switches(
     held: &mut BTreeMap<String, String>,
 ) -> Vec<(String, String)> {
     let mut found = Vec::new();
+    // What each base shows without a switch, worked out once.
+    let mut plain: Vec<BTreeMap<Seen, String>> = vec![BTreeMap::new(); bases.len()];
     for param in table().iter().filter(|param| !param.path.starts_with("controller.")) {
+        let kind = Seen::of(param.group);
         for value in values(param) {
             let name = named(&param.path, &value);
             if held.contains_key(&name) {
                 continue;
             }
-            let switched = bases.iter().find_map(|base| {
+            let switched = bases.iter().zip(&mut plain).find_map(|(base, plain)| {
+                if base.get(&param.path).is_ok_and(|now| now == value) {
+                    return None;
+                }
                 let mut scenario = base.clone();
                 scenario.set(&param.path, value.clone()).ok()?;
-                let digest = seen(&scenario, param);
-                let new = digest != seen(base, param) && held.values().all(|one| *one != digest);
+                let digest = seen(&scenario, kind);
+                let before = plain.entry(kind).or_insert_with(|| seen(base, kind));
+                let new = digest != *before && held.values().all(|one| *one != digest);
                 new.then_some(digest)
             });
             if let Some(digest) = switched {
@@ -86,14 +93,41 @@ fn twin(scenario: &Scenario) -> String {
     undisturbed(&twin) + digest.hex().as_str()
 }
 
-/// What a setting acts in: the group of the plan in the plan, those of the tool's life and its profile in
-/// both, the others in a run, those of the twin in the twin; the machine's parameters also in its frequency response.
-fn seen(scenario: &Scenario, param: &Param) -> String {
-    match param.group {
-        "plan" => plan(scenario),
-        "life" | "profile" => tool_life(scenario),
-        "twin" => twin(scenario),
-        "machine" => {
+/// What a setting acts in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Seen {
+    /// A run.
+    Run,
+    /// A run, and the machine's frequency response and the angles in which its teeth cut.
+    Machine,
+    /// The plan alone.
+    Plan,
+    /// The tool's life and its measured profile.
+    ToolLife,
+    /// The constant feed beside the cut.
+    Twin,
+}
+
+impl Seen {
+    fn of(group: &str) -> Self {
+        match group {
+            "plan" => Self::Plan,
+            "life" | "profile" => Self::ToolLife,
+            "twin" => Self::Twin,
+            "machine" => Self::Machine,
+            _ => Self::Run,
+        }
+    }
+}
+
+/// The digest of all that a setting may act in.
+fn seen(scenario: &Scenario, what: Seen) -> String {
+    match what {
+        Seen::Run => undisturbed(scenario),
+        Seen::Plan => plan(scenario),
+        Seen::ToolLife => tool_life(scenario),
+        Seen::Twin => twin(scenario),
+        Seen::Machine => {
             let mut digest = Digest::default();
             let response = frf::tree(&FiveMass::new(&scenario.machine), 580.0).grel;
             [response.re, response.im].into_iter().for_each(|part| digest.word(part.to_bits()));
@@ -106,6 +140,5 @@ fn seen(scenario: &Scenario, param: &Param) -> String {
             }
             undisturbed(scenario) + digest.hex().as_str()
         }
-        _ => undisturbed(scenario),
     }
 }
