@@ -315,6 +315,7 @@ fn pictures_of_a_disturbed_cut() {
             click(&mut screen, "Whole part");
         }
         screen.run_steps(10);
+        screen::rest(&mut screen);
         results.add(screen.try_snapshot_options(name, &SnapshotOptions::new().threshold(1.2)));
     }
 }

@@ -13,7 +13,7 @@ use steadycut::models::tool::ShippedTool;
 use steadycut::run::scenario::Scenario;
 
 use crate::drawn;
-use crate::screen::{Screen, open, texts};
+use crate::screen::{Screen, open, rest, texts};
 
 const SIZES: [Vec2; 2] = [vec2(1280.0, 1300.0), vec2(390.0, 844.0)];
 const FORCE: &str = "Force of the cut";
@@ -201,6 +201,7 @@ fn the_editor_looks_as_its_pictures() {
             let field = format!("Use: {FORCE}");
             screen.get_by_role_and_label(Role::Button, &field).scroll_to_me();
             screen.run_steps(20);
+            rest(&mut screen);
             let look = if theme == Theme::Light { "light" } else { "dark" };
             let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(40);
             let picture = format!("formula-{name}-{look}");

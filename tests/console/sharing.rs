@@ -442,6 +442,7 @@ fn what_a_class_sees_looks_as_it_should() {
         let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(40);
         let mut picture = |screen: &mut Screen<'_>, name: &str| {
             screen.run_steps(20);
+            rest(screen);
             results.add(screen.try_snapshot_options(format!("{name}-{look}"), &options));
         };
         let mut screen = linked("", size, Some(theme), &Shelf::empty());

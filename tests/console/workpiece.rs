@@ -246,6 +246,7 @@ fn the_profilometer_looks_as_its_pictures() {
         click(&mut screen, "Close up");
         click(&mut screen, "Profilometer");
         screen.run_steps(20);
+        screen::rest(&mut screen);
         let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(40);
         results.add(screen.try_snapshot_options(name, &options));
     }
