@@ -15,11 +15,183 @@ none-or-one-of-names = none oder eine von { $names }
 the-file-ends-left-bytes-behind-it = die Datei endet { $left } Byte dahinter
 count-bytes = { $count } Byte
 
+## crates/measured/src/contents/mod.rs
+
+count-records = Datensätze: { $count }
+the-number-of-one-as-in-name-1 = die Nummer eines Datensatzes, wie in { $name }[1]
+real-numbers = reelle Zahlen
+numbers-or-a-record = Zahlen oder ein Datensatz
+a-vector-of-numbers-in-it = ein Vektor von Zahlen darin
+record-number-of-count-in-name-choose-anothe = Datensatz { $number } von { $count } in `{ $name }`; einen anderen wählt variable={ $name }[{ $count }]
+the-file-holds-no-variables = in der Datei sind keine Variablen
+the-file-holds-names = in der Datei sind { $names }
+a-vector-of-numbers = ein Vektor von Zahlen
+name-was-left-out-about = `{ $name }` wurde weggelassen: { $about }
+
+## crates/measured/src/contents/value.rs
+
+size-complex-numbers = { $size } komplexe Zahlen
+size-numbers = { $size } Zahlen
+the-text-text = der Text { $text }
+count-cells = Zellen: { $count }
+count-records-of-fields = Datensätze: { $count }, mit { $fields }
+there-is-no-name = { $name } gibt es nicht
+one-of-names = eines von { $names }
+number-part = Nummer { $part }
+t-1-to-most = 1 bis { $most }
+something-with-a-part-in-it = etwas, in dem { $part } steht
+
 ## crates/measured/src/fault.rs
 
 found-expected-is-expected = { $found }; erwartet ist { $expected }
 line-line-column-column-name-what = Zeile { $line }, Spalte { $column } ({ $name }): { $what }
 byte-byte-what = Byte { $byte }: { $what }
+
+## crates/measured/src/hdf5/arrays.rs
+
+an-array-of-chunks = ein Feld von Stücken
+elements-of-kind-kind-with-size-bytes = Elemente der Art { $kind } mit { $size } Byte
+those-of-an-array-of-chunks = die eines Feldes von Stücken
+numbers-of-bits-bits = Zahlen von { $bits } Bit
+at-most-63 = höchstens 63
+more-values-than-a-file-of-this-size-can-hav = mehr Werte, als eine Datei dieser Größe haben kann
+blocks-of-least-elements = Blöcke von { $least } Elementen
+a-power-of-two = eine Zweierpotenz
+
+## crates/measured/src/hdf5/attributes.rs
+
+an-attribute = ein Attribut
+
+## crates/measured/src/hdf5/btree2.rs
+
+a-tree = ein Baum
+a-tree-of-kind-kind = ein Baum der Art { $kind }
+a-tree-of-depth-depth = ein Baum der Tiefe { $depth }
+at-most-most = höchstens { $most }
+count-records-in-a-node = { $count } Einträge in einem Knoten
+a-node-of-size-bytes = ein Knoten von { $size } Byte
+
+## crates/measured/src/hdf5/chunks.rs
+
+an-array-of-size-bytes = ein Feld von { $size } Byte
+a-tree-of-kind-kind-level-level = ein Baum der Art { $kind }, Ebene { $level }
+kind-1-below-level-most = Art 1, unter Ebene { $most }
+
+## crates/measured/src/hdf5/datatype.rs
+
+types-more-than-depth-deep-in-each-other = mehr als { $depth }-fach verschachtelte Typen
+a-type = ein Typ
+a-type-of-no-bytes = ein Typ ohne Bytes
+at-least-one = mindestens eine
+times = Zeiten
+bytes-without-a-meaning = Bytes ohne Bedeutung
+references-to-parts-of-arrays = Verweise auf Teile von Feldern
+size-bytes = { $size } Byte
+complex-numbers = komplexe Zahlen
+a-type-of-class-class = ein Typ der Klasse { $class }
+t-0-to-11 = 0 bis 11
+whole-numbers-of-more-than-64-bits = ganze Zahlen von mehr als 64 Bit
+bits-bits-from-bit-shift-on = { $bits } Bit ab Bit { $shift }
+within-size-bytes = innerhalb von { $size } Byte
+floats-of-an-unusual-form = Gleitkommazahlen ungewöhnlicher Form
+bytes-bytes-from-byte-at-on = { $bytes } Byte ab Byte { $at }
+count-elements-of-bytes-bytes = { $count } Elemente von { $bytes } Byte
+
+## crates/measured/src/hdf5/decode.rs
+
+elements-that-are-arrays = Elemente, die Felder sind
+references-to-other-objects = Verweise auf andere Objekte
+texts = Texte
+lists-of-different-lengths = Listen verschiedener Länge
+
+## crates/measured/src/hdf5/file.rs
+
+numbers-of-size-bytes = Zahlen von { $size } Byte
+at-most-8 = höchstens 8
+version-version-of-what = { $what }: Version { $version }
+one-that-is-known = eine bekannte
+no-signature-of-hdf5 = keine Signatur von HDF5
+one-at-byte-0-512-1024 = eine bei Byte 0, 512, 1024, ...
+addresses-of-size-bytes = Adressen von { $size } Byte
+t-2-4-or-8 = 2, 4 oder 8
+hdf5 = HDF5
+no-root-group = keine Wurzelgruppe
+its-address = ihre Adresse
+no-address = keine Adresse
+one = eine
+the-address-address = die Adresse { $address }
+the-bytes-bytes = die Bytes { $bytes }
+parts-of-the-file-that-name-each-other-again = Teile der Datei, die immer wieder aufeinander zeigen
+each-of-them-once = jeder von ihnen einmal
+a-part-of-the-file-whose-checksum-does-not-f = ein Teil der Datei, dessen Prüfsumme nicht stimmt
+one-that-does = einer, der passt
+
+## crates/measured/src/hdf5/filters.rs
+
+a-list-of-filters = eine Liste von Filtern
+compressed-by-szip-which-is-not-read = mit szip gepackt, das nicht gelesen wird
+compressed-by-blosc-which-is-not-read = mit Blosc gepackt, das nicht gelesen wird
+compressed-in-a-way-that-is-not-read = auf eine Weise gepackt, die nicht gelesen wird
+compressed-bytes-that-are-spoilt = beschädigte gepackte Bytes
+a-chunk = ein Stück
+a-chunk-of-size-bytes = ein Stück von { $size } Byte
+values-whose-checksum-does-not-fit = Werte, deren Prüfsumme nicht stimmt
+those-that-were-written = die geschriebenen
+
+## crates/measured/src/hdf5/header.rs
+
+an-object-s-header = der Kopf eines Objekts
+a-message-that-is-shared = eine geteilte Nachricht
+a-message-in-the-heap-of-messages-that-are-s = eine Nachricht im Speicher der geteilten Nachrichten
+one-in-an-object-s-header = eine im Kopf eines Objekts
+an-object-without-the-message-that-it-should = ein Objekt ohne die Nachricht, die es teilen soll
+one-with-it = eines mit ihr
+
+## crates/measured/src/hdf5/heaps.rs
+
+a-name-without-an-end = ein Name ohne Ende
+a-zero-behind-it = eine Null dahinter
+a-text-of-length-bytes = ein Text von { $length } Byte
+one-that-the-heap-has = einer, den der Speicher hat
+a-heap = ein Speicher
+blocks-of-a-heap-whose-sizes-do-not-fit = Blöcke eines Speichers, deren Größen nicht passen
+powers-of-two = Zweierpotenzen
+kept-in-a-heap-in-a-way-that-is-not-read = auf eine Weise gespeichert, die nicht gelesen wird
+byte-at-of-a-heap = Byte { $at } eines Speichers
+one-that-it-has = eines, das er hat
+
+## crates/measured/src/hdf5/layout.rs
+
+an-array-s-size = die Größe eines Feldes
+rank-dimensions = { $rank } Dimensionen
+a-value-for-what-was-never-written = ein Wert für nie Geschriebenes
+a-layout-of-class-class = eine Anordnung der Klasse { $class }
+t-0-1-or-2 = 0, 1 oder 2
+an-index-of-kind-kind = ein Verzeichnis der Art { $kind }
+t-1-to-5 = 1 bis 5
+parts-of-arrays-in-other-places-a-virtual-ar = Teile von Feldern an anderen Orten (ein virtuelles Feld)
+a-layout = eine Anordnung
+chunks-of-rank-dimensions = Stücke mit { $rank } Dimensionen
+rank-none-of-them-0 = { $rank }, keine davon 0
+
+## crates/measured/src/hdf5/links.rs
+
+kind-0-below-level-most = Art 0, unter Ebene { $most }
+a-link = eine Verknüpfung
+
+## crates/measured/src/hdf5/matlab.rs
+
+structures-too-deep-in-each-other = zu tief verschachtelte Strukturen
+an-object-of-a-class = ein Objekt einer Klasse
+a-sparse-matrix = eine dünn besetzte Matrix
+a-function-or-another-class = eine Funktion oder eine andere Klasse
+cells-that-are-no-references = Zellen, die keine Verweise sind
+records-with-fields-of-different-lengths = Datensätze mit Feldern verschiedener Länge
+
+## crates/measured/src/hdf5/tree.rs
+
+groups-too-deep-in-each-other = zu tief verschachtelte Gruppen
+an-array-without-a-type = ein Feld ohne Typ
 
 ## crates/measured/src/layout/entries.rs
 
@@ -37,9 +209,7 @@ a-list-of-texts = eine Liste von Texten
 
 ## crates/measured/src/matlab/element.rs
 
-the-bytes-bytes = die Bytes { $bytes }
 the-order-of-bytes-im-or-mi = die Reihenfolge der Bytes, `IM` oder `MI`
-compressed-bytes-that-are-spoilt = beschädigte gepackte Bytes
 zlib-s-format = das Format von zlib
 an-element-of-type-kind = ein Element vom Typ { $kind }
 a-variable-type-14-or-15 = eine Variable (Typ 14 oder 15)
@@ -50,55 +220,25 @@ characters-types-1-2-4-16-17 = Zeichen (Typen 1, 2, 4, 16, 17)
 a-size-of-size = eine Größe von { $size }
 t-0-to-2147483647 = 0 bis 2147483647
 structures-more-than-depth-deep-in-each-othe = mehr als { $depth } ineinander liegende Strukturen
-an-object-of-a-class = ein Objekt einer Klasse
 an-array-of-size-values = ein Feld von { $size } Werten
 no-more-than-the-left-bytes-that-follow-hold = nicht mehr, als die folgenden { $left } Byte fassen
-a-sparse-matrix = eine dünn besetzte Matrix
 count-values = Werte: { $count }
-a-function-or-another-class = eine Funktion oder eine andere Klasse
 a-value-type-14 = ein Wert (Typ 14)
 names-of-no-length = Namen ohne Länge
 t-1-to-64-characters = 1 bis 64 Zeichen
 
-## crates/measured/src/matlab/mod.rs
-
-size-complex-numbers = { $size } komplexe Zahlen
-size-numbers = { $size } Zahlen
-the-text-text = der Text { $text }
-count-cells = Zellen: { $count }
-count-records-of-fields = Datensätze: { $count }, mit { $fields }
-there-is-no-name = { $name } gibt es nicht
-one-of-names = eines von { $names }
-number-part = Nummer { $part }
-t-1-to-most = 1 bis { $most }
-count-records = Datensätze: { $count }
-the-number-of-one-as-in-name-1 = die Nummer eines Datensatzes, wie in { $name }[1]
-something-with-a-part-in-it = etwas, in dem { $part } steht
-real-numbers = reelle Zahlen
-numbers-or-a-record = Zahlen oder ein Datensatz
-a-vector-of-numbers-in-it = ein Vektor von Zahlen darin
-record-number-of-count-in-name-choose-anothe = Datensatz { $number } von { $count } in `{ $name }`; einen anderen wählt variable={ $name }[{ $count }]
-the-file-holds-no-variables = in der Datei sind keine Variablen
-the-file-holds-names = in der Datei sind { $names }
-a-vector-of-numbers = ein Vektor von Zahlen
-name-was-left-out-about = `{ $name }` wurde weggelassen: { $about }
-
 ## crates/measured/src/parquet/mod.rs
 
 a-file-without-columns = eine Datei ohne Spalten
-at-least-one = mindestens eine
 name-holds-no-numbers-and-was-left-out = in `{ $name }` stehen keine Zahlen, es wurde weggelassen
-at-most-most = höchstens { $most }
 an-end-without-par1 = ein Ende ohne `PAR1`
 a-file-that-was-written-to-its-end = eine bis zum Ende geschriebene Datei
 a-description-of-size-bytes = eine Beschreibung von { $size } Byte
 a-tree-of-columns-that-does-not-fit = ein Baum von Spalten, der nicht passt
-one-that-does = einer, der passt
 name-has-no-values = `{ $name }` hat keine Werte
 some = welche
 pages-of-name-at-byte-byte = Seiten von `{ $name }` bei Byte { $byte }
 a-page-without-its-size = eine Seite ohne ihre Größe
-one = eine
 a-page-of-count-values = eine Seite von { $count } Werten
 
 ## crates/measured/src/parquet/pages.rs
@@ -107,7 +247,6 @@ a-page = eine Seite
 a-page-of-size-bytes = eine Seite von { $size } Byte
 the-compression-name-number-codec = die Packung { $name } (Nummer { $codec })
 none-snappy-gzip-or-zstandard = keine, Snappy, gzip oder Zstandard
-numbers-of-bits-bits = Zahlen von { $bits } Bit
 at-most-64 = höchstens 64
 a-run-of-no-values = eine Folge ohne Werte
 no-packed-numbers = keine gepackten Zahlen
@@ -125,9 +264,8 @@ types-1-to-12 = Typen 1 bis 12
 
 ## crates/measured/src/reader.rs
 
-text-matlab-v5-tdms-or-parquet = Text, MATLAB v5, TDMS oder Parquet
+text-matlab-v5-or-v7-3-hdf5-tdms-or-parquet = Text, MATLAB v5 oder v7.3, HDF5, TDMS oder Parquet
 the-file-is-empty = die Datei ist leer
-it-is-hdf5-or-matlab-v7-3-save-it-as-matlab = es ist HDF5 oder MATLAB v7.3: als MATLAB v5 (`save -v7`), Parquet oder CSV speichern
 it-is-the-index-of-a-tdms-file-give-the-file = es ist der Index einer TDMS-Datei: die Datei selbst angeben
 key-means-nothing-for-a-file-of-the-format-f = `{ $key }` bedeutet nichts für eine Datei des Formats { $format }
 the-file-has-no-column-with-numbers = die Datei hat keine Spalte mit Zahlen
@@ -194,9 +332,7 @@ an-array-of-count-dimensions = ein Feld von { $count } Dimensionen
 values-of-type-kind = Werte vom Typ { $kind }
 numbers-texts-or-times = Zahlen, Texte oder Zeiten
 fewer = weniger
-texts = Texte
 numbers-of-16-bytes = Zahlen von 16 Byte
-complex-numbers = komplexe Zahlen
 texts-between-numbers-value-by-value = Texte zwischen Zahlen, Wert für Wert
 numbers-alone = nur Zahlen
 
@@ -205,6 +341,7 @@ numbers-alone = nur Zahlen
 byte-byte-is-no-utf-8 = das Byte { $byte } ist kein UTF-8
 utf-8-or-another-encoding-latin-1 = UTF-8, oder eine andere Kodierung: latin-1
 byte-byte-stands-in-no-text = das Byte { $byte } steht in keinem Text
+text-matlab-v5-tdms-or-parquet = Text, MATLAB v5, TDMS oder Parquet
 half-a-character-of-utf-16 = ein halbes Zeichen von UTF-16
 utf-16-or-another-encoding-utf-8-or-latin-1 = UTF-16, oder eine andere Kodierung: utf-8 oder latin-1
 a-whole-one = ein ganzes

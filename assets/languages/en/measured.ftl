@@ -15,11 +15,183 @@ none-or-one-of-names = none, or one of { $names }
 the-file-ends-left-bytes-behind-it = the file ends { $left } bytes behind it
 count-bytes = { $count } bytes
 
+## crates/measured/src/contents/mod.rs
+
+count-records = { $count } records
+the-number-of-one-as-in-name-1 = the number of one, as in { $name }[1]
+real-numbers = real numbers
+numbers-or-a-record = numbers or a record
+a-vector-of-numbers-in-it = a vector of numbers in it
+record-number-of-count-in-name-choose-anothe = record { $number } of { $count } in `{ $name }`; choose another one by variable={ $name }[{ $count }]
+the-file-holds-no-variables = the file holds no variables
+the-file-holds-names = the file holds { $names }
+a-vector-of-numbers = a vector of numbers
+name-was-left-out-about = `{ $name }` was left out: { $about }
+
+## crates/measured/src/contents/value.rs
+
+size-complex-numbers = { $size } complex numbers
+size-numbers = { $size } numbers
+the-text-text = the text { $text }
+count-cells = { $count } cells
+count-records-of-fields = { $count } records of { $fields }
+there-is-no-name = there is no { $name }
+one-of-names = one of { $names }
+number-part = number { $part }
+t-1-to-most = 1 to { $most }
+something-with-a-part-in-it = something with a { $part } in it
+
 ## crates/measured/src/fault.rs
 
 found-expected-is-expected = { $found }; expected is { $expected }
 line-line-column-column-name-what = line { $line }, column { $column } ({ $name }): { $what }
 byte-byte-what = byte { $byte }: { $what }
+
+## crates/measured/src/hdf5/arrays.rs
+
+an-array-of-chunks = an array of chunks
+elements-of-kind-kind-with-size-bytes = elements of kind { $kind } with { $size } bytes
+those-of-an-array-of-chunks = those of an array of chunks
+numbers-of-bits-bits = numbers of { $bits } bits
+at-most-63 = at most 63
+more-values-than-a-file-of-this-size-can-hav = more values than a file of this size can have
+blocks-of-least-elements = blocks of { $least } elements
+a-power-of-two = a power of two
+
+## crates/measured/src/hdf5/attributes.rs
+
+an-attribute = an attribute
+
+## crates/measured/src/hdf5/btree2.rs
+
+a-tree = a tree
+a-tree-of-kind-kind = a tree of kind { $kind }
+a-tree-of-depth-depth = a tree of depth { $depth }
+at-most-most = at most { $most }
+count-records-in-a-node = { $count } records in a node
+a-node-of-size-bytes = a node of { $size } bytes
+
+## crates/measured/src/hdf5/chunks.rs
+
+an-array-of-size-bytes = an array of { $size } bytes
+a-tree-of-kind-kind-level-level = a tree of kind { $kind }, level { $level }
+kind-1-below-level-most = kind 1, below level { $most }
+
+## crates/measured/src/hdf5/datatype.rs
+
+types-more-than-depth-deep-in-each-other = types more than { $depth } deep in each other
+a-type = a type
+a-type-of-no-bytes = a type of no bytes
+at-least-one = at least one
+times = times
+bytes-without-a-meaning = bytes without a meaning
+references-to-parts-of-arrays = references to parts of arrays
+size-bytes = { $size } bytes
+complex-numbers = complex numbers
+a-type-of-class-class = a type of class { $class }
+t-0-to-11 = 0 to 11
+whole-numbers-of-more-than-64-bits = whole numbers of more than 64 bits
+bits-bits-from-bit-shift-on = { $bits } bits from bit { $shift } on
+within-size-bytes = within { $size } bytes
+floats-of-an-unusual-form = floats of an unusual form
+bytes-bytes-from-byte-at-on = { $bytes } bytes from byte { $at } on
+count-elements-of-bytes-bytes = { $count } elements of { $bytes } bytes
+
+## crates/measured/src/hdf5/decode.rs
+
+elements-that-are-arrays = elements that are arrays
+references-to-other-objects = references to other objects
+texts = texts
+lists-of-different-lengths = lists of different lengths
+
+## crates/measured/src/hdf5/file.rs
+
+numbers-of-size-bytes = numbers of { $size } bytes
+at-most-8 = at most 8
+version-version-of-what = version { $version } of { $what }
+one-that-is-known = one that is known
+no-signature-of-hdf5 = no signature of HDF5
+one-at-byte-0-512-1024 = one at byte 0, 512, 1024, ...
+addresses-of-size-bytes = addresses of { $size } bytes
+t-2-4-or-8 = 2, 4 or 8
+hdf5 = HDF5
+no-root-group = no root group
+its-address = its address
+no-address = no address
+one = one
+the-address-address = the address { $address }
+the-bytes-bytes = the bytes { $bytes }
+parts-of-the-file-that-name-each-other-again = parts of the file that name each other again and again
+each-of-them-once = each of them once
+a-part-of-the-file-whose-checksum-does-not-f = a part of the file whose checksum does not fit
+one-that-does = one that does
+
+## crates/measured/src/hdf5/filters.rs
+
+a-list-of-filters = a list of filters
+compressed-by-szip-which-is-not-read = compressed by szip, which is not read
+compressed-by-blosc-which-is-not-read = compressed by Blosc, which is not read
+compressed-in-a-way-that-is-not-read = compressed in a way that is not read
+compressed-bytes-that-are-spoilt = compressed bytes that are spoilt
+a-chunk = a chunk
+a-chunk-of-size-bytes = a chunk of { $size } bytes
+values-whose-checksum-does-not-fit = values whose checksum does not fit
+those-that-were-written = those that were written
+
+## crates/measured/src/hdf5/header.rs
+
+an-object-s-header = an object's header
+a-message-that-is-shared = a message that is shared
+a-message-in-the-heap-of-messages-that-are-s = a message in the heap of messages that are shared
+one-in-an-object-s-header = one in an object's header
+an-object-without-the-message-that-it-should = an object without the message that it should share
+one-with-it = one with it
+
+## crates/measured/src/hdf5/heaps.rs
+
+a-name-without-an-end = a name without an end
+a-zero-behind-it = a zero behind it
+a-text-of-length-bytes = a text of { $length } bytes
+one-that-the-heap-has = one that the heap has
+a-heap = a heap
+blocks-of-a-heap-whose-sizes-do-not-fit = blocks of a heap whose sizes do not fit
+powers-of-two = powers of two
+kept-in-a-heap-in-a-way-that-is-not-read = kept in a heap in a way that is not read
+byte-at-of-a-heap = byte { $at } of a heap
+one-that-it-has = one that it has
+
+## crates/measured/src/hdf5/layout.rs
+
+an-array-s-size = an array's size
+rank-dimensions = { $rank } dimensions
+a-value-for-what-was-never-written = a value for what was never written
+a-layout-of-class-class = a layout of class { $class }
+t-0-1-or-2 = 0, 1 or 2
+an-index-of-kind-kind = an index of kind { $kind }
+t-1-to-5 = 1 to 5
+parts-of-arrays-in-other-places-a-virtual-ar = parts of arrays in other places (a virtual array)
+a-layout = a layout
+chunks-of-rank-dimensions = chunks of { $rank } dimensions
+rank-none-of-them-0 = { $rank }, none of them 0
+
+## crates/measured/src/hdf5/links.rs
+
+kind-0-below-level-most = kind 0, below level { $most }
+a-link = a link
+
+## crates/measured/src/hdf5/matlab.rs
+
+structures-too-deep-in-each-other = structures too deep in each other
+an-object-of-a-class = an object of a class
+a-sparse-matrix = a sparse matrix
+a-function-or-another-class = a function or another class
+cells-that-are-no-references = cells that are no references
+records-with-fields-of-different-lengths = records with fields of different lengths
+
+## crates/measured/src/hdf5/tree.rs
+
+groups-too-deep-in-each-other = groups too deep in each other
+an-array-without-a-type = an array without a type
 
 ## crates/measured/src/layout/entries.rs
 
@@ -37,9 +209,7 @@ a-list-of-texts = a list of texts
 
 ## crates/measured/src/matlab/element.rs
 
-the-bytes-bytes = the bytes { $bytes }
 the-order-of-bytes-im-or-mi = the order of bytes, `IM` or `MI`
-compressed-bytes-that-are-spoilt = compressed bytes that are spoilt
 zlib-s-format = zlib's format
 an-element-of-type-kind = an element of type { $kind }
 a-variable-type-14-or-15 = a variable (type 14 or 15)
@@ -50,55 +220,25 @@ characters-types-1-2-4-16-17 = characters (types 1, 2, 4, 16, 17)
 a-size-of-size = a size of { $size }
 t-0-to-2147483647 = 0 to 2147483647
 structures-more-than-depth-deep-in-each-othe = structures more than { $depth } deep in each other
-an-object-of-a-class = an object of a class
 an-array-of-size-values = an array of { $size } values
 no-more-than-the-left-bytes-that-follow-hold = no more than the { $left } bytes that follow hold
-a-sparse-matrix = a sparse matrix
 count-values = { $count } values
-a-function-or-another-class = a function or another class
 a-value-type-14 = a value (type 14)
 names-of-no-length = names of no length
 t-1-to-64-characters = 1 to 64 characters
 
-## crates/measured/src/matlab/mod.rs
-
-size-complex-numbers = { $size } complex numbers
-size-numbers = { $size } numbers
-the-text-text = the text { $text }
-count-cells = { $count } cells
-count-records-of-fields = { $count } records of { $fields }
-there-is-no-name = there is no { $name }
-one-of-names = one of { $names }
-number-part = number { $part }
-t-1-to-most = 1 to { $most }
-count-records = { $count } records
-the-number-of-one-as-in-name-1 = the number of one, as in { $name }[1]
-something-with-a-part-in-it = something with a { $part } in it
-real-numbers = real numbers
-numbers-or-a-record = numbers or a record
-a-vector-of-numbers-in-it = a vector of numbers in it
-record-number-of-count-in-name-choose-anothe = record { $number } of { $count } in `{ $name }`; choose another one by variable={ $name }[{ $count }]
-the-file-holds-no-variables = the file holds no variables
-the-file-holds-names = the file holds { $names }
-a-vector-of-numbers = a vector of numbers
-name-was-left-out-about = `{ $name }` was left out: { $about }
-
 ## crates/measured/src/parquet/mod.rs
 
 a-file-without-columns = a file without columns
-at-least-one = at least one
 name-holds-no-numbers-and-was-left-out = `{ $name }` holds no numbers and was left out
-at-most-most = at most { $most }
 an-end-without-par1 = an end without `PAR1`
 a-file-that-was-written-to-its-end = a file that was written to its end
 a-description-of-size-bytes = a description of { $size } bytes
 a-tree-of-columns-that-does-not-fit = a tree of columns that does not fit
-one-that-does = one that does
 name-has-no-values = `{ $name }` has no values
 some = some
 pages-of-name-at-byte-byte = pages of `{ $name }` at byte { $byte }
 a-page-without-its-size = a page without its size
-one = one
 a-page-of-count-values = a page of { $count } values
 
 ## crates/measured/src/parquet/pages.rs
@@ -107,7 +247,6 @@ a-page = a page
 a-page-of-size-bytes = a page of { $size } bytes
 the-compression-name-number-codec = the compression { $name } (number { $codec })
 none-snappy-gzip-or-zstandard = none, Snappy, gzip or Zstandard
-numbers-of-bits-bits = numbers of { $bits } bits
 at-most-64 = at most 64
 a-run-of-no-values = a run of no values
 no-packed-numbers = no packed numbers
@@ -125,9 +264,8 @@ types-1-to-12 = types 1 to 12
 
 ## crates/measured/src/reader.rs
 
-text-matlab-v5-tdms-or-parquet = text, MATLAB v5, TDMS or Parquet
+text-matlab-v5-or-v7-3-hdf5-tdms-or-parquet = text, MATLAB v5 or v7.3, HDF5, TDMS or Parquet
 the-file-is-empty = the file is empty
-it-is-hdf5-or-matlab-v7-3-save-it-as-matlab = it is HDF5 or MATLAB v7.3: save it as MATLAB v5 (`save -v7`), Parquet or CSV
 it-is-the-index-of-a-tdms-file-give-the-file = it is the index of a TDMS file: give the file itself
 key-means-nothing-for-a-file-of-the-format-f = `{ $key }` means nothing for a file of the format { $format }
 the-file-has-no-column-with-numbers = the file has no column with numbers
@@ -194,9 +332,7 @@ an-array-of-count-dimensions = an array of { $count } dimensions
 values-of-type-kind = values of type { $kind }
 numbers-texts-or-times = numbers, texts or times
 fewer = fewer
-texts = texts
 numbers-of-16-bytes = numbers of 16 bytes
-complex-numbers = complex numbers
 texts-between-numbers-value-by-value = texts between numbers, value by value
 numbers-alone = numbers alone
 
@@ -205,6 +341,7 @@ numbers-alone = numbers alone
 byte-byte-is-no-utf-8 = byte { $byte } is no UTF-8
 utf-8-or-another-encoding-latin-1 = UTF-8, or another encoding: latin-1
 byte-byte-stands-in-no-text = byte { $byte } stands in no text
+text-matlab-v5-tdms-or-parquet = text, MATLAB v5, TDMS or Parquet
 half-a-character-of-utf-16 = half a character of UTF-16
 utf-16-or-another-encoding-utf-8-or-latin-1 = UTF-16, or another encoding: utf-8 or latin-1
 a-whole-one = a whole one

@@ -15,11 +15,183 @@ none-or-one-of-names = none ali eden od { $names }
 the-file-ends-left-bytes-behind-it = datoteka se konča že za tem (bajtov: { $left })
 count-bytes = bajtov: { $count }
 
+## crates/measured/src/contents/mod.rs
+
+count-records = zapisov: { $count }
+the-number-of-one-as-in-name-1 = številka zapisa, kot v { $name }[1]
+real-numbers = realna števila
+numbers-or-a-record = števila ali zapis
+a-vector-of-numbers-in-it = vektor števil v njem
+record-number-of-count-in-name-choose-anothe = zapis { $number } od { $count } v `{ $name }`; drugega izbere variable={ $name }[{ $count }]
+the-file-holds-no-variables = v datoteki ni spremenljivk
+the-file-holds-names = v datoteki so { $names }
+a-vector-of-numbers = vektor števil
+name-was-left-out-about = `{ $name }` je izpuščen: { $about }
+
+## crates/measured/src/contents/value.rs
+
+size-complex-numbers = kompleksna števila, { $size }
+size-numbers = števila, { $size }
+the-text-text = besedilo { $text }
+count-cells = celic: { $count }
+count-records-of-fields = zapisov: { $count }, s polji { $fields }
+there-is-no-name = { $name } ne obstaja
+one-of-names = eno od { $names }
+number-part = številka { $part }
+t-1-to-most = 1 do { $most }
+something-with-a-part-in-it = nekaj, v čemer je { $part }
+
 ## crates/measured/src/fault.rs
 
 found-expected-is-expected = { $found }; pričakovano: { $expected }
 line-line-column-column-name-what = vrstica { $line }, stolpec { $column } ({ $name }): { $what }
 byte-byte-what = bajt { $byte }: { $what }
+
+## crates/measured/src/hdf5/arrays.rs
+
+an-array-of-chunks = polje kosov
+elements-of-kind-kind-with-size-bytes = elementi vrste { $kind }, bajtov: { $size }
+those-of-an-array-of-chunks = elementi polja kosov
+numbers-of-bits-bits = števila, bitov: { $bits }
+at-most-63 = največ 63
+more-values-than-a-file-of-this-size-can-hav = več vrednosti, kot jih lahko ima tako velika datoteka
+blocks-of-least-elements = bloki, elementov: { $least }
+a-power-of-two = potenca števila dve
+
+## crates/measured/src/hdf5/attributes.rs
+
+an-attribute = atribut
+
+## crates/measured/src/hdf5/btree2.rs
+
+a-tree = drevo
+a-tree-of-kind-kind = drevo vrste { $kind }
+a-tree-of-depth-depth = drevo globine { $depth }
+at-most-most = največ { $most }
+count-records-in-a-node = zapisov v vozlišču: { $count }
+a-node-of-size-bytes = vozlišče, bajtov: { $size }
+
+## crates/measured/src/hdf5/chunks.rs
+
+an-array-of-size-bytes = polje, bajtov: { $size }
+a-tree-of-kind-kind-level-level = drevo vrste { $kind }, raven { $level }
+kind-1-below-level-most = vrsta 1, pod ravnijo { $most }
+
+## crates/measured/src/hdf5/datatype.rs
+
+types-more-than-depth-deep-in-each-other = tipi, vgnezdeni globlje od { $depth }
+a-type = tip
+a-type-of-no-bytes = tip brez bajtov
+at-least-one = vsaj eden
+times = časi
+bytes-without-a-meaning = bajti brez pomena
+references-to-parts-of-arrays = sklici na dele polj
+size-bytes = bajtov: { $size }
+complex-numbers = kompleksna števila
+a-type-of-class-class = tip razreda { $class }
+t-0-to-11 = 0 do 11
+whole-numbers-of-more-than-64-bits = cela števila z več kot 64 biti
+bits-bits-from-bit-shift-on = bitov: { $bits }, od bita { $shift }
+within-size-bytes = znotraj bajtov: { $size }
+floats-of-an-unusual-form = števila s plavajočo vejico nenavadne oblike
+bytes-bytes-from-byte-at-on = bajtov: { $bytes }, od bajta { $at }
+count-elements-of-bytes-bytes = elementov: { $count }, bajtov v vsakem: { $bytes }
+
+## crates/measured/src/hdf5/decode.rs
+
+elements-that-are-arrays = elementi, ki so polja
+references-to-other-objects = sklici na druge objekte
+texts = besedila
+lists-of-different-lengths = seznami različnih dolžin
+
+## crates/measured/src/hdf5/file.rs
+
+numbers-of-size-bytes = števila, bajtov: { $size }
+at-most-8 = največ 8
+version-version-of-what = { $what }: različica { $version }
+one-that-is-known = znana
+no-signature-of-hdf5 = ni podpisa HDF5
+one-at-byte-0-512-1024 = podpis pri bajtu 0, 512, 1024, ...
+addresses-of-size-bytes = naslovi, bajtov: { $size }
+t-2-4-or-8 = 2, 4 ali 8
+hdf5 = HDF5
+no-root-group = ni korenske skupine
+its-address = njen naslov
+no-address = ni naslova
+one = ena
+the-address-address = naslov { $address }
+the-bytes-bytes = bajti { $bytes }
+parts-of-the-file-that-name-each-other-again = deli datoteke, ki vedno znova kažejo drug na drugega
+each-of-them-once = vsak enkrat
+a-part-of-the-file-whose-checksum-does-not-f = del datoteke z napačno kontrolno vsoto
+one-that-does = tako, ki se ujema
+
+## crates/measured/src/hdf5/filters.rs
+
+a-list-of-filters = seznam filtrov
+compressed-by-szip-which-is-not-read = stisnjeno s szip, ki se ne bere
+compressed-by-blosc-which-is-not-read = stisnjeno z Blosc, ki se ne bere
+compressed-in-a-way-that-is-not-read = stisnjeno na način, ki se ne bere
+compressed-bytes-that-are-spoilt = pokvarjeni stisnjeni bajti
+a-chunk = kos
+a-chunk-of-size-bytes = kos, bajtov: { $size }
+values-whose-checksum-does-not-fit = vrednosti z napačno kontrolno vsoto
+those-that-were-written = vrednosti, kot so bile zapisane
+
+## crates/measured/src/hdf5/header.rs
+
+an-object-s-header = glava objekta
+a-message-that-is-shared = skupno sporočilo
+a-message-in-the-heap-of-messages-that-are-s = sporočilo v kopici skupnih sporočil
+one-in-an-object-s-header = sporočilo v glavi objekta
+an-object-without-the-message-that-it-should = objekt brez sporočila, ki naj bi ga delil
+one-with-it = objekt z njim
+
+## crates/measured/src/hdf5/heaps.rs
+
+a-name-without-an-end = ime brez konca
+a-zero-behind-it = ničla za njim
+a-text-of-length-bytes = besedilo, bajtov: { $length }
+one-that-the-heap-has = tako, ki je v kopici
+a-heap = kopica
+blocks-of-a-heap-whose-sizes-do-not-fit = bloki kopice, katerih velikosti se ne ujemajo
+powers-of-two = potence števila dve
+kept-in-a-heap-in-a-way-that-is-not-read = shranjeno v kopici na način, ki se ne bere
+byte-at-of-a-heap = bajt { $at } kopice
+one-that-it-has = tak, ki ga ima
+
+## crates/measured/src/hdf5/layout.rs
+
+an-array-s-size = velikost polja
+rank-dimensions = razsežnosti: { $rank }
+a-value-for-what-was-never-written = vrednost za nezapisano
+a-layout-of-class-class = razporeditev razreda { $class }
+t-0-1-or-2 = 0, 1 ali 2
+an-index-of-kind-kind = kazalo vrste { $kind }
+t-1-to-5 = 1 do 5
+parts-of-arrays-in-other-places-a-virtual-ar = deli polj na drugih mestih (navidezno polje)
+a-layout = razporeditev
+chunks-of-rank-dimensions = kosi, razsežnosti: { $rank }
+rank-none-of-them-0 = { $rank }, nobena 0
+
+## crates/measured/src/hdf5/links.rs
+
+kind-0-below-level-most = vrsta 0, pod ravnijo { $most }
+a-link = povezava
+
+## crates/measured/src/hdf5/matlab.rs
+
+structures-too-deep-in-each-other = pregloboko vgnezdene strukture
+an-object-of-a-class = objekt razreda
+a-sparse-matrix = redka matrika
+a-function-or-another-class = funkcija ali drug razred
+cells-that-are-no-references = celice, ki niso sklici
+records-with-fields-of-different-lengths = zapisi s polji različnih dolžin
+
+## crates/measured/src/hdf5/tree.rs
+
+groups-too-deep-in-each-other = pregloboko vgnezdene skupine
+an-array-without-a-type = polje brez tipa
 
 ## crates/measured/src/layout/entries.rs
 
@@ -37,9 +209,7 @@ a-list-of-texts = seznam besedil
 
 ## crates/measured/src/matlab/element.rs
 
-the-bytes-bytes = bajti { $bytes }
 the-order-of-bytes-im-or-mi = vrstni red bajtov, `IM` ali `MI`
-compressed-bytes-that-are-spoilt = pokvarjeni stisnjeni bajti
 zlib-s-format = zapis zlib
 an-element-of-type-kind = element vrste { $kind }
 a-variable-type-14-or-15 = spremenljivka (vrsta 14 ali 15)
@@ -50,55 +220,25 @@ characters-types-1-2-4-16-17 = znaki (vrste 1, 2, 4, 16, 17)
 a-size-of-size = velikost { $size }
 t-0-to-2147483647 = 0 do 2147483647
 structures-more-than-depth-deep-in-each-othe = strukture, vgnezdene globlje kot { $depth }
-an-object-of-a-class = objekt razreda
 an-array-of-size-values = polje { $size } vrednosti
 no-more-than-the-left-bytes-that-follow-hold = ne več, kot gre v preostale bajte ({ $left })
-a-sparse-matrix = redka matrika
 count-values = vrednosti: { $count }
-a-function-or-another-class = funkcija ali drug razred
 a-value-type-14 = vrednost (vrsta 14)
 names-of-no-length = imena brez dolžine
 t-1-to-64-characters = 1 do 64 znakov
 
-## crates/measured/src/matlab/mod.rs
-
-size-complex-numbers = kompleksna števila, { $size }
-size-numbers = števila, { $size }
-the-text-text = besedilo { $text }
-count-cells = celic: { $count }
-count-records-of-fields = zapisov: { $count }, s polji { $fields }
-there-is-no-name = { $name } ne obstaja
-one-of-names = eno od { $names }
-number-part = številka { $part }
-t-1-to-most = 1 do { $most }
-count-records = zapisov: { $count }
-the-number-of-one-as-in-name-1 = številka zapisa, kot v { $name }[1]
-something-with-a-part-in-it = nekaj, v čemer je { $part }
-real-numbers = realna števila
-numbers-or-a-record = števila ali zapis
-a-vector-of-numbers-in-it = vektor števil v njem
-record-number-of-count-in-name-choose-anothe = zapis { $number } od { $count } v `{ $name }`; drugega izbere variable={ $name }[{ $count }]
-the-file-holds-no-variables = v datoteki ni spremenljivk
-the-file-holds-names = v datoteki so { $names }
-a-vector-of-numbers = vektor števil
-name-was-left-out-about = `{ $name }` je izpuščen: { $about }
-
 ## crates/measured/src/parquet/mod.rs
 
 a-file-without-columns = datoteka brez stolpcev
-at-least-one = vsaj eden
 name-holds-no-numbers-and-was-left-out = v `{ $name }` ni števil, zato je izpuščen
-at-most-most = največ { $most }
 an-end-without-par1 = konec brez `PAR1`
 a-file-that-was-written-to-its-end = do konca zapisana datoteka
 a-description-of-size-bytes = opis, bajtov: { $size }
 a-tree-of-columns-that-does-not-fit = drevo stolpcev, ki se ne ujema
-one-that-does = tako, ki se ujema
 name-has-no-values = `{ $name }` nima vrednosti
 some = nekaj
 pages-of-name-at-byte-byte = strani `{ $name }` pri bajtu { $byte }
 a-page-without-its-size = stran brez velikosti
-one = ena
 a-page-of-count-values = stran, vrednosti: { $count }
 
 ## crates/measured/src/parquet/pages.rs
@@ -107,7 +247,6 @@ a-page = stran
 a-page-of-size-bytes = stran, bajtov: { $size }
 the-compression-name-number-codec = stiskanje { $name } (številka { $codec })
 none-snappy-gzip-or-zstandard = nobeno, Snappy, gzip ali Zstandard
-numbers-of-bits-bits = števila, bitov: { $bits }
 at-most-64 = največ 64
 a-run-of-no-values = niz brez vrednosti
 no-packed-numbers = nobenih pakiranih števil
@@ -125,9 +264,8 @@ types-1-to-12 = vrste 1 do 12
 
 ## crates/measured/src/reader.rs
 
-text-matlab-v5-tdms-or-parquet = besedilo, MATLAB v5, TDMS ali Parquet
+text-matlab-v5-or-v7-3-hdf5-tdms-or-parquet = besedilo, MATLAB v5 ali v7.3, HDF5, TDMS ali Parquet
 the-file-is-empty = datoteka je prazna
-it-is-hdf5-or-matlab-v7-3-save-it-as-matlab = to je HDF5 ali MATLAB v7.3: shranite kot MATLAB v5 (`save -v7`), Parquet ali CSV
 it-is-the-index-of-a-tdms-file-give-the-file = to je kazalo datoteke TDMS: navedite samo datoteko
 key-means-nothing-for-a-file-of-the-format-f = `{ $key }` nima pomena za datoteko vrste { $format }
 the-file-has-no-column-with-numbers = datoteka nima stolpca s števili
@@ -194,9 +332,7 @@ an-array-of-count-dimensions = polje, razsežnosti: { $count }
 values-of-type-kind = vrednosti vrste { $kind }
 numbers-texts-or-times = števila, besedila ali časi
 fewer = manj
-texts = besedila
 numbers-of-16-bytes = števila s 16 bajti
-complex-numbers = kompleksna števila
 texts-between-numbers-value-by-value = besedila med števili, vrednost za vrednostjo
 numbers-alone = samo števila
 
@@ -205,6 +341,7 @@ numbers-alone = samo števila
 byte-byte-is-no-utf-8 = bajt { $byte } ni UTF-8
 utf-8-or-another-encoding-latin-1 = UTF-8 ali drugo kodiranje: latin-1
 byte-byte-stands-in-no-text = bajta { $byte } ni v nobenem besedilu
+text-matlab-v5-tdms-or-parquet = besedilo, MATLAB v5, TDMS ali Parquet
 half-a-character-of-utf-16 = pol znaka UTF-16
 utf-16-or-another-encoding-utf-8-or-latin-1 = UTF-16 ali drugo kodiranje: utf-8 ali latin-1
 a-whole-one = cel

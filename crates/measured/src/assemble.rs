@@ -58,7 +58,7 @@ fn goes_back(pair: &[f64]) -> bool {
 }
 
 /// The size of a unit of time in s.
-fn seconds(unit: &str) -> Option<f64> {
+pub(crate) fn seconds(unit: &str) -> Option<f64> {
     TIME_UNITS.iter().find(|(text, _)| *text == unit).map(|(_, size)| *size)
 }
 
@@ -183,21 +183,25 @@ fn named(columns: &[RawColumn], name: &str) -> Result<usize, DataFault> {
     })
 }
 
+/// Whether a name is one of a column with times.
+pub(crate) fn names_time(name: &str) -> bool {
+    let lower = name.to_lowercase();
+    let end = lower.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(lower.len());
+    TIME_NAMES.contains(&&lower[..end])
+}
+
+/// Whether its values can be times: there are some, and none is before the one before it.
+pub(crate) fn goes_on(column: &RawColumn) -> bool {
+    !column.values.is_empty() && !column.values.windows(2).any(goes_back)
+}
+
 /// The column that seems to have the times.
 fn guessed(columns: &[RawColumn]) -> Option<usize> {
-    let goes_on =
-        |column: &RawColumn| !column.values.is_empty() && !column.values.windows(2).any(goes_back);
-    let first_word = |name: &str| {
-        let lower = name.to_lowercase();
-        let end = lower.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(lower.len());
-        lower[..end].to_owned()
-    };
     if columns.len() < 2 {
         return None;
     }
     let by_name = |column: &RawColumn| {
-        let known = TIME_NAMES.contains(&first_word(&column.name).as_str());
-        known && (column.unit.is_empty() || seconds(&column.unit).is_some())
+        names_time(&column.name) && (column.unit.is_empty() || seconds(&column.unit).is_some())
     };
     let by_unit = |column: &RawColumn| seconds(&column.unit).is_some();
     // Steps of 1 in a column without a name count rows, as likely as seconds.

@@ -10,8 +10,8 @@
 //! | What is done with channels before anything is fitted to them? | [`signal`] |
 //! | How do channels become plain CSV? | [`table`] |
 //!
-//! Formats: text of any separator, decimal sign and encoding, with or without names, units and head lines; MATLAB v5
-//! with structures; TDMS; Parquet. All readers take bytes and give channels or a fault with its place: nothing here
+//! Formats: text of any separator, decimal sign and encoding, with or without names, units and head lines; MATLAB v5 and
+//! v7.3 with structures; HDF5; TDMS; Parquet. All readers take bytes and give channels or a fault with its place: nothing here
 //! opens a file, and no bytes make them panic or take memory that the file has no values for.
 
 #![forbid(unsafe_code)]
@@ -25,7 +25,9 @@ pub use steadycut_core::base;
 mod assemble;
 mod bytes;
 pub mod channel;
+mod contents;
 pub mod fault;
+mod hdf5;
 pub mod layout;
 mod matlab;
 mod parquet;

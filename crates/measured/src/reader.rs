@@ -5,6 +5,7 @@ use crate::assemble::{RawColumn, assemble};
 use crate::base::language::tr;
 use crate::channel::MeasuredChannel;
 use crate::fault::DataFault;
+use crate::hdf5;
 use crate::layout::DataLayout;
 use crate::matlab;
 use crate::parquet;
@@ -18,6 +19,10 @@ steadycut_core::choice! {
         Text = "text", "text";
         /// MATLAB's files up to version 7, which scipy writes as well.
         Matlab5 = "matlab-5", "MATLAB v5";
+        /// MATLAB's files since version 7.3, which are HDF5.
+        Matlab73 = "matlab-7.3", "MATLAB v7.3";
+        /// HDF5, as h5py, PyTables, pandas and many instruments write it.
+        Hdf5 = "hdf5", "HDF5";
         /// LabVIEW's files of channels in groups.
         Tdms = "tdms", "TDMS";
         /// Columns of the Arrow family.
@@ -68,7 +73,7 @@ impl DataFormat {
     /// # Errors
     /// It is a known format that is not read, or nothing at all.
     pub fn of(bytes: &[u8]) -> Result<Self, DataFault> {
-        let readable = || tr("text, MATLAB v5, TDMS or Parquet").to_owned();
+        let readable = || tr("text, MATLAB v5 or v7.3, HDF5, TDMS or Parquet").to_owned();
         let unread = |what: &str| DataFault::of_file(tr(what), readable());
         if bytes.is_empty() {
             return Err(DataFault::of_file(tr("the file is empty"), readable()));
@@ -82,13 +87,9 @@ impl DataFormat {
         if matlab::is(bytes) {
             return Ok(Self::Matlab5);
         }
-        if bytes.starts_with(b"\x89HDF\r\n\x1a\n")
-            || bytes.get(512..520) == Some(b"\x89HDF\r\n\x1a\n")
-        {
-            let what = crate::base::language::text!(
-                "it is HDF5 or MATLAB v7.3: save it as MATLAB v5 (`save -v7`), Parquet or CSV"
-            );
-            return Err(unread(what));
+        if hdf5::begin(bytes).is_some() {
+            let is_matlab = bytes.starts_with(b"MATLAB 7.3 MAT-file");
+            return Ok(if is_matlab { Self::Matlab73 } else { Self::Hdf5 });
         }
         if bytes.starts_with(b"PK\x03\x04") {
             let what = crate::base::language::text!(
@@ -119,7 +120,7 @@ impl DataFormat {
                 "first_line",
                 "variable",
             ],
-            Self::Matlab5 | Self::Tdms => &[
+            Self::Matlab5 | Self::Matlab73 | Self::Hdf5 | Self::Tdms => &[
                 "encoding",
                 "separator",
                 "decimal",
@@ -161,6 +162,8 @@ pub fn read(bytes: &[u8], said: &DataLayout) -> Result<MeasuredData, DataFault> 
     let raw = match format {
         DataFormat::Text => text::read(bytes, &mut layout)?,
         DataFormat::Matlab5 => matlab::read(bytes, &mut layout)?,
+        DataFormat::Matlab73 => hdf5::read_matlab(bytes, &mut layout)?,
+        DataFormat::Hdf5 => hdf5::read(bytes, &mut layout)?,
         DataFormat::Tdms => tdms::read(bytes, &mut layout)?,
         DataFormat::Parquet => parquet::read(bytes)?,
     };

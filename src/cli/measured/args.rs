@@ -9,7 +9,7 @@ use crate::measured::signal::Preparation;
 /// Arguments of `measured`.
 #[derive(Debug, Args)]
 pub struct MeasuredArgs {
-    /// Text of any separator, decimal sign and encoding, MATLAB v5, TDMS or Parquet.
+    /// Text of any separator, decimal sign and encoding, MATLAB v5 or v7.3, HDF5, TDMS or Parquet.
     #[arg(value_name = "FILE")]
     pub file: InPath,
     /// Overrule a guess about the file's layout, for example `--layout decimal=comma`: encoding, separator, decimal,
@@ -17,7 +17,7 @@ pub struct MeasuredArgs {
     /// file says counts before what is guessed, this before both.
     #[arg(long, value_name = "KEY=VALUE", value_parser = layout_entry)]
     pub layout: Vec<(String, String)>,
-    /// What of a file with several things is read, for example `mill[3]` or `mill[3].smcAC`; without it, all channels or
+    /// What of a file with several things is read, for example `mill[3]`, `mill[3].smcAC` or `cut1/force`; without it, all channels or
     /// the first record. The report lists what there is.
     #[arg(long, value_name = "NAME")]
     pub variable: Option<String>,

@@ -5,6 +5,7 @@ use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 
 use crate::base::language::{text, tr};
 use crate::bytes::ByteReader;
+use crate::contents::{ColumnsTold, ContentEntry, ContentValue};
 use crate::fault::DataFault;
 
 /// Bytes of the file's header.
@@ -19,32 +20,6 @@ const MAX_INFLATED: usize = 2_000_000_000;
 const COMPRESSED: u32 = 15;
 const MATRIX: u32 = 14;
 
-/// A value of a file.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum MatValue {
-    /// Numbers, column by column.
-    Numbers {
-        dims: Vec<usize>,
-        values: Vec<f64>,
-        /// Whether they have imaginary parts, which are not read.
-        complex: bool,
-    },
-    /// A text; lines of a text of several rows are joined.
-    Text(String),
-    /// Values without names.
-    Cells(Vec<MatValue>),
-    /// Records of the same fields, record by record.
-    Records { fields: Vec<String>, records: Vec<Vec<MatValue>> },
-    /// What has no numbers that could be channels.
-    Other(&'static str),
-}
-
-/// A value with its name.
-pub(super) struct MatVariable {
-    pub name: String,
-    pub value: MatValue,
-}
-
 /// Whether bytes begin as a file of this format.
 pub(crate) fn is(bytes: &[u8]) -> bool {
     let of_version_5 = [Some(&b"\x00\x01IM"[..]), Some(&b"\x01\x00MI"[..])];
@@ -55,7 +30,7 @@ pub(crate) fn is(bytes: &[u8]) -> bool {
 ///
 /// # Errors
 /// The place of what is not as the format has it.
-pub(super) fn variables(bytes: &[u8]) -> Result<Vec<MatVariable>, DataFault> {
+pub(super) fn variables(bytes: &[u8]) -> Result<Vec<ContentEntry>, DataFault> {
     let mut reader = ByteReader::new(bytes, 0);
     reader.take(HEADER - 2)?;
     let big_endian = match reader.take(2)? {
@@ -98,14 +73,14 @@ fn variable(
     element: &Element<'_>,
     big_endian: bool,
     place: usize,
-) -> Result<Option<MatVariable>, DataFault> {
+) -> Result<Option<ContentEntry>, DataFault> {
     if element.kind != MATRIX {
         let found = tr!("an element of type {kind}", kind = element.kind);
         return Err(DataFault::at(place, found, tr("a variable (type 14 or 15)")));
     }
     let reader = ByteReader::new(element.data, element.place).ordered(big_endian);
     let (name, value) = matrix(reader, 0)?;
-    Ok((!name.is_empty()).then_some(MatVariable { name, value }))
+    Ok((!name.is_empty()).then_some(ContentEntry { name, value }))
 }
 
 /// A tagged piece of the file.
@@ -202,8 +177,8 @@ fn size(number: f64, reader: &ByteReader<'_>) -> Result<usize, DataFault> {
 }
 
 /// The name and value of a matrix, which anything is.
-fn matrix(mut reader: ByteReader<'_>, depth: usize) -> Result<(String, MatValue), DataFault> {
-    let nothing = MatValue::Numbers { dims: vec![0, 0], values: Vec::new(), complex: false };
+fn matrix(mut reader: ByteReader<'_>, depth: usize) -> Result<(String, ContentValue), DataFault> {
+    let nothing = ContentValue::numbers(vec![0, 0], Vec::new());
     if reader.left() == 0 {
         return Ok((String::new(), nothing));
     }
@@ -215,7 +190,7 @@ fn matrix(mut reader: ByteReader<'_>, depth: usize) -> Result<(String, MatValue)
     let (class, complex) = (flags & 0xff, flags & 0x800 != 0);
     // What classes of one's own keep their data in.
     if class == 17 {
-        return Ok((String::new(), MatValue::Other(text!("an object of a class"))));
+        return Ok((String::new(), ContentValue::Other(text!("an object of a class"))));
     }
     let dims = Element::next(&mut reader)?.numbers()?;
     let dims: Vec<usize> = dims.into_iter().map(|x| size(x, &reader)).collect::<Result<_, _>>()?;
@@ -230,7 +205,7 @@ fn matrix(mut reader: ByteReader<'_>, depth: usize) -> Result<(String, MatValue)
     // Every value takes a byte at least.
     let count = count.filter(|count| *count <= reader.left()).ok_or_else(|| too_many(&reader))?;
     let value = match class {
-        1 => MatValue::Cells(values(&mut reader, count, depth)?),
+        1 => ContentValue::Cells(values(&mut reader, count, depth)?),
         2 | 3 => {
             if class == 3 {
                 Element::next(&mut reader)?;
@@ -240,9 +215,9 @@ fn matrix(mut reader: ByteReader<'_>, depth: usize) -> Result<(String, MatValue)
         4 => {
             let text =
                 if count == 0 { String::new() } else { Element::next(&mut reader)?.text()? };
-            MatValue::Text(rows(&text, &dims))
+            ContentValue::Text(rows(&text, &dims))
         }
-        5 => MatValue::Other(text!("a sparse matrix")),
+        5 => ContentValue::Other(text!("a sparse matrix")),
         6..=15 => {
             let element = Element::next(&mut reader)?;
             let values = element.numbers()?;
@@ -254,9 +229,9 @@ fn matrix(mut reader: ByteReader<'_>, depth: usize) -> Result<(String, MatValue)
                     tr!("{count} values", count = count),
                 ));
             }
-            MatValue::Numbers { dims, values, complex }
+            ContentValue::Numbers { dims, values, complex, told: ColumnsTold::default() }
         }
-        _ => MatValue::Other(text!("a function or another class")),
+        _ => ContentValue::Other(text!("a function or another class")),
     };
     Ok((name, value))
 }
@@ -266,7 +241,7 @@ fn values(
     reader: &mut ByteReader<'_>,
     count: usize,
     depth: usize,
-) -> Result<Vec<MatValue>, DataFault> {
+) -> Result<Vec<ContentValue>, DataFault> {
     let mut found = Vec::new();
     for _ in 0..count {
         let element = Element::next(reader)?;
@@ -280,7 +255,11 @@ fn values(
     Ok(found)
 }
 
-fn records(reader: &mut ByteReader<'_>, count: usize, depth: usize) -> Result<MatValue, DataFault> {
+fn records(
+    reader: &mut ByteReader<'_>,
+    count: usize,
+    depth: usize,
+) -> Result<ContentValue, DataFault> {
     let length = Element::next(reader)?.numbers()?.first().copied().unwrap_or(0.0);
     let length = size(length, reader)?;
     let names = Element::next(reader)?;
@@ -299,11 +278,11 @@ fn records(reader: &mut ByteReader<'_>, count: usize, depth: usize) -> Result<Ma
             break;
         }
     }
-    Ok(MatValue::Records { fields, records })
+    Ok(ContentValue::Records { fields, records })
 }
 
 /// A text of several rows is stored column by column.
-fn rows(text: &str, dims: &[usize]) -> String {
+pub(crate) fn rows(text: &str, dims: &[usize]) -> String {
     let &[rows, columns] = dims else { return text.to_owned() };
     let letters: Vec<char> = text.chars().collect();
     if rows <= 1 || letters.len() != rows * columns {

@@ -1,5 +1,6 @@
 //! Files of measured data, read against what is known of them from elsewhere.
 
+mod hdf5;
 mod peaks;
 mod samples;
 mod spoilt;

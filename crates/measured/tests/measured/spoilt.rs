@@ -49,6 +49,16 @@ const SAMPLES: [&str; 9] = [
     "kinds_gzip.parquet",
 ];
 
+/// Samples of HDF5: small, so that every byte of them is spoilt.
+const HDF5_SAMPLES: [&str; 6] = [
+    "h5py.h5",
+    "h5py_latest.h5",
+    "h5py_dense.h5",
+    "pytables.h5",
+    "hdf5storage.mat",
+    "hdf5storage_records.mat",
+];
+
 /// Reads bytes that may be anything.
 fn try_read(bytes: &[u8]) {
     match read(bytes, &DataLayout::default()) {
@@ -90,6 +100,45 @@ fn files_with_spoilt_bytes_are_read_or_refused() {
     assert!(MOST.load(Ordering::Relaxed) < MOST_BYTES, "{}", MOST.load(Ordering::Relaxed));
 }
 
+#[test]
+fn hdf5_that_was_cut_off_anywhere_is_read_or_refused() {
+    MOST.store(0, Ordering::Relaxed);
+    for name in HDF5_SAMPLES {
+        let bytes = sample(name);
+        (0..bytes.len()).for_each(|place| try_read(&bytes[..place]));
+    }
+    assert!(MOST.load(Ordering::Relaxed) < MOST_BYTES, "{}", MOST.load(Ordering::Relaxed));
+}
+
+/// Spoils every byte of these samples, one after the other; of zeros among zeros, which the format leaves free, some.
+fn spoil_each_byte(samples: &[&str]) {
+    MOST.store(0, Ordering::Relaxed);
+    for name in samples {
+        let mut bytes = sample(name);
+        for place in 0..bytes.len() {
+            let around = place.saturating_sub(16)..bytes.len().min(place + 17);
+            if place % 16 != 0 && bytes[around].iter().all(|byte| *byte == 0) {
+                continue;
+            }
+            let spoilt = [0xff, 0x80, 0x01, 0x10][place % 4];
+            bytes[place] ^= spoilt;
+            try_read(&bytes);
+            bytes[place] ^= spoilt;
+        }
+    }
+    assert!(MOST.load(Ordering::Relaxed) < MOST_BYTES, "{}", MOST.load(Ordering::Relaxed));
+}
+
+#[test]
+fn hdf5_with_any_byte_spoilt_is_read_or_refused() {
+    spoil_each_byte(&HDF5_SAMPLES[..4]);
+}
+
+#[test]
+fn matlab_7_3_with_any_byte_spoilt_is_read_or_refused() {
+    spoil_each_byte(&HDF5_SAMPLES[4..]);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
@@ -117,10 +166,10 @@ proptest! {
 
     #[test]
     fn many_spoilt_bytes_at_once(
-        sample_of in 0usize..9,
+        sample_of in 0usize..15,
         changes in proptest::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..20),
     ) {
-        let mut bytes = sample(SAMPLES[sample_of]);
+        let mut bytes = sample([&SAMPLES[..], &HDF5_SAMPLES].concat()[sample_of]);
         for (place, byte) in changes {
             let place = place.index(bytes.len());
             bytes[place] = byte;

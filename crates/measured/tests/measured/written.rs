@@ -342,7 +342,7 @@ fn daqmx_and_what_is_no_segment_are_named() {
         (segment(2, &count(u32::MAX), &[]), "the file ends"),
         (b"TDSh....".to_vec(), "index of a TDMS file"),
         (b"PK\x03\x04".to_vec(), "spreadsheet"),
-        (b"\x89HDF\r\n\x1a\n....".to_vec(), "HDF5"),
+        (b"\x89HDF\r\n\x1a\n....".to_vec(), "version 46 of HDF5"),
     ] {
         let error = read(&bytes, &DataLayout::default()).unwrap_err().to_string();
         assert!(error.contains(part), "{part}: {error}");
