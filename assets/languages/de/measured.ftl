@@ -115,6 +115,7 @@ one-at-byte-0-512-1024 = eine bei Byte 0, 512, 1024, ...
 addresses-of-size-bytes = Adressen von { $size } Byte
 t-2-4-or-8 = 2, 4 oder 8
 hdf5 = HDF5
+a-file-of-size-bytes = eine Datei von { $size } Byte
 no-root-group = keine Wurzelgruppe
 its-address = ihre Adresse
 no-address = keine Adresse

@@ -115,6 +115,7 @@ one-at-byte-0-512-1024 = one at byte 0, 512, 1024, ...
 addresses-of-size-bytes = addresses of { $size } bytes
 t-2-4-or-8 = 2, 4 or 8
 hdf5 = HDF5
+a-file-of-size-bytes = a file of { $size } bytes
 no-root-group = no root group
 its-address = its address
 no-address = no address

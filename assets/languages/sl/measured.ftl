@@ -115,6 +115,7 @@ one-at-byte-0-512-1024 = podpis pri bajtu 0, 512, 1024, ...
 addresses-of-size-bytes = naslovi, bajtov: { $size }
 t-2-4-or-8 = 2, 4 ali 8
 hdf5 = HDF5
+a-file-of-size-bytes = datoteka, bajtov: { $size }
 no-root-group = ni korenske skupine
 its-address = njen naslov
 no-address = ni naslova

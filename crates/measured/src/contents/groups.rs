@@ -6,18 +6,15 @@ use super::prefix_of;
 use crate::assemble::{RawColumn, goes_on, names_time, seconds};
 use crate::channel::SampleTimes;
 
-/// Shortens the names of columns that all are of one group, and gives those of several groups the times that stand in
+/// Takes off the names of columns what all of them begin with, and gives those of several groups the times that stand in
 /// their own: a file has one column of times for all, or one in each group.
 pub(super) fn settle(columns: &mut Vec<RawColumn>) {
+    let shared = columns.iter().map(|column| prefix_of(&column.name)).reduce(shared_prefix);
+    let shared = shared.map_or(0, str::len);
     let mut groups: BTreeMap<String, Vec<usize>> = BTreeMap::new();
-    for (index, column) in columns.iter().enumerate() {
+    for (index, column) in columns.iter_mut().enumerate() {
+        column.name.drain(..shared);
         groups.entry(prefix_of(&column.name).to_owned()).or_default().push(index);
-    }
-    if groups.len() == 1 {
-        for column in columns.iter_mut() {
-            column.name = column.name[prefix_of(&column.name).len()..].to_owned();
-        }
-        return;
     }
     let mut used = Vec::new();
     for (prefix, members) in groups.iter().filter(|(prefix, _)| !prefix.is_empty()) {
@@ -40,4 +37,11 @@ pub(super) fn settle(columns: &mut Vec<RawColumn>) {
     }
     let mut index = 0..;
     columns.retain(|_| !used.contains(&index.next().unwrap_or(0)));
+}
+
+/// What two prefixes have in common, up to a dot.
+fn shared_prefix<'a>(a: &'a str, b: &str) -> &'a str {
+    let same = a.bytes().zip(b.bytes()).take_while(|(a, b)| a == b).count();
+    let dot = a.as_bytes()[..same].iter().rposition(|byte| *byte == b'.');
+    &a[..dot.map_or(0, |dot| dot + 1)]
 }

@@ -142,7 +142,7 @@ fn attribute<'a>(
         true => Space::read(file, &mut shared(file, space, DATASPACE)?)?,
         false => Space::read(file, space)?,
     };
-    let bytes = reader.take(space.count()?.checked_mul(of.size).unwrap_or(usize::MAX))?;
+    let bytes = reader.take(space.count()?.saturating_mul(of.size))?;
     file.take_bytes(bytes.len())?;
     let elements = ElementBytes::dense(bytes, of.size);
     Ok((name, value(file, &of, &space.dims, elements, DimensionOrder::File)?))

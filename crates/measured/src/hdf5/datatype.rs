@@ -297,7 +297,7 @@ mod tests {
         assert_eq!(number(3, true, whole(true, 0, 24)).value(&[0xff, 0xff, 0xfe]), -2.0);
         assert_eq!(
             number(8, false, whole(false, 0, 64)).value(&[0, 0, 0, 0, 0, 0, 0, 128]),
-            2f64.powi(63)
+            9_223_372_036_854_775_808.0
         );
         // IEEE 754: 1, -2, the largest, the least.
         for (bits, known) in

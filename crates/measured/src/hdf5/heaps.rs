@@ -1,6 +1,7 @@
 //! Heaps: where names, texts of any length, and many links or attributes of an object lie.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use super::file::{Hdf5File, Trouble, unknown, whole};
 use crate::base::language::{text, tr};
@@ -59,12 +60,11 @@ impl<'a> GlobalHeap<'a> {
         let address = file.offset(element)?.filter(|address| *address != 0);
         let index = element.u32()?;
         let (Some(address), 1..) = (address, length) else { return Ok(&[]) };
-        if !self.collections.contains_key(&address) {
-            self.collections.insert(address, collection(file, address)?);
-        }
-        let objects = self.collections.get(&address);
-        let index = u16::try_from(index).ok();
-        let found = index.and_then(|index| objects?.get(&index)).copied();
+        let objects = match self.collections.entry(address) {
+            Entry::Vacant(entry) => entry.insert(collection(file, address)?),
+            Entry::Occupied(entry) => entry.into_mut(),
+        };
+        let found = u16::try_from(index).ok().and_then(|index| objects.get(&index)).copied();
         found.and_then(|bytes| bytes.get(..length)).ok_or_else(|| {
             let found = tr!("a text of {length} bytes", length = length);
             DataFault::at(place, found, tr("one that the heap has"))

@@ -96,7 +96,10 @@ impl<'a> Walk<'a, '_> {
                     let units: Vec<u16> = values.iter().map(|unit| *unit as u16).collect();
                     Ok(ContentValue::Text(rows(&String::from_utf16_lossy(&units), &dims)))
                 }
-                other => Ok(other),
+                other @ (ContentValue::Text(_)
+                | ContentValue::Cells(_)
+                | ContentValue::Records { .. }
+                | ContentValue::Other(_)) => Ok(other),
             },
             "function_handle" => Ok(ContentValue::Other(text!("a function or another class"))),
             _ => array(self.file, &header, &stored, DimensionOrder::Matlab),

@@ -22,18 +22,8 @@ const UNITS: [&str; 4] = ["unit", "units", "unitstring", "unitsymbol"];
 const NAMES: [&str; 5] = ["name", "label", "channel", "column", "signal"];
 const STEP: &str = "wfincrement";
 /// Attributes that programs write for themselves.
-const OWN: [&str; 10] = [
-    "CLASS",
-    "VERSION",
-    "TITLE",
-    "NROWS",
-    "NAME",
-    "DIMENSION_LIST",
-    "REFERENCE_LIST",
-    "FLAVOR",
-    "TITLE",
-    "FILTERS",
-];
+const OWN: [&str; 8] =
+    ["CLASS", "VERSION", "TITLE", "NROWS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "EXTDIM"];
 const OWN_BEGINS: [&str; 5] = ["PYTABLES", "FIELD_", "MATLAB_", "_Netcdf4", "_NCProperties"];
 /// What netCDF writes as the name of a dimension that has no values.
 const NO_VALUES: &str = "This is a netCDF dimension but not a netCDF variable";
@@ -54,7 +44,7 @@ pub(super) fn contents(file: &Hdf5File<'_>) -> Result<Vec<ContentEntry>, Trouble
     let header = Header::read(file, file.root)?;
     let attributes = Attributes::of(file, &header)?;
     let mut named = walk.group(&header, None)?;
-    facts(&attributes, "", &mut named);
+    facts(&attributes, "", true, &mut named);
     Ok(named.into_iter().map(|(name, value)| ContentEntry { name, value }).collect())
 }
 
@@ -62,7 +52,13 @@ impl<'a> Walk<'a, '_> {
     /// The members of a group; `rate` is the sample rate in Hz that groups around it tell.
     fn group(&mut self, header: &Header<'a>, rate: Option<f64>) -> Result<Named, Trouble> {
         let mut named = Named::new();
-        for member in members(self.file, header)? {
+        let members = members(self.file, header)?;
+        for member in &members {
+            // What PyTables keeps to find rows of a table beside it.
+            let of = member.name.strip_prefix("_i_");
+            if of.is_some_and(|table| members.iter().any(|other| other.name == table)) {
+                continue;
+            }
             // A link by a name: what it leads to is read where it is.
             let Some(address) = member.address.filter(|address| !self.within.contains(address))
             else {
@@ -70,7 +66,7 @@ impl<'a> Walk<'a, '_> {
             };
             if self.within.len() > MAX_DEPTH {
                 let what = text!("groups too deep in each other");
-                named.push((member.name, ContentValue::Other(what)));
+                named.push((member.name.clone(), ContentValue::Other(what)));
                 continue;
             }
             self.within.push(address);
@@ -78,7 +74,9 @@ impl<'a> Walk<'a, '_> {
             self.within.pop();
             match found {
                 Ok(()) => {}
-                Err(Trouble::Unread(what)) => named.push((member.name, ContentValue::Other(what))),
+                Err(Trouble::Unread(what)) => {
+                    named.push((member.name.clone(), ContentValue::Other(what)))
+                }
                 Err(fault) => return Err(fault),
             }
         }
@@ -104,10 +102,10 @@ impl<'a> Walk<'a, '_> {
             let mut found = array(self.file, &header, &stored, DimensionOrder::File)?;
             tell(&mut found, &attributes, rate);
             named.push((name.to_owned(), found));
-            facts(&attributes, &format!("{name}."), named);
+            facts(&attributes, &format!("{name}."), false, named);
         } else if is_group(&header) {
             let mut members = self.group(&header, rate)?;
-            facts(&attributes, "", &mut members);
+            facts(&attributes, "", false, &mut members);
             let (fields, record) = members.into_iter().unzip();
             named.push((name.to_owned(), ContentValue::Records { fields, records: vec![record] }));
         }
@@ -181,12 +179,14 @@ fn tell(found: &mut ContentValue, attributes: &Attributes, rate: Option<f64>) {
 }
 
 /// Adds the attributes that are single numbers or texts, with their object's name before theirs.
-fn facts(attributes: &Attributes, prefix: &str, named: &mut Named) {
+fn facts(attributes: &Attributes, prefix: &str, is_root: bool, named: &mut Named) {
     for (name, value) in &attributes.0 {
         let own =
             OWN.contains(&name.as_str()) || OWN_BEGINS.iter().any(|own| name.starts_with(own));
         // Of the root group, rates and units are those of all; of others, they were told already.
-        let told = !prefix.is_empty() && UNITS.contains(&bare(name).as_str());
+        let bare = bare(name);
+        let rate = as_number(value).and_then(|number| rate_hz(name, number));
+        let told = !is_root && (UNITS.contains(&bare.as_str()) || bare == STEP || rate.is_some());
         let value = match (as_text(value), as_number(value)) {
             (Some(text), _) if text.chars().count() <= MAX_FACT && !text.is_empty() => {
                 ContentValue::Text(text.to_owned())
@@ -210,11 +210,11 @@ fn pandas(named: &mut Named) {
         })
         .collect();
     for (of, names) in lists {
-        for (name, value) in named.iter_mut() {
-            if let ContentValue::Numbers { told, .. } = value
-                && *name == of
-            {
-                told.names.clone_from(&names);
+        for (name, value) in named.iter_mut().filter(|(name, _)| *name == of) {
+            let ContentValue::Numbers { told, .. } = value else { continue };
+            match names.as_slice() {
+                [only] => name.clone_from(only),
+                names => told.names = names.to_vec(),
             }
         }
     }

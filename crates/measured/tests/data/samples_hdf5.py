@@ -57,6 +57,26 @@ with h5py.File(fresh("h5py_dense.h5"), "w", libver="latest") as f:
     d.attrs["units"] = "mm"
     f.create_dataset("grid", data=np.stack([i, 3 * i], axis=1).astype("i2"), chunks=(8, 2), maxshape=(None, None))
 
+# Groups with times of their own, what attributes say, other kinds of numbers, and what is not read.
+with h5py.File(fresh("h5py_groups.h5"), "w") as f:
+    for cut in (1, 2):
+        g = f.create_group(f"cut{cut}")
+        g.create_dataset("time", data=1000 * t / cut).attrs["units"] = "ms"
+        g.create_dataset("Fx", data=fx / cut).attrs["units"] = "N"
+        g["up"] = f["/"]
+    g = f.create_group("more")
+    g.attrs["fs"] = 50
+    d = g.create_dataset("matrix", data=np.stack([i, -i], axis=1).astype("f2"))
+    d.attrs["columns"], d.attrs["units"] = ["ax", "ay"], ["g", "m/s2"]
+    d = g.create_dataset("packed", data=raw, chunks=(20,), compression="lzf")
+    d.attrs["scale_factor"], d.attrs["add_offset"] = 0.5, 10.0
+    g.create_dataset("flags", data=i % 3 == 0)
+    d = g.create_dataset("holes", shape=(N,), dtype=">u8", chunks=(10,), fillvalue=7)
+    d[10:20] = i[10:20]
+    g.create_dataset("complex", data=fx + 1j)
+    g.create_dataset("whole", data=i, chunks=(N,), scaleoffset=0)
+    g.create_dataset("endless", shape=(1 << 50,), dtype="f8", chunks=(100,))
+
 # A table of PyTables: compound records, compressed by deflate.
 with tables.open_file(fresh("pytables.h5"), "w") as f:
     class Row(tables.IsDescription):

@@ -98,6 +98,34 @@ fn many_links_and_attributes_and_chunks_that_grow_in_two_directions() {
 }
 
 #[test]
+fn groups_have_times_and_rates_of_their_own_and_attributes_say_what_columns_are() {
+    let data = guessed(&sample("h5py_groups.h5"));
+    has(
+        &data,
+        &[
+            ("cut1.Fx [N]", FX),
+            ("cut2.Fx [N]", |i| 0.75 * i - 1.5),
+            ("more.ax [g]", |i| i),
+            ("more.ay [m/s2]", |i| -i),
+            ("more.packed", |i| 3.5 * i - 40.0),
+            ("more.flags", |i| if i % 3.0 == 0.0 { 1.0 } else { 0.0 }),
+            ("more.holes", |i| if (10.0..20.0).contains(&i) { i } else { 7.0 }),
+        ],
+    );
+    for (title, rate_hz) in [("cut1.Fx [N]", 100.0), ("cut2.Fx [N]", 200.0), ("more.ax [g]", 50.0)]
+    {
+        assert_eq!(channel(&data, title).times.rate_hz(), Some(rate_hz), "{title}");
+    }
+    for note in [
+        "`more.complex` was left out: 40 x 1 complex numbers",
+        "`more.whole` was left out: compressed in a way that is not read",
+        "`more.endless` was left out: more values than a file of this size can have",
+    ] {
+        assert!(data.notes.iter().any(|known| known == note), "{note}: {:?}", data.notes);
+    }
+}
+
+#[test]
 fn a_table_of_records_has_its_fields_as_channels() {
     let data = guessed(&sample("pytables.h5"));
     has(&data, &[("Fx", FX), ("count", RAW), ("axes_1", |i| i), ("axes_2", |i| -i)]);

@@ -50,10 +50,11 @@ const SAMPLES: [&str; 9] = [
 ];
 
 /// Samples of HDF5: small, so that every byte of them is spoilt.
-const HDF5_SAMPLES: [&str; 6] = [
+const HDF5_SAMPLES: [&str; 7] = [
     "h5py.h5",
     "h5py_latest.h5",
     "h5py_dense.h5",
+    "h5py_groups.h5",
     "pytables.h5",
     "hdf5storage.mat",
     "hdf5storage_records.mat",
@@ -131,12 +132,12 @@ fn spoil_each_byte(samples: &[&str]) {
 
 #[test]
 fn hdf5_with_any_byte_spoilt_is_read_or_refused() {
-    spoil_each_byte(&HDF5_SAMPLES[..4]);
+    spoil_each_byte(&HDF5_SAMPLES[..5]);
 }
 
 #[test]
 fn matlab_7_3_with_any_byte_spoilt_is_read_or_refused() {
-    spoil_each_byte(&HDF5_SAMPLES[4..]);
+    spoil_each_byte(&HDF5_SAMPLES[5..]);
 }
 
 proptest! {
@@ -166,7 +167,7 @@ proptest! {
 
     #[test]
     fn many_spoilt_bytes_at_once(
-        sample_of in 0usize..15,
+        sample_of in 0usize..16,
         changes in proptest::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..20),
     ) {
         let mut bytes = sample([&SAMPLES[..], &HDF5_SAMPLES].concat()[sample_of]);
