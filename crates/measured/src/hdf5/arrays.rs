@@ -1,7 +1,7 @@
 //! Chunks that arrays index, by their numbers: one of a fixed size, and one that grows.
 
 use super::chunks::Chunk;
-use super::file::{Hdf5File, Trouble, unknown, whole};
+use super::file::{Hdf5File, Trouble, checked, unknown, whole};
 use crate::base::language::{text, tr};
 use crate::bytes::ByteReader;
 use crate::fault::DataFault;
@@ -66,15 +66,28 @@ impl<'a> Elements<'a, '_> {
         let mut left = count;
         while left > 0 && self.next < self.count {
             let here = left.min(page);
-            let length = here.saturating_mul(size);
-            let mut reader = file.block(at, length)?;
-            self.take(&mut reader, here)?;
-            at = at.saturating_add(length).saturating_add(4);
+            self.page(at, here)?;
+            at = at.saturating_add(here.saturating_mul(size)).saturating_add(4);
             left -= here;
         }
         // What is left out has numbers, too.
         self.next = self.next.saturating_add(left);
         Ok(())
+    }
+
+    /// A page of so many elements, which ends with its checksum. One that was never written is zeros alone, and no
+    /// chunk can be at address 0: its elements are left out.
+    fn page(&mut self, address: u64, count: u64) -> Result<(), DataFault> {
+        let length = count.saturating_mul(self.size as u64).saturating_add(4);
+        let mut block = self.file.block(address, length)?;
+        let place = block.place();
+        let bytes = block.take(block.left())?;
+        if bytes.iter().all(|byte| *byte == 0) {
+            self.next = self.next.saturating_add(count);
+            return Ok(());
+        }
+        checked(bytes, place)?;
+        self.take(&mut ByteReader::new(&bytes[..bytes.len() - 4], place), count)
     }
 }
 
@@ -159,8 +172,7 @@ fn pages_written(
         let here = page.min(count - all.next);
         let byte = flags.get(usize::try_from(number / 8).unwrap_or(usize::MAX)).copied();
         if byte.unwrap_or(0) << (number % 8) & 0x80 != 0 {
-            let mut reader = file.block(at, here.saturating_mul(all.size as u64))?;
-            all.take(&mut reader, here)?;
+            all.page(at, here)?;
         }
         at = at.saturating_add(length);
     }

@@ -253,7 +253,7 @@ fn taken(store: &Cell<usize>, count: usize) -> Result<(), Trouble> {
 }
 
 /// Whether a block ends with its checksum.
-fn checked(bytes: &[u8], place: usize) -> Result<(), DataFault> {
+pub(super) fn checked(bytes: &[u8], place: usize) -> Result<(), DataFault> {
     let sum = bytes.len().checked_sub(4).map(|end| bytes.split_at(end));
     match sum {
         Some((bytes, sum)) if lookup3(bytes).to_le_bytes() == *sum => Ok(()),
