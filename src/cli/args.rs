@@ -560,7 +560,7 @@ pub struct PlanArgs {
     #[command(flatten)]
     pub own_cut: OwnCutArgs,
     /// Limits of another machine, in the format of the shipped file of the papers' machine, whose
-    /// values are placeholders.
+    /// values are placeholders; or a machine of one's own with [limits], as `steadycut own new machine` begins it.
     #[arg(long, value_name = "FILE.toml")]
     pub machine: Option<InPath>,
     /// Plan the feed of every cut for its lightest or its heaviest section, the spindle as
@@ -731,7 +731,7 @@ pub struct CombineArgs {
     /// Another cutting-data table in the form of the shipped one, which is synthetic.
     #[arg(long, value_name = "FILE.csv")]
     pub table: Option<InPath>,
-    /// Limits of another machine, in the format of the shipped file.
+    /// Limits of another machine, in the format of the shipped file, or a machine of one's own.
     #[arg(long, value_name = "FILE.toml")]
     pub machine: Option<InPath>,
     /// Write the scenario with the planned values programmed.

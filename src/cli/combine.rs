@@ -8,11 +8,10 @@ use serde_json::json;
 
 use super::args::CombineArgs;
 use super::files::report;
-use super::plan::read_machine;
 use super::recommend::{print as print_recommended, read_table, table_id};
 use super::run::Ended;
 use super::scenarios::{apply, load};
-use super::{Outcome, given, progress};
+use super::{Outcome, given, own, progress};
 use crate::run::edits::Edits;
 use crate::run::metrics::Metrics;
 use crate::run::scenario_file;
@@ -36,10 +35,11 @@ pub fn execute(args: &CombineArgs) -> Outcome {
     let mut out = report(args.json, args.out.as_ref())?;
     let (mut scenario, edits) = load(&args.scenario)?;
     given::no_edits(Reader::Combine, &scenario.info.name, &edits)?;
+    let mut brought = own::Brought::new();
+    let machine = own::planned_machine(&mut scenario, args.machine.as_ref(), &mut brought)?;
     apply(&mut scenario, &args.set)?;
-    given::all_used(Reader::Combine, &scenario, &edits, &args.set)?;
+    own::all_used(Reader::Combine, &scenario, &edits, &args.set, &brought)?;
     let (table, source) = read_table(args.table.as_ref())?;
-    let machine = read_machine(args.machine.as_ref())?;
     let mut combined = Combined::new(&scenario, &Advisor::new(&table), &machine, args.section)?;
     progress::work(&mut combined, "combined system", args.json)?;
     if args.json {

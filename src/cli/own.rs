@@ -14,6 +14,7 @@ use super::given;
 use crate::run::edits::Edits;
 use crate::run::scenario::Scenario;
 use crate::study::own_file::{OwnFile, OwnFileKind};
+use crate::study::plan::machine::MachineLimits;
 use crate::study::uses::Reader;
 
 /// A cutter and a material of one's own.
@@ -27,10 +28,10 @@ pub struct OwnCutArgs {
     pub material: Option<InPath>,
 }
 
-/// Drives and structure of a machine of one's own.
+/// Drives and limits of a machine of one's own.
 #[derive(Debug, Default, Args)]
 pub struct OwnMachineArgs {
-    /// Feed drive, spindle drive and dead time of a machine of one's own, or the file that `steadycut identify drive`
+    /// Feed drive, spindle drive, dead time and limits of a machine of one's own, or the file that `steadycut identify drive`
     /// writes; `steadycut own new machine` begins one. `--set` overrules it.
     #[arg(long, value_name = "FILE.toml")]
     pub machine: Option<InPath>,
@@ -46,7 +47,7 @@ pub struct OwnStructureArgs {
 }
 
 /// The settings of files of one's own, each with the option that brings it.
-type Brought = Vec<(&'static str, OwnFile)>;
+pub type Brought = Vec<(&'static str, OwnFile)>;
 
 fn read(
     option: &'static str,
@@ -80,6 +81,25 @@ pub fn take(
         scenario.set_all(&file.changes).map_err(|error| format!("{option}: {error}"))?;
     }
     Ok(brought)
+}
+
+/// The machine that is planned for: that of a file of limits, as the papers' one; or the papers', as far as the machine
+/// goes that a file of one's own puts into the scenario.
+pub fn planned_machine(
+    scenario: &mut Scenario,
+    path: Option<&InPath>,
+    brought: &mut Brought,
+) -> Result<MachineLimits, Box<dyn std::error::Error>> {
+    let Some(path) = path else { return Ok(MachineLimits::heller_bea_01()) };
+    let text = path.text()?;
+    if OwnFileKind::recognised(&text) != Some(OwnFileKind::Machine) {
+        return Ok(MachineLimits::parse(&text).map_err(|error| format!("{path}: {error}"))?);
+    }
+    let file = OwnFile::parse(OwnFileKind::Machine, &text);
+    let file = file.map_err(|error| format!("{path}: {error}"))?;
+    scenario.set_all(&file.changes).map_err(|error| format!("--machine: {error}"))?;
+    brought.push(("--machine", file));
+    Ok(MachineLimits::heller_bea_01())
 }
 
 /// Refuses a file of one's own that a command has no use for at all; `scenario` has it already.

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use serde::Serialize;
 
 use super::args::PlanArgs;
-use super::files::{InPath, report as report_to};
+use super::files::report as report_to;
 use super::scenarios::{apply, load};
 use super::{Outcome, own, part, progress};
 use crate::run::edits::Edits;
@@ -49,12 +49,12 @@ struct Report<'a> {
 /// Runs the command.
 pub fn execute(args: &PlanArgs) -> Outcome {
     let (mut scenario, edits) = load(&args.scenario)?;
-    let brought = own::take(&mut scenario, Some(&args.own_cut), None, None)?;
+    let mut brought = own::take(&mut scenario, Some(&args.own_cut), None, None)?;
+    let machine = own::planned_machine(&mut scenario, args.machine.as_ref(), &mut brought)?;
     apply(&mut scenario, &args.set)?;
     part::take(&mut scenario, args.part.as_ref(), &args.set)?;
     let reader = if args.per_cut.is_some() { Reader::PlanPerCut } else { Reader::Plan };
     own::all_used(reader, &scenario, &Edits::none(), &args.set, &brought)?;
-    let machine = read_machine(args.machine.as_ref())?;
     if let Some(sized_by) = args.per_cut {
         return super::schedule::execute(args, &scenario, &edits, &machine, sized_by);
     }
@@ -64,6 +64,7 @@ pub fn execute(args: &PlanArgs) -> Outcome {
     let optimum = job.optimum();
     let grid = exhaustive(job.problem(), GRID, GRID);
     let over_depths = OverDepths::of(&scenario, &machine, &optimum);
+    let machine = machine.within(&scenario.cnc);
     let report = Report {
         scenario: &scenario.info.name,
         machine: &machine,
@@ -97,14 +98,6 @@ pub fn execute(args: &PlanArgs) -> Outcome {
     }
     // Nothing feasible is a finding about the cut, not an error of the program.
     Ok(if optimum.feasible { ExitCode::SUCCESS } else { ExitCode::from(1) })
-}
-
-/// The machine of a file, or the papers'.
-pub fn read_machine(path: Option<&InPath>) -> Result<MachineLimits, Box<dyn std::error::Error>> {
-    let Some(path) = path else {
-        return Ok(MachineLimits::heller_bea_01());
-    };
-    Ok(MachineLimits::parse(&path.text()?).map_err(|error| format!("{path}: {error}"))?)
 }
 
 fn print(out: &mut impl Write, report: &Report) -> std::io::Result<()> {

@@ -738,6 +738,7 @@ nothing-has-gone-wrong-so-far-no-tooth-broke = Bisher ging nichts schief: Kein Z
 constant-feed-2 = konstanter Vorschub
 const = konst.
 feeds-mm-min-at-speed-1-min = { $feeds } mm/min bei { $speed } 1/min
+safe-feed-from-start-at = sicherer Vorschub ab Beginn: { $at }
 safe-constant-feed-at = sicherer konstanter Vorschub: { $at }
 safe-constant-feed-finding = sicherer konstanter Vorschub: wird gesucht …
 constant-feed-as-programmed-at = konstanter Vorschub wie programmiert: { $at }
@@ -1043,5 +1044,3 @@ iso-1302-grade-grade-ra-ra-um-m = Rauheitsklasse { $grade } nach ISO 1302: Ra { 
 ## src/app/widgets/window.rs
 
 close-window = Fenster schließen
-
-safe-feed-from-start-at = sicherer Vorschub ab Beginn: { $at }

@@ -857,3 +857,5 @@ the-cut-at-the-programmed-feed-met = der Schnitt mit dem programmierten Vorschub
 the-controller-moves-and-met = der Regler { $moves } und { $met }
 the-controller-met = der Regler { $met }
 the-tool-is-in-the-air-for-length-no-force-a = Das Werkzeug ist { $length } lang in der Luft: keine Kraft und keine Oberfläche; der Vorschub geht auf { $feed }.
+
+at-most-cnc-speed-max-rpm-most-1-min = höchstens `cnc.speed_max_rpm`, { $most } 1/min

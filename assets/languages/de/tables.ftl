@@ -843,3 +843,10 @@ a-deeper-stretch-brings-chatter = Ein tieferer Bereich bringt Rattern
 a-lightly-damped-spindle-and-a-step-in-depth = Eine schwach gedämpfte Spindel und ein Tiefensprung: Bei 1800 1/min fräst diese Maschine 1,2 mm ruhig und rattert bei 2 mm. Kraft, Geräusch und Rauheit wachsen, und die Zähne springen aus dem Schnitt. 1571 1/min wählen: Dort ist dieselbe Tiefe ruhig.
 wear-sound-and-roughness-over-a-tool-s-life = Verschleiß, Geräusch und Rauheit über eine Standzeit
 a-tool-lives-through-its-whole-life-in-52-se = Ein Werkzeug durchlebt seine ganze Standzeit in 52 Sekunden auf der schwingenden Maschine, bei konstantem Vorschub und konstanter Drehzahl: Verschleiß, Geräusch und Rauheit erzählen eine Geschichte.
+
+largest-feed = Größter Vorschub
+largest-feed-of-the-machine-whatever-is-prog = Größter Vorschub der Maschine, was auch programmiert und verlangt wird; 12500 mm/min heißt keine Grenze: nichts verlangt mehr.
+least-speed = Kleinste Drehzahl
+least-spindle-speed-of-the-machine-whatever = Kleinste Spindeldrehzahl der Maschine, was auch programmiert und verlangt wird; 0 heißt keine Grenze.
+largest-speed = Größte Drehzahl
+largest-spindle-speed-of-the-machine-whateve = Größte Spindeldrehzahl der Maschine, was auch programmiert und verlangt wird; 50000 1/min heißt keine Grenze: nichts verlangt mehr.

@@ -511,6 +511,7 @@ formula-without-a-formula-for-the-plant = formula without a formula for the plan
 formula-together-with-formula-force-or-formu = formula together with `formula.force` or `formula.ra`: set both at once, or first the formula and last take it away
 formula-without-a-formula = formula without a formula
 formula-together-with-one-of-formula-force-o = formula together with one of `formula.force_of_ra`, `formula.feed`, `formula.speed`, `formula.force`, `formula.ra`: set both at once, or first the formula and last take it away
+at-most-cnc-speed-max-rpm-most-1-min = at most `cnc.speed_max_rpm`, { $most } 1/min
 model-with-plant-steps-of-step-s = { $model } with plant steps of { $step } s
 plant-steps-of-at-most-longest-s-run-steps-p = plant steps of at most { $longest } s: `run.steps_per_control` from { $steps } on (576 give 28.8 kHz)
 n-modes-across-the-feed-with-machine-coupled = { $n } modes across the feed with `machine.coupled` = true

@@ -679,6 +679,12 @@ the-mission-title-begins-anew-the-cut-of-the = The mission “{ $title }” begi
 
 line-line-problem = line { $line }: { $problem }
 
+## crates/study/src/own_file/limits.rs
+
+at-most-speed-max-rpm-most-1-min = at most `speed_max_rpm`, { $most } 1/min
+spindle-drive-stands-in-the-place-of-lag-and = { "[" }spindle_drive] stands in the place of lag and rate limit
+there-is-nothing-in-limits = there is nothing in [limits]
+
 ## crates/study/src/own_file/machine.rs
 
 machine-file = machine file
@@ -688,7 +694,7 @@ one-of-poles-and-denominator-is-wanted-besid = one of `poles` and `denominator` 
 a-drive-has-at-least-one-pole = a drive has at least one pole
 it-stands-without-poles = it stands without `poles`
 the-feed-drive-stands-in-feed-drive-already = the feed drive stands in [feed_drive] already
-there-is-nothing-in-it-dead-time-s-feed-driv = there is nothing in it: dead_time_s, [feed_drive] or [spindle_drive]
+there-is-nothing-in-it-dead-time-s-feed-driv-2 = there is nothing in it: dead_time_s, [feed_drive], [spindle_drive] or [limits]
 
 ## crates/study/src/own_file/material.rs
 
@@ -697,7 +703,7 @@ material-file = material file
 ## crates/study/src/own_file/mod.rs
 
 file-of-your-own = file of your own
-it-is-none-of-a-cutter-diameter-mm-teeth-a-s = it is none of a cutter (diameter_mm, teeth), a structure ([[mode]]), a material (kc11_n_mm2), a machine ([feed_drive] or poles)
+it-is-none-of-a-cutter-diameter-mm-teeth-a-s-2 = it is none of a cutter (diameter_mm, teeth), a structure ([[mode]]), a material (kc11_n_mm2), a machine ([feed_drive], poles or [limits])
 
 ## crates/study/src/papers/calibrations.rs
 

@@ -736,6 +736,7 @@ nothing-has-gone-wrong-so-far-no-tooth-broke = Doslej ni šlo nič narobe: noben
 constant-feed-2 = stalno podajanje
 const = stalno
 feeds-mm-min-at-speed-1-min = { $feeds } mm/min pri { $speed } 1/min
+safe-feed-from-start-at = varno podajanje od začetka: { $at }
 safe-constant-feed-at = varno stalno podajanje: { $at }
 safe-constant-feed-finding = varno stalno podajanje: iskanje …
 constant-feed-as-programmed-at = stalno podajanje, kot programirano: { $at }
@@ -1047,5 +1048,3 @@ iso-1302-grade-grade-ra-ra-um-m = ISO 1302, razred { $grade }: Ra { $ra_um } µm
 ## src/app/widgets/window.rs
 
 close-window = Zapri okno
-
-safe-feed-from-start-at = varno podajanje od začetka: { $at }

@@ -829,3 +829,5 @@ the-cut-at-the-programmed-feed-met = rez s programiranim podajanjem { $met }
 the-controller-moves-and-met = regulator { $moves } in { $met }
 the-controller-met = regulator { $met }
 the-tool-is-in-the-air-for-length-no-force-a = Orodje je na dolžini { $length } v zraku: ni sile in ni površine; podajanje gre na { $feed }.
+
+at-most-cnc-speed-max-rpm-most-1-min = največ `cnc.speed_max_rpm`, { $most } 1/min

@@ -843,3 +843,10 @@ a-deeper-stretch-brings-chatter = Globlji odsek povzroči drdranje
 a-lightly-damped-spindle-and-a-step-in-depth = Slabo dušeno vreteno in stopnica globine: pri 1800 1/min ta stroj 1,2 mm reže mirno, pri 2 mm pa drdra. Sila, zvok in hrapavost rastejo, zobje skačejo iz reza. Izberite 1571 1/min: tam je ista globina mirna.
 wear-sound-and-roughness-over-a-tool-s-life = Obraba, zvok in hrapavost skozi obstojnost
 a-tool-lives-through-its-whole-life-in-52-se = Orodje v 52 sekundah porabi vso obstojnost na vibrirajočem stroju, pri stalnem podajanju in vrtilni hitrosti: obraba, zvok in hrapavost pripovedujejo isto zgodbo.
+
+largest-feed = Največje podajanje
+largest-feed-of-the-machine-whatever-is-prog = Največje podajanje stroja, karkoli je programirano in zahtevano; 12500 mm/min pomeni brez omejitve: nič ne zahteva več.
+least-speed = Najmanjša vrtilna hitrost
+least-spindle-speed-of-the-machine-whatever = Najmanjša vrtilna hitrost vretena, karkoli je programirano in zahtevano; 0 pomeni brez omejitve.
+largest-speed = Največja vrtilna hitrost
+largest-spindle-speed-of-the-machine-whateve = Največja vrtilna hitrost vretena, karkoli je programirano in zahtevano; 50000 1/min pomeni brez omejitve: nič ne zahteva več.

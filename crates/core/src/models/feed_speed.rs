@@ -24,7 +24,7 @@ impl FeedSpeed {
     }
 }
 
-/// Limits of the commands, from the override limits and the controller's own.
+/// Limits of the commands, from those of overrides and machine and the controller's own.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Feed range, mm/min.

@@ -1,4 +1,4 @@
-//! Machine files: versioned TOML with feed drive, spindle drive and dead time of a machine; the file that `steadycut
+//! Machine files: versioned TOML with feed drive, spindle drive, dead time and limits of a machine; the file that `steadycut
 //! identify drive` writes is one, too, of a feed drive.
 //!
 //! A drive is `K / product of (1 - s/pole)` by its `gain` and either `poles`, as [real, imaginary] in rad/s, both of a
@@ -7,6 +7,7 @@
 use serde::Deserialize;
 
 use super::entry::FileEntry;
+use super::limits::OwnLimits;
 use crate::base::files::from_toml;
 use crate::base::language::{text, tr};
 use crate::base::math;
@@ -15,7 +16,7 @@ use crate::models::feed_drive::DEAD_TIME_MAX_S;
 use crate::models::structure::Complex;
 use crate::models::transfer::{MAX_ORDER, TransferPoles};
 
-const WHAT: &str = text!("machine file");
+pub(super) const WHAT: &str = text!("machine file");
 /// Gain of a drive: what is allowed.
 const GAIN: [f64; 2] = [0.1, 10.0];
 /// Imaginary parts below this share of a pole's size are rounding.
@@ -48,6 +49,8 @@ pub struct MachineFile {
     pub feed_drive: Option<OwnTransfer>,
     /// Spindle drive.
     pub spindle_drive: Option<OwnTransfer>,
+    /// How far it goes.
+    pub limits: Option<OwnLimits>,
 }
 
 #[derive(Deserialize)]
@@ -66,6 +69,7 @@ struct Whole {
     poles: Option<Vec<[f64; 2]>>,
     feed_drive: Option<Drive>,
     spindle_drive: Option<Drive>,
+    limits: Option<OwnLimits>,
 }
 
 #[derive(Deserialize)]
@@ -194,7 +198,8 @@ impl MachineFile {
     /// Reads a machine file, or the file of a drive that was identified.
     ///
     /// # Errors
-    /// Names line, entry and value, and what is allowed: poles that are stable, a gain above 0.
+    /// Names line, entry and value, and what is allowed: poles that are stable, a gain above 0, limits within the range of
+    /// their settings.
     pub fn parse(file: &str) -> Result<Self, SettingError> {
         let read: Whole = from_toml(file)
             .map_err(|problem| SettingError::Format { what: tr(WHAT).to_owned(), problem })?;
@@ -223,14 +228,18 @@ impl MachineFile {
         }
         let spindle_drive = own("spindle_drive", read.spindle_drive)?;
         let feed_drive = top.or(feed_drive);
-        if feed_drive.is_none() && spindle_drive.is_none() && dead_time_s.is_none() {
-            let problem =
-                tr("there is nothing in it: dead_time_s, [feed_drive] or [spindle_drive]")
-                    .to_owned();
+        let limits = read.limits.map(|limits| limits.checked(file, spindle_drive.is_some()));
+        let limits = limits.transpose()?;
+        let drives = feed_drive.is_some() || spindle_drive.is_some();
+        if !drives && dead_time_s.is_none() && limits.is_none() {
+            let problem = tr(
+                "there is nothing in it: dead_time_s, [feed_drive], [spindle_drive] or [limits]",
+            )
+            .to_owned();
             return Err(SettingError::Format { what: tr(WHAT).to_owned(), problem });
         }
         let title = title.unwrap_or_else(|| source.clone());
-        Ok(Self { title, source, dead_time_s, feed_drive, spindle_drive })
+        Ok(Self { title, source, dead_time_s, feed_drive, spindle_drive, limits })
     }
 
     /// The settings that it makes.
@@ -246,6 +255,7 @@ impl MachineFile {
             }
         }
         changes.extend(self.dead_time_s.map(|s| ("cnc.dead_time_s".to_owned(), Value::Float(s))));
+        changes.extend(self.limits.iter().flat_map(OwnLimits::changes));
         changes
     }
 }

@@ -1,10 +1,12 @@
-//! Files of a user's own: cutter, structure, material, drives. Each is read, checked, and becomes settings of a
+//! Files of a user's own: cutter, structure, material, machine. Each is read, checked, and becomes settings of a
 //! scenario, so that a run stays a pure function of its scenario.
 
 mod entry;
+mod limits;
 mod machine;
 mod material;
 
+pub use limits::OwnLimits;
 pub use machine::MachineFile;
 pub use material::MaterialFile;
 
@@ -25,7 +27,7 @@ steadycut_core::choice! {
         Structure = "structure", "structure at the tool's tip";
         /// A material by Kienzle's constants.
         Material = "material", "material";
-        /// Feed drive, spindle drive and dead time of a machine.
+        /// Feed drive, spindle drive, dead time and limits of a machine.
         Machine = "machine", "machine";
     }
 }
@@ -48,6 +50,7 @@ impl OwnFileKind {
         // Scenarios have sections of these names, too; but they name none of these entries at their top.
         let table: toml::Table = file.parse().ok()?;
         let has = |key: &str| table.contains_key(key);
+        let limits = || has("title") && table.get("limits").is_some_and(toml::Value::is_table);
         let drive = |key: &str| {
             let inner = table.get(key).and_then(toml::Value::as_table);
             inner.is_some_and(|inner| {
@@ -60,7 +63,7 @@ impl OwnFileKind {
             Some(Self::Structure)
         } else if has("kc11_n_mm2") {
             Some(Self::Material)
-        } else if has("poles") || drive("feed_drive") || drive("spindle_drive") {
+        } else if has("poles") || drive("feed_drive") || drive("spindle_drive") || limits() {
             Some(Self::Machine)
         } else {
             None
@@ -121,7 +124,7 @@ impl OwnFile {
                 what: tr("file of your own").to_owned(),
                 problem: tr(
                     "it is none of a cutter (diameter_mm, teeth), a structure ([[mode]]), a material (kc11_n_mm2), \
-                     a machine ([feed_drive] or poles)",
+                     a machine ([feed_drive], poles or [limits])",
                 )
                 .to_owned(),
             }),

@@ -161,6 +161,36 @@ fn faults_name_line_entry_value_and_range() {
             "dead_time_s = 5",
             ["line 9", "`dead_time_s`", "5", "0 to 0.5"],
         ),
+        (
+            Machine,
+            "feed_max_mm_min = 3000.0",
+            "feed_max_mm_min = 5",
+            ["line 22", "`feed_max_mm_min`", "5", "10 to 12500"],
+        ),
+        (
+            Machine,
+            "stop_force_n = 2500.0",
+            "stop_force_n = 30000",
+            ["line 28", "`stop_force_n`", "30000", "50 to 20000"],
+        ),
+        (
+            Machine,
+            "speed_min_rpm = 50.0",
+            "speed_min_rpm = 7000.0",
+            ["line 23", "`speed_min_rpm`", "7000", "6000 1/min"],
+        ),
+        (
+            Machine,
+            "# speed_rate_rpm_s = 1000.0",
+            "speed_rate_rpm_s = 1000.0",
+            ["line 29", "[spindle_drive]", "lag", "rate limit"],
+        ),
+        (
+            Machine,
+            "stop_force_n",
+            "power_max_kw",
+            ["limits", "power_max_kw", "unknown", "stop_force_n"],
+        ),
         (Machine, "gain = 1.0", "gain = -1.0", ["line 12", "`gain`", "-1", "0.1 to 10"]),
         (Machine, "[-22.0, 0.0]", "[22.0, 0.0]", ["line 13", "pole 1", "22", "stable"]),
         (Machine, ", [-60.0, -140.0]", "", ["line 13", "-60", "140", "conjugate"]),
@@ -208,4 +238,91 @@ fn a_drive_by_its_pole_cuts_as_the_papers_drive() {
     }
     let slower = cut("version = 1\nsource = \"b\"\ngain = 1.0\npoles = [[-4.0, 0.0]]\n");
     assert!(papers.iter().zip(&slower).any(|(papers, own)| (papers - own).abs() > 1.0));
+}
+
+/// A machine file of limits alone.
+fn limited(entries: &str) -> OwnFile {
+    let text = format!("version = 1\ntitle = \"a\"\nsource = \"b\"\n[limits]\n{entries}\n");
+    OwnFile::read(&text).unwrap()
+}
+
+#[test]
+fn limits_of_a_machine_bind_in_the_run_and_in_its_twin() {
+    use crate::blocks::control::ControllerKind;
+    use crate::run::constant_feed_twin;
+    use crate::run::edits::Edits;
+    use crate::run::end::EndId;
+    use crate::run::one_run::Run;
+    use crate::run::scenario::parse_value;
+    use crate::run::signals::{Row, flag};
+    let base = Scenario::default()
+        .with(|s| {
+            s.run.duration_s = 2.0;
+            s.controller.kind = ControllerKind::Proportional;
+            // Far more force than the programmed feed makes: the controller asks for all the feed there is.
+            s.target.ra_um = 4.0;
+        })
+        .unwrap();
+    let on = |entries: &str| {
+        let mut scenario = base.clone();
+        scenario.set_all(&limited(entries).changes).unwrap();
+        scenario
+    };
+    let rows =
+        |scenario: &Scenario| Run::complete(scenario, &Edits::none()).recording().rows().to_vec();
+    let most = |rows: &[Row], of: fn(&Row) -> f64| rows.iter().map(of).fold(0.0, f64::max);
+    assert!(most(&rows(&base), |row| row.feed_mm_min) > 431.0);
+    // Below what is programmed, 430 mm/min at 1571 1/min: from the start on, in the run and at constant feed.
+    let slow = on("feed_max_mm_min = 300\nspeed_max_rpm = 1200");
+    for scenario in [slow.clone(), constant_feed_twin::scenario(&slow)] {
+        let rows = rows(&scenario);
+        assert!((most(&rows, |row| row.feed_mm_min) - 300.0).abs() < 1e-6);
+        assert!((most(&rows, |row| row.spindle_rpm) - 1200.0).abs() < 1e-6);
+        assert!((rows[0].feed_override_percent - 69.70).abs() < 0.01);
+        // A controller knows the limits and asks for no more; constant feed does.
+        let constant = scenario.controller.kind == ControllerKind::ConstantFeed;
+        assert_eq!(rows[rows.len() / 2].has(flag::FEED_SATURATED), constant);
+    }
+    let fast = rows(&on("speed_min_rpm = 2000"));
+    assert!(fast.iter().all(|row| row.spindle_rpm > 1999.9), "a spindle that turns no slower");
+    let ramp = rows(&on("override_rate_percent_s = 20"));
+    assert!(ramp.iter().any(|row| row.has(flag::FEED_RATE_LIMITED)));
+    assert!(most(&ramp, |row| row.feed_override_percent) <= 100.0 + 20.0 * 2.0);
+    assert!(
+        most(&rows(&on("override_max_percent = 110")), |row| row.feed_override_percent) < 110.001
+    );
+    let stopped = Run::complete(&on("stop_force_n = 60"), &Edits::none());
+    assert_eq!(stopped.end().map(|end| end.id()), Some(EndId::Overload));
+    // The hand at the machine turns no drive faster than it goes.
+    let mut by_hand = on("feed_max_mm_min = 440");
+    let operator = parse_value("disturbances.operator_overrides", "[[0.0, 100.0, 200.0]]").unwrap();
+    by_hand.set("disturbances.operator_overrides", operator).unwrap();
+    assert!(most(&rows(&by_hand), |row| row.feed_mm_min) < 440.0 + 1e-6);
+}
+
+#[test]
+fn limits_of_a_machine_bind_in_the_plan_and_in_the_search_for_the_safe_feed() {
+    use crate::plan::PlanJob;
+    use crate::plan::machine::{MachineLimits, Source};
+    use crate::run::presets::load;
+    let base = load("strategy-2013").unwrap();
+    let on = |entries: &str| {
+        let mut scenario = base.clone();
+        scenario.set_all(&limited(entries).changes).unwrap();
+        scenario
+    };
+    let free = PlanJob::complete(&base).unwrap().optimum();
+    let cap = (0.6 * free.feed_mm_min).round();
+    let bound = PlanJob::complete(&on(&format!("feed_max_mm_min = {cap}"))).unwrap().optimum();
+    assert!(bound.feasible && bound.feed_mm_min <= cap, "{} of {cap}", bound.feed_mm_min);
+    // In the place of a placeholder also where the machine goes further; of known limits the narrower one.
+    let machine = MachineLimits::heller_bea_01();
+    let far = on("feed_max_mm_min = 8000\nspeed_max_rpm = 9000").cnc.clone();
+    let own = machine.within(&far);
+    assert_eq!((own.feed_max_mm_min.value, own.feed_max_mm_min.source), (8000.0, Source::Given));
+    assert_eq!((own.speed_max_rpm.value, own.speed_min_rpm), (9000.0, machine.speed_min_rpm));
+    assert_eq!(machine.within(&base.cnc), machine);
+    let mut given = machine;
+    given.feed_max_mm_min.source = Source::Given;
+    assert_eq!(given.within(&far).feed_max_mm_min.value, 2000.0);
 }

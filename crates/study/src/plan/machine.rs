@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::base::files::from_toml;
 use crate::base::language::text;
 use crate::base::settings::SettingError;
+use crate::blocks::cnc::feed_override::Cnc;
 
 /// The shipped file: the papers' machine, for which no public limits were found.
 pub const HELLER_BEA_01: &str = include_str!("../../../../assets/machines/heller_bea_01.toml");
@@ -112,6 +113,27 @@ impl MachineLimits {
     #[must_use]
     pub fn heller_bea_01() -> Self {
         Self::parse(HELLER_BEA_01).expect("the shipped machine file is checked by a test")
+    }
+
+    /// The same as far as the machine of a scenario goes. What the scenario limits stands in the place of a placeholder;
+    /// of two limits that are known the narrower one counts.
+    #[must_use]
+    pub fn within(&self, cnc: &Cnc) -> Self {
+        let none = Cnc::default();
+        let own = |now: &mut Sourced, value: f64, none: f64, narrower: fn(f64, f64) -> f64| {
+            if value == none {
+                return;
+            }
+            let narrowed = narrower(now.value, value);
+            if now.source == Source::Placeholder || narrowed != now.value {
+                *now = Sourced { value, source: Source::Given };
+            }
+        };
+        let mut machine = self.clone();
+        own(&mut machine.feed_max_mm_min, cnc.feed_max_mm_min, none.feed_max_mm_min, f64::min);
+        own(&mut machine.speed_min_rpm, cnc.speed_min_rpm, none.speed_min_rpm, f64::max);
+        own(&mut machine.speed_max_rpm, cnc.speed_max_rpm, none.speed_max_rpm, f64::min);
+        machine
     }
 
     fn check(&self) -> Result<(), SettingError> {

@@ -127,7 +127,7 @@ impl Problem {
                 tool_change_min: plan.tool_change_min,
             },
             force_max_n,
-            bounds: bounds(machine, force_max_n),
+            bounds: bounds(&machine.within(&scenario.cnc), force_max_n),
             range: [speeds, FEED_PER_TOOTH_MM],
             rpm_per_m_min: tool.speed_rpm(1.0),
             ra_factor: 5.0 * 318.0 / (4.0 * tool.diameter_mm),

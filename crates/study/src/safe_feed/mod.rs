@@ -13,7 +13,8 @@
 //! The search, for one speed:
 //!
 //! ```text
-//! feeds    whole mm/min from the machine's least to its largest feed (or the programmed one, where that is larger),
+//! feeds    whole mm/min from the machine's least to its largest feed (or the programmed one, where that is larger and
+//!          the machine is not known to go no further),
 //!          and below that at which a tooth is fed by more than the cutter's radius, which is a crash
 //! ladder   from the largest feed down in steps of 15 %, until one holds: where more feed is not always rougher, the
 //!          largest that holds is found as finely as the ladder's rungs lie
@@ -167,13 +168,13 @@ fn longest_run_s(twin: &Scenario) -> f64 {
     (MOST_ROWS * row_s).min(LONGEST_RUN_S)
 }
 
-/// The least programmed feed of a twin, mm/min.
+/// The least feed of a twin as programmed and as far as its machine goes, mm/min.
 fn least_feed(twin: &Scenario) -> f64 {
     let feeds = match twin.workpiece.cuts.is_empty() {
         true => &[][..],
         false => &twin.program.cut_feeds_mm_min,
     };
-    feeds.iter().copied().fold(twin.program.feed_mm_min, f64::min)
+    twin.cnc.feed_within(feeds.iter().copied().fold(twin.program.feed_mm_min, f64::min))
 }
 
 /// Where the search at one speed is.
@@ -223,7 +224,8 @@ fn feeds(scenario: &Scenario, speed_rpm: f64) -> [u32; 2] {
     let machine = MachineLimits::heller_bea_01();
     let programmed = &scenario.program;
     let most = programmed.cut_feeds_mm_min.iter().copied().fold(programmed.feed_mm_min, f64::max);
-    let most = most.max(machine.feed_max_mm_min.value);
+    // A machine that is known to go no further has no faster feed to find.
+    let most = scenario.cnc.feed_within(most.max(machine.feed_max_mm_min.value));
     // At the limit itself it crashes by a rounding.
     let crash = most_per_turn_mm(&scenario.tool) * speed_rpm - FEED_STEP_MM_MIN;
     let steps = |feed_mm_min: f64| feed_mm_min / FEED_STEP_MM_MIN;
@@ -243,11 +245,12 @@ fn ladder([least, most]: [u32; 2]) -> Vec<u32> {
 
 /// Speeds that are tried, the programmed one first.
 fn speeds(scenario: &Scenario) -> Vec<f64> {
-    let programmed = scenario.program.spindle_rpm;
+    let programmed = scenario.cnc.speed_within(scenario.program.spindle_rpm);
     let mut all = vec![programmed];
     if scenario.twin.free_speed {
         let machine = MachineLimits::heller_bea_01();
         let [_, [least, most]] = scenario.of_plant().cut_ranges();
+        let machine = machine.within(&scenario.cnc);
         let low = machine.speed_min_rpm.value.max(least);
         let high = machine.speed_max_rpm.value.min(most);
         let between = |k: u32| low + (high - low) * f64::from(k) / f64::from(SPEEDS - 1);

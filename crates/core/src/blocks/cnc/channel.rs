@@ -54,6 +54,8 @@ pub struct Channel {
     /// What is sent until the next request.
     sent: [Overridden; 2],
     actual: FeedSpeed,
+    /// How far the machine goes, whoever asks.
+    cnc: Cnc,
 }
 
 /// The force that stops the feed, N; `None` where that is switched off.
@@ -62,12 +64,12 @@ fn limit_n(cnc: &Cnc) -> Option<f64> {
 }
 
 impl Channel {
-    /// The channel at rest at the programmed values of the first cut.
+    /// The channel at rest at the programmed values of the first cut, as far as the machine goes.
     #[must_use]
     pub fn new(setup: &ChannelSetup) -> Self {
         let ChannelSetup { cnc, dt_s, period_s, .. } = *setup;
         let (programmed, limits) = setup.cuts[0];
-        let FeedSpeed { feed_mm_min, speed_rpm } = programmed;
+        let FeedSpeed { feed_mm_min, speed_rpm } = cnc.within(programmed);
         let feed_drive = FeedDrive::new(setup.feed_drive, dt_s, feed_mm_min);
         let spindle_drive = SpindleDrive::new(setup.spindle_drive, dt_s, speed_rpm);
         let actual =
@@ -76,8 +78,8 @@ impl Channel {
             cuts: setup.cuts.clone(),
             programmed,
             limits,
-            feed_override: Override::new(cnc, feed_mm_min, period_s),
-            spindle_override: Override::new(cnc, speed_rpm, period_s),
+            feed_override: Override::new(cnc, feed_mm_min, programmed.feed_mm_min, period_s),
+            spindle_override: Override::new(cnc, speed_rpm, programmed.speed_rpm, period_s),
             dead_time: DeadTime::new(setup.dead_ticks, [feed_mm_min, speed_rpm]),
             added_ticks: 0,
             dead_ticks: setup.dead_ticks,
@@ -86,13 +88,18 @@ impl Channel {
             feed_drive,
             spindle_drive,
             dt_s,
-            sent: [feed_mm_min, speed_rpm].map(Overridden::programmed),
+            sent: [
+                Overridden::at_start(feed_mm_min, programmed.feed_mm_min),
+                Overridden::at_start(speed_rpm, programmed.speed_rpm),
+            ],
             actual,
+            cnc: cnc.clone(),
         }
     }
 
     /// Takes over changed settings in the cut of this number; what is under way goes on.
     pub fn reconfigure(&mut self, setup: &ChannelSetup, cut: usize) {
+        self.cnc.clone_from(setup.cnc);
         self.cuts.clone_from(&setup.cuts);
         self.limits = self.cuts[cut].1;
         self.guard.reconfigure(limit_n(setup.cnc));
@@ -110,7 +117,8 @@ impl Channel {
     }
 
     /// Makes the dead time longer by so many plant steps, and turns the feed by hand to so many times what is
-    /// commanded. The hand is at the machine: it does not wait in the queue, and no limit of commands holds it.
+    /// commanded. The hand is at the machine: it does not wait in the queue, and no limit of commands holds it but how far
+    /// the machine goes.
     pub fn disturb(&mut self, added_ticks: usize, by_hand: f64) {
         if self.added_ticks != added_ticks {
             self.added_ticks = added_ticks;
@@ -125,16 +133,19 @@ impl Channel {
         self.by_hand
     }
 
-    /// The cut of this number begins: at rest at its programmed values. The spindle turns on.
+    /// The cut of this number begins: at rest at its programmed values, as far as the machine goes. The spindle turns on.
     pub fn restart(&mut self, cut: usize) {
         (self.programmed, self.limits) = self.cuts[cut];
-        let FeedSpeed { feed_mm_min, speed_rpm } = self.programmed;
-        self.feed_override.restart(feed_mm_min);
-        self.spindle_override.restart(speed_rpm);
+        let programmed = self.programmed;
+        let FeedSpeed { feed_mm_min, speed_rpm } = self.cnc.within(programmed);
+        self.feed_override.restart(feed_mm_min, programmed.feed_mm_min);
+        self.spindle_override.restart(speed_rpm, programmed.speed_rpm);
         self.dead_time.restart([feed_mm_min, speed_rpm]);
         self.feed_drive.restart(feed_mm_min);
-        for (sent, programmed) in self.sent.iter_mut().zip([feed_mm_min, speed_rpm]) {
-            (sent.command, sent.percent) = (programmed, 100.0);
+        let starts = [(feed_mm_min, programmed.feed_mm_min), (speed_rpm, programmed.speed_rpm)];
+        for (sent, (command, programmed)) in self.sent.iter_mut().zip(starts) {
+            let start = Overridden::at_start(command, programmed);
+            (sent.command, sent.percent) = (start.command, start.percent);
         }
     }
 
@@ -151,7 +162,11 @@ impl Channel {
     pub fn advance(&mut self) -> FeedSpeed {
         let [feed, speed_rpm] = self.dead_time.pass(self.sent.map(|sent| sent.command));
         // A stop does not wait in the queue.
-        let feed_mm_min = if self.guard.met().is_some() { 0.0 } else { feed * self.by_hand };
+        let feed_mm_min = if self.guard.met().is_some() {
+            0.0
+        } else {
+            self.cnc.feed_within(feed * self.by_hand)
+        };
         self.actual = FeedSpeed {
             feed_mm_min: self.feed_drive.update(feed_mm_min),
             speed_rpm: self.spindle_drive.update(speed_rpm),

@@ -11,6 +11,12 @@
 use crate::base::math::{limit, positive};
 use crate::base::units::{percent_from_ratio, ratio_from_percent};
 use crate::models::feed_drive::DEAD_TIME_MAX_S;
+use crate::models::feed_speed::FeedSpeed;
+
+/// The largest feed of a machine without a limit of its own, mm/min: 250 % of the largest that can be programmed.
+pub const FEED_WITHOUT_LIMIT_MM_MIN: f64 = 12_500.0;
+/// The largest spindle speed of a machine without a limit of its own, 1/min: 250 % of the largest that can be programmed.
+pub const SPEED_WITHOUT_LIMIT_RPM: f64 = 50_000.0;
 
 crate::settings! {
     /// The command channel of the CNC.
@@ -32,6 +38,14 @@ crate::settings! {
         /// Dead time of the command channel (the PLC): a whole number of plant steps. Choosing a
         /// feed drive sets the dead time published with it.
         dead_time_s: f64 = 0.08, [0.0, DEAD_TIME_MAX_S], "s", live, "Dead time";
+        /// Largest feed of the machine, whatever is programmed and asked for; 12500 mm/min is none: nothing asks for
+        /// more.
+        feed_max_mm_min: f64 = FEED_WITHOUT_LIMIT_MM_MIN, [10.0, FEED_WITHOUT_LIMIT_MM_MIN], "mm/min", live, "Largest feed";
+        /// Least spindle speed of the machine, whatever is programmed and asked for; 0 is none.
+        speed_min_rpm: f64 = 0.0, [0.0, 20000.0], "1/min", live, "Least speed";
+        /// Largest spindle speed of the machine, whatever is programmed and asked for; 50000 1/min is none: nothing asks
+        /// for more.
+        speed_max_rpm: f64 = SPEED_WITHOUT_LIMIT_RPM, [100.0, SPEED_WITHOUT_LIMIT_RPM], "1/min", live, "Largest speed";
     }
 }
 
@@ -57,13 +71,35 @@ impl Program {
 }
 
 impl Cnc {
-    /// The range of commands in the unit of `programmed`.
+    /// The range that the overrides leave of commands, in the unit of `programmed`.
     #[must_use]
     pub fn range(&self, programmed: f64) -> [f64; 2] {
         [
             programmed * ratio_from_percent(self.override_min_percent),
             programmed * ratio_from_percent(self.override_max_percent),
         ]
+    }
+
+    /// A feed in mm/min as far as the machine goes.
+    #[must_use]
+    #[inline]
+    pub fn feed_within(&self, feed_mm_min: f64) -> f64 {
+        limit(feed_mm_min, 0.0, self.feed_max_mm_min)
+    }
+
+    /// A spindle speed in 1/min as far as the machine goes.
+    #[must_use]
+    pub fn speed_within(&self, speed_rpm: f64) -> f64 {
+        limit(speed_rpm, self.speed_min_rpm, self.speed_max_rpm)
+    }
+
+    /// Feed and speed as far as the machine goes.
+    #[must_use]
+    pub fn within(&self, asked: FeedSpeed) -> FeedSpeed {
+        FeedSpeed {
+            feed_mm_min: self.feed_within(asked.feed_mm_min),
+            speed_rpm: self.speed_within(asked.speed_rpm),
+        }
     }
 }
 
@@ -81,11 +117,17 @@ pub struct Overridden {
 }
 
 impl Overridden {
-    /// A programmed value, sent as it is.
+    /// What is sent at the start of a cut: what is `programmed`, as far as the machine goes.
     #[must_use]
-    pub fn programmed(command: f64) -> Self {
-        Self { command, percent: 100.0, saturated: false, rate_limited: false }
+    pub fn at_start(command: f64, programmed: f64) -> Self {
+        let percent = percent_of(command, programmed);
+        Self { command, percent, saturated: command != programmed, rate_limited: false }
     }
+}
+
+/// A command in percent of what is programmed: 100 to the bit where it is that.
+fn percent_of(command: f64, programmed: f64) -> f64 {
+    if command == programmed { 100.0 } else { percent_from_ratio(command / programmed) }
 }
 
 /// One channel, of feed or spindle.
@@ -101,19 +143,19 @@ pub struct Override {
 }
 
 impl Override {
-    /// A channel at 100 % of `programmed`, for control periods of `period_s`.
+    /// A channel that sends `command` of what is `programmed`, for control periods of `period_s`.
     #[must_use]
-    pub fn new(cnc: &Cnc, programmed: f64, period_s: f64) -> Self {
-        let ramp_percent = 100.0;
+    pub fn new(cnc: &Cnc, command: f64, programmed: f64, period_s: f64) -> Self {
+        let ramp_percent = percent_of(command, programmed);
         let mut this = Self { programmed, quantised: false, step_percent: 0.0, ramp_percent };
         this.reconfigure(cnc, period_s);
         this
     }
 
-    /// At 100 % of what is programmed for the cut that begins.
-    pub fn restart(&mut self, programmed: f64) {
+    /// Sends `command` of what is `programmed` for the cut that begins.
+    pub fn restart(&mut self, command: f64, programmed: f64) {
         self.programmed = programmed;
-        self.ramp_percent = 100.0;
+        self.ramp_percent = percent_of(command, programmed);
     }
 
     /// Takes over changed settings; the override keeps its present value.
@@ -169,7 +211,7 @@ mod tests {
     const RANGE: [f64; 2] = [69.7, 1000.0];
 
     fn channel(cnc: &Cnc) -> Override {
-        Override::new(cnc, 400.0, 0.02)
+        Override::new(cnc, 400.0, 400.0, 0.02)
     }
 
     #[test]

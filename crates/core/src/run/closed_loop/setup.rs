@@ -19,7 +19,8 @@ use crate::run::scenario::Scenario;
 use crate::run::signals::Row;
 
 impl ClosedLoop {
-    /// The loop at rest where the drives come to at the programmed feed and speed, at the start of the path.
+    /// The loop at rest where the drives come to at the programmed feed and speed, as far as the machine goes, at the
+    /// start of the path.
     #[must_use]
     pub fn new(scenario: &Scenario) -> Self {
         let cnc = Channel::new(&channel(scenario));
@@ -121,9 +122,9 @@ fn finish(scenario: &Scenario) -> Option<Finish> {
     })
 }
 
-/// Limits of the commands in a cut, counted from 0: those of the overrides, and the controller's own.
+/// Limits of the commands in a cut, counted from 0: those of overrides and machine, and the controller's own.
 #[must_use]
 pub fn limits(scenario: &Scenario, cut: usize) -> Limits {
-    let of_overrides = cnc_limits::of_overrides(&scenario.cnc, scenario.programmed(cut));
-    scenario.controller.kind.limits(of_overrides)
+    let of_machine = cnc_limits::of_machine(&scenario.cnc, scenario.programmed(cut));
+    scenario.controller.kind.limits(of_machine)
 }

@@ -138,6 +138,9 @@ pub const BLOCKS: &[BlockInfo] = &[
             "cnc.override_quantised",
             "cnc.override_rate_limited",
             "cnc.override_rate_percent_s",
+            "cnc.feed_max_mm_min",
+            "cnc.speed_min_rpm",
+            "cnc.speed_max_rpm",
         ],
         lamps: &[
             lamp(flag::FEED_SATURATED, text!("feed")),

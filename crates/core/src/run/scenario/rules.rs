@@ -82,6 +82,17 @@ pub const RULES: &[Rule] = &[
         },
     },
     Rule {
+        paths: &["cnc.speed_min_rpm", "cnc.speed_max_rpm"],
+        words: "the machine's least spindle speed is not above its largest",
+        keeps: |c| c.settings.cnc.speed_min_rpm <= c.settings.cnc.speed_max_rpm,
+        broken: |s| {
+            [
+                decimal(format!("{} 1/min", s.cnc.speed_min_rpm)),
+                tr!("at most `cnc.speed_max_rpm`, {most} 1/min", most = s.cnc.speed_max_rpm),
+            ]
+        },
+    },
+    Rule {
         paths: &["plant.force_model", "run.control_period_ms", "run.steps_per_control"],
         words: "tooth by tooth the plant step is short enough to meet every tooth",
         keeps: |c| c.settings.dt_s() <= c.settings.plant.force_model.longest_step_s(),
