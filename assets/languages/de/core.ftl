@@ -531,6 +531,7 @@ formula-without-a-formula-for-the-plant = formula ohne Formel für die Strecke
 formula-together-with-formula-force-or-formu = formula zusammen mit `formula.force` oder `formula.ra`: beides zugleich setzen, oder zuerst die Formel, und sie zuletzt wegnehmen
 formula-without-a-formula = formula ohne Formel
 formula-together-with-one-of-formula-force-o = formula zusammen mit einer von `formula.force_of_ra`, `formula.feed`, `formula.speed`, `formula.force`, `formula.ra`: beides zugleich setzen, oder zuerst die Formel, und sie zuletzt wegnehmen
+at-most-cnc-speed-max-rpm-most-1-min = höchstens `cnc.speed_max_rpm`, { $most } 1/min
 model-with-plant-steps-of-step-s = { $model } mit Streckenschritten von { $step } s
 plant-steps-of-at-most-longest-s-run-steps-p = Streckenschritte von höchstens { $longest } s: `run.steps_per_control` ab { $steps } (576 ergeben 28,8 kHz)
 n-modes-across-the-feed-with-machine-coupled = { $n } Moden quer zum Vorschub mit `machine.coupled` = true
@@ -857,5 +858,3 @@ the-cut-at-the-programmed-feed-met = der Schnitt mit dem programmierten Vorschub
 the-controller-moves-and-met = der Regler { $moves } und { $met }
 the-controller-met = der Regler { $met }
 the-tool-is-in-the-air-for-length-no-force-a = Das Werkzeug ist { $length } lang in der Luft: keine Kraft und keine Oberfläche; der Vorschub geht auf { $feed }.
-
-at-most-cnc-speed-max-rpm-most-1-min = höchstens `cnc.speed_max_rpm`, { $most } 1/min

@@ -705,6 +705,9 @@ line-line-problem = Zeile { $line }: { $problem }
 
 ## crates/study/src/own_file/limits.rs
 
+at-most-speed-max-rpm-most-1-min = höchstens `speed_max_rpm`, { $most } 1/min
+spindle-drive-stands-in-the-place-of-lag-and = { "[" }spindle_drive] steht an der Stelle von Verzögerung und Ratengrenze
+there-is-nothing-in-limits = in [limits] steht nichts
 
 ## crates/study/src/own_file/machine.rs
 
@@ -715,6 +718,7 @@ one-of-poles-and-denominator-is-wanted-besid = daneben wird genau eines von `pol
 a-drive-has-at-least-one-pole = ein Antrieb hat mindestens einen Pol
 it-stands-without-poles = es steht ohne `poles`
 the-feed-drive-stands-in-feed-drive-already = der Vorschubantrieb steht schon in [feed_drive]
+there-is-nothing-in-it-dead-time-s-feed-driv-2 = darin steht nichts: dead_time_s, [feed_drive], [spindle_drive] oder [limits]
 
 ## crates/study/src/own_file/material.rs
 
@@ -723,6 +727,7 @@ material-file = Werkstoffdatei
 ## crates/study/src/own_file/mod.rs
 
 file-of-your-own = eigene Datei
+it-is-none-of-a-cutter-diameter-mm-teeth-a-s-2 = es ist weder ein Fräser (diameter_mm, teeth) noch eine Struktur ([[mode]]), ein Werkstoff (kc11_n_mm2) oder eine Maschine ([feed_drive], poles oder [limits])
 
 ## crates/study/src/papers/calibrations.rs
 
@@ -1032,9 +1037,3 @@ does-not-hold = trifft nicht zu
 no-run-yet = noch kein Lauf
 k4-of-the-papers = K4 der Artikel
 tooth-by-tooth-2 = Zahn für Zahn
-
-at-most-speed-max-rpm-most-1-min = höchstens `speed_max_rpm`, { $most } 1/min
-spindle-drive-stands-in-the-place-of-lag-and = { "[" }spindle_drive] steht an der Stelle von Verzögerung und Ratengrenze
-there-is-nothing-in-limits = in [limits] steht nichts
-there-is-nothing-in-it-dead-time-s-feed-driv-2 = darin steht nichts: dead_time_s, [feed_drive], [spindle_drive] oder [limits]
-it-is-none-of-a-cutter-diameter-mm-teeth-a-s-2 = es ist weder ein Fräser (diameter_mm, teeth) noch eine Struktur ([[mode]]), ein Werkstoff (kc11_n_mm2) oder eine Maschine ([feed_drive], poles oder [limits])

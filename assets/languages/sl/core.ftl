@@ -511,6 +511,7 @@ formula-without-a-formula-for-the-plant = formula brez formule za proces
 formula-together-with-formula-force-or-formu = formula skupaj s `formula.force` ali `formula.ra`: nastavite oboje hkrati ali najprej formulo in jo nazadnje odstranite
 formula-without-a-formula = formula brez formule
 formula-together-with-one-of-formula-force-o = formula skupaj z eno od `formula.force_of_ra`, `formula.feed`, `formula.speed`, `formula.force`, `formula.ra`: nastavite oboje hkrati ali najprej formulo in jo nazadnje odstranite
+at-most-cnc-speed-max-rpm-most-1-min = največ `cnc.speed_max_rpm`, { $most } 1/min
 model-with-plant-steps-of-step-s = { $model } s koraki procesa { $step } s
 plant-steps-of-at-most-longest-s-run-steps-p = koraki procesa največ { $longest } s: `run.steps_per_control` od { $steps } naprej (576 jih da 28,8 kHz)
 n-modes-across-the-feed-with-machine-coupled = { $n } nihajnih oblik prečno na podajanje z `machine.coupled` = true
@@ -829,5 +830,3 @@ the-cut-at-the-programmed-feed-met = rez s programiranim podajanjem { $met }
 the-controller-moves-and-met = regulator { $moves } in { $met }
 the-controller-met = regulator { $met }
 the-tool-is-in-the-air-for-length-no-force-a = Orodje je na dolžini { $length } v zraku: ni sile in ni površine; podajanje gre na { $feed }.
-
-at-most-cnc-speed-max-rpm-most-1-min = največ `cnc.speed_max_rpm`, { $most } 1/min

@@ -693,6 +693,9 @@ line-line-problem = vrstica { $line }: { $problem }
 
 ## crates/study/src/own_file/limits.rs
 
+at-most-speed-max-rpm-most-1-min = največ `speed_max_rpm`, { $most } 1/min
+spindle-drive-stands-in-the-place-of-lag-and = { "[" }spindle_drive] stoji namesto zakasnitve in omejitve pospeška
+there-is-nothing-in-limits = v [limits] ni ničesar
 
 ## crates/study/src/own_file/machine.rs
 
@@ -703,6 +706,7 @@ one-of-poles-and-denominator-is-wanted-besid = zraven je potreben natanko eden o
 a-drive-has-at-least-one-pole = pogon ima vsaj en pol
 it-stands-without-poles = stoji brez `poles`
 the-feed-drive-stands-in-feed-drive-already = podajalni pogon je že v [feed_drive]
+there-is-nothing-in-it-dead-time-s-feed-driv-2 = v njej ni ničesar: dead_time_s, [feed_drive], [spindle_drive] ali [limits]
 
 ## crates/study/src/own_file/material.rs
 
@@ -711,6 +715,7 @@ material-file = datoteka materiala
 ## crates/study/src/own_file/mod.rs
 
 file-of-your-own = lastna datoteka
+it-is-none-of-a-cutter-diameter-mm-teeth-a-s-2 = ni ne frezalo (diameter_mm, teeth) ne struktura ([[mode]]) ne material (kc11_n_mm2) ne stroj ([feed_drive], poles ali [limits])
 
 ## crates/study/src/papers/calibrations.rs
 
@@ -1020,9 +1025,3 @@ does-not-hold = ne drži
 no-run-yet = simulacije še ni
 k4-of-the-papers = K4 iz člankov
 tooth-by-tooth-2 = zob za zobom
-
-at-most-speed-max-rpm-most-1-min = največ `speed_max_rpm`, { $most } 1/min
-spindle-drive-stands-in-the-place-of-lag-and = { "[" }spindle_drive] stoji namesto zakasnitve in omejitve pospeška
-there-is-nothing-in-limits = v [limits] ni ničesar
-there-is-nothing-in-it-dead-time-s-feed-driv-2 = v njej ni ničesar: dead_time_s, [feed_drive], [spindle_drive] ali [limits]
-it-is-none-of-a-cutter-diameter-mm-teeth-a-s-2 = ni ne frezalo (diameter_mm, teeth) ne struktura ([[mode]]) ne material (kc11_n_mm2) ne stroj ([feed_drive], poles ali [limits])

@@ -87,6 +87,9 @@ presets! {
     "square-12-4-42crmo4", Own, "Models found for another cutter and steel";
     "own-controller", Own, "A controller of one's own, as a script";
     "own-curves", Own, "Material and wear as formulas";
+    "own-shop", Own, "Cutter, steel and machine of one's own";
+    "own-part", Own, "A part of one's own, from a program";
+    "own-structure", Own, "Measured modes at the cutter's tip";
     "experiment-2-per-cut", Combined2005, "Experiment 2, a planned feed for every cut";
     "combined-2005", Combined2005, "Recommended, planned, controlled";
     "experiment-2-neural", Combined2005, "Experiment 2, force from the neural model";
