@@ -36,11 +36,11 @@ fn contained(scenario: &Scenario, edits: &Edits) {
     let mut run = Run::new(&scenario, edits);
     run.advance(4000);
     let limit = 2.5 + 1e-9;
-    // A spindle that turns no slower than its machine lets it does so whatever the override.
+    // A spindle that turns no slower than its machine lets it does so whatever the override, up to a whole percent.
     let set = edits.list().iter().filter(|edit| edit.path == "cnc.speed_min_rpm");
     let least_rpm =
         set.filter_map(|edit| edit.value.number()).fold(scenario.cnc.speed_min_rpm, f64::max);
-    let fastest = f64::max(limit, least_rpm / scenario.program.spindle_rpm + 1e-9);
+    let fastest = f64::max(limit, least_rpm / scenario.program.spindle_rpm + 0.01);
     let cuts = 0..scenario.workpiece.cuts.len().max(1);
     let largest = cuts.map(|cut| scenario.programmed(cut).feed_mm_min).fold(0.0, f64::max);
     for row in run.recording().rows() {

@@ -301,7 +301,7 @@ fn limits_of_a_machine_bind_in_the_run_and_in_its_twin() {
 }
 
 #[test]
-fn limits_of_a_machine_bind_in_the_plan_and_in_the_search_for_the_safe_feed() {
+fn limits_of_a_machine_bind_in_the_plan() {
     use crate::plan::PlanJob;
     use crate::plan::machine::{MachineLimits, Source};
     use crate::run::presets::load;
