@@ -585,6 +585,9 @@ pub struct RobustArgs {
     /// The controller; without it the scenario's.
     #[arg(long, value_parser = one_of(ControllerKind::ALL, ControllerKind::id))]
     pub controller: Option<ControllerKind>,
+    /// A controller of one's own, as a script in Rhai with a function `update(now)`; it controls every run.
+    #[arg(long, value_name = "FILE.rhai", conflicts_with = "controller")]
+    pub script: Option<InPath>,
     /// Change a setting, for example `--set belief.dead_time_s=0.08`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,

@@ -7,7 +7,7 @@ use serde_json::json;
 
 use super::args::RobustArgs;
 use super::scenarios::{apply, load};
-use super::{Outcome, given, own, part, progress};
+use super::{Outcome, given, own, part, progress, run};
 use crate::study::robust::{DRAWN, LIMIT_KN, Percentiles, RobustFindings, Robustness};
 use crate::study::uses::Reader;
 
@@ -22,6 +22,7 @@ pub fn execute(args: &RobustArgs) -> Outcome {
         given::once("--controller", &["controller.kind"], &args.set)?;
         scenario.change(|settings| settings.controller.kind = kind)?;
     }
+    run::own_script(args.script.as_ref(), &args.set, &mut scenario)?;
     own::all_used(Reader::Robust, &scenario, &edits, &args.set, &brought)?;
     let kind = scenario.controller.kind;
     let mut study = Robustness::new(&scenario, kind, args.runs, args.seed);
@@ -32,7 +33,8 @@ pub fn execute(args: &RobustArgs) -> Outcome {
         let report = json!({
             "scenario": scenario.info.name, "controller": kind.id(), "seed": args.seed,
             "drawn": DRAWN, "believed_dead_time_s": scenario.belief.dead_time_s,
-            "limit_kn": LIMIT_KN, "findings": findings, "outcomes": study.outcomes(),
+            "limit_kn": LIMIT_KN, "findings": findings, "script_fault": study.script_fault(),
+            "outcomes": study.outcomes(),
         });
         writeln!(out, "{}", serde_json::to_string_pretty(&report)?)?;
     } else {
@@ -50,6 +52,9 @@ pub fn execute(args: &RobustArgs) -> Outcome {
         }
         writeln!(out, "  believed dead time {} s throughout\n", scenario.belief.dead_time_s)?;
         print(&mut out, &findings)?;
+        if let Some(fault) = study.script_fault() {
+            writeln!(out, "the script failed in {} runs, first: {fault}", findings.script_failed)?;
+        }
     }
     Ok(if findings.passed { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use serde::Serialize;
 
 use super::args::RunArgs;
-use super::files::report;
+use super::files::{InPath, report};
 use super::scenarios::{apply, load, load_networks};
 use super::twin::{TwinCut, TwinTold};
 use super::{Outcome, given, own, part, profile, progress, story};
@@ -98,9 +98,13 @@ fn own_formulas(args: &RunArgs, scenario: &mut Scenario) -> Result<(), Box<dyn s
 }
 
 /// Takes the script of `--script`, and lets it control.
-fn own_script(args: &RunArgs, scenario: &mut Scenario) -> Result<(), Box<dyn std::error::Error>> {
-    let Some(file) = &args.script else { return Ok(()) };
-    given::once("--script", &["controller.kind", "controller.script.code"], &args.set)?;
+pub fn own_script(
+    file: Option<&InPath>,
+    sets: &[String],
+    scenario: &mut Scenario,
+) -> Result<(), Box<dyn std::error::Error>> {
+    let Some(file) = file else { return Ok(()) };
+    given::once("--script", &["controller.kind", "controller.script.code"], sets)?;
     // Told with its line before it becomes a setting.
     let text = file.text()?;
     ScriptProgram::read(&text).map_err(|problem| format!("{file}: {problem}"))?;
@@ -134,7 +138,7 @@ pub fn execute(args: &RunArgs) -> Outcome {
         load_networks(&mut scenario, path)?;
     }
     own_formulas(args, &mut scenario)?;
-    own_script(args, &mut scenario)?;
+    own_script(args.script.as_ref(), &args.set, &mut scenario)?;
     if let Some(kind) = args.twin {
         given::once("--twin", &["twin.kind"], &args.set)?;
         scenario.set("twin.kind", Value::Text(kind.id().to_owned()))?;

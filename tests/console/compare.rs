@@ -121,7 +121,10 @@ fn a_script_of_ones_own_takes_part_where_the_console_runs_one() {
         without.query_by_label("Own script").is_none() && !texts(&without).contains("Own script")
     );
     without.run_steps(1);
+    assert!(texts(&without).contains("0 of 56 runs"), "{}", texts(&without));
     let mut screen = screen::open("own-controller", SIZES[0], "Compare", &[]);
+    // It meets the changed conditions, too: four, with two seeds.
+    assert!(texts(&screen).contains("0 of 64 runs"), "{}", texts(&screen));
     assert!(screen.query_by_label("Load Own script").is_some(), "{}", texts(&screen));
     leave(&mut screen, &["P"]);
     screen.get_by_role_and_label(Role::SpinButton, "Seeds").set_value_accesskit(1.0);

@@ -123,6 +123,7 @@ pause-the-conditions = Bedingungen anhalten
 runs-everybody-under-every-condition = Lässt alle unter jeder Bedingung laufen
 done-of-n-runs = { $done } von { $n } Läufen
 control = Regelung
+n-of-runs-runs-not-finished = { $n } von { $runs } Läufen nicht beendet
 
 ## src/app/panels/compare/step.rs
 

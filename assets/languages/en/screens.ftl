@@ -119,6 +119,7 @@ pause-the-conditions = Pause the conditions
 runs-everybody-under-every-condition = Runs everybody under every condition
 done-of-n-runs = { $done } of { $n } runs
 control = Control
+n-of-runs-runs-not-finished = { $n } of { $runs } runs not finished
 
 ## src/app/panels/compare/step.rs
 

@@ -125,6 +125,7 @@ pause-the-conditions = Ustavi pogoje
 runs-everybody-under-every-condition = Zažene vse v vseh pogojih
 done-of-n-runs = simulacij: { $done } od { $n }
 control = Vodenje
+n-of-runs-runs-not-finished = nedokončanih simulacij: { $n } od { $runs }
 
 ## src/app/panels/compare/step.rs
 

@@ -15,6 +15,7 @@ use crate::base::settings::{SettingError, Value};
 use crate::base::stats::Sorted;
 use crate::blocks::control::ControllerKind;
 use crate::run::edits::Edits;
+use crate::run::end::EndId;
 use crate::run::job::{Budget, Job, Progress};
 use crate::run::one_run::{End, Run};
 use crate::run::parts::{Making, Parts};
@@ -59,6 +60,8 @@ pub struct RobustOutcome {
     pub time_of_cut_s: f64,
     /// Whether the path was cut to its end, without a stop.
     pub finished: bool,
+    /// Whether a fault of the controller's script ended it.
+    pub script_failed: bool,
 }
 
 /// Percentiles over the runs.
@@ -92,8 +95,10 @@ pub struct RobustFindings {
     pub normalized_standard_error: Percentiles,
     /// Time of the cut, s.
     pub time_of_cut_s: Percentiles,
-    /// Runs that did not reach the end of the path: stopped by an overload, or out of time.
+    /// Runs that did not reach the end of the path: stopped by an overload, out of time, or with a script that failed.
     pub unfinished: usize,
+    /// Those of them that a fault of the controller's script ended.
+    pub script_failed: usize,
     /// Whether the 95th percentile of the largest force keeps [`LIMIT_KN`] and every run is finished.
     pub passed: bool,
 }
@@ -159,6 +164,14 @@ impl Robustness {
         self.runs.done()
     }
 
+    /// What the script of the first run that it failed in says, with its line; none where it has failed in none.
+    #[must_use]
+    pub fn script_fault(&self) -> Option<String> {
+        let failed = self.outcomes().iter().position(|one| one.script_failed)?;
+        let run = Run::complete(&self.scenario(failed).ok()?, &Edits::none());
+        run.end().map(End::to_string)
+    }
+
     /// What was found so far.
     #[must_use]
     pub fn findings(&self) -> RobustFindings {
@@ -171,6 +184,7 @@ impl Robustness {
             normalized_standard_error: over(|one| one.normalized_standard_error),
             time_of_cut_s: over(|one| one.time_of_cut_s),
             unfinished,
+            script_failed: self.outcomes().iter().filter(|one| one.script_failed).count(),
             passed: max_force_kn.p95 <= LIMIT_KN && unfinished == 0,
         }
     }
@@ -199,6 +213,7 @@ impl Drawn {
             normalized_standard_error: metrics.normalized_standard_error.unwrap_or(f64::INFINITY),
             time_of_cut_s: metrics.time_of_cut_s,
             finished: run.end() == Some(&End::PathDone),
+            script_failed: run.end().map(End::id) == Some(EndId::Script),
         }
     }
 }
@@ -241,5 +256,31 @@ mod tests {
         assert_eq!(of(3), Percentiles { p50: 2.0, p95: 2.9, largest: 3.0 });
         assert_eq!(of(1).p95, 1.0);
         assert_eq!(of(0).p95, f64::INFINITY);
+    }
+
+    /// A script is a contestant as any other; one that fails is told with its line, and passes nothing.
+    #[test]
+    fn a_script_of_ones_own_is_drawn_for_and_its_fault_is_told() {
+        use crate::run::presets;
+        let base = presets::load("own-controller").unwrap();
+        let base = base.with(|s| s.run.duration_s = 2.0).unwrap();
+        let study = |scenario: &Scenario, kind: ControllerKind| {
+            let mut study = Robustness::new(scenario, kind, 3, 1);
+            study.to_end();
+            study
+        };
+        let own = study(&base, ControllerKind::Script);
+        assert_eq!((own.findings().runs, own.findings().script_failed), (3, 0));
+        assert_eq!(own.script_fault(), None);
+        let alone = Run::complete(&own.scenario(2).unwrap(), &Edits::none()).metrics();
+        assert_eq!(own.outcomes()[2].max_force_kn, alone.max_force_n / 1000.0);
+        let mut faulty = base;
+        let code = "fn update(now) {\n    if now.x_mm > 3.0 { no_such_thing(now) }\n    100.0\n}\n";
+        faulty.set("controller.script.code", Value::Text(code.to_owned())).unwrap();
+        let failed = study(&faulty, ControllerKind::Script);
+        let findings = failed.findings();
+        assert_eq!((findings.script_failed, findings.unfinished, findings.passed), (3, 3, false));
+        let told = failed.script_fault().unwrap();
+        assert!(told.contains("script failed") && told.contains("line 2"), "{told}");
     }
 }

@@ -231,6 +231,9 @@ fn print(out: &mut impl Write, mission: &Mission, verdict: &MissionVerdict) -> s
         writeln!(out)?;
         told(out, if prediction.right { "" } else { &prediction.word })?;
     }
+    if let Some(fault) = &verdict.script_fault {
+        writeln!(out, "  {fault}")?;
+    }
     for check in &verdict.checks {
         let [left, right] = check.sides.map(told_value);
         let holds = if check.holds { "holds" } else { "does NOT hold" };

@@ -20,7 +20,7 @@ const NOTE: &str = "in brackets the figures of an independent prototype of the s
 
 pub fn execute(seeds: u32, json: bool) -> Outcome {
     let rows: Vec<RobustnessRow> =
-        rows(played(Tournament::new(entrants(), seeds), "conditions", json)?);
+        rows(played(Tournament::new(entrants(None), seeds), "conditions", json)?);
     let mut out = std::io::stdout().lock();
     if json {
         let object = json!({ "paper": "2005", "seeds": seeds, "note": NOTE, "robustness": rows, "claim": material_claim(&rows),
@@ -74,7 +74,7 @@ mod tests {
 
     #[test]
     fn every_condition_and_method_is_printed_beside_the_prototypes_figures() {
-        let mut short = entrants();
+        let mut short = entrants(None);
         for entrant in &mut short {
             entrant.scenario.change(|s| s.run.duration_s = 2.2).unwrap();
         }

@@ -4,10 +4,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::claims::ControlClaim;
-use super::entrants::{BEYOND, Entrant, Method, TABLE_1, experiment_2, set_dead_time};
+use super::entrants::{BEYOND, Entrant, Method, OWN, TABLE_1, experiment_2, set_dead_time};
 use super::outcome::Measure;
 use super::tournament::Compared;
 use crate::base::language::{text, tr};
+use crate::blocks::control::script::ScriptSettings;
 use crate::blocks::cutting::material::Material;
 use crate::run::scenario::Settings;
 
@@ -51,18 +52,23 @@ pub const CONDITIONS: [RobustnessCondition; 4] = [
     },
 ];
 
-/// The methods of Table 1, and P with the Smith predictor.
-pub fn methods() -> impl Iterator<Item = &'static Method> {
-    TABLE_1.iter().chain(BEYOND.iter().take(1))
+/// The methods of Table 1, P with the Smith predictor, and a script of one's own where there is one.
+pub fn methods(with_script: bool) -> impl Iterator<Item = &'static Method> {
+    let own = OWN.iter().filter(move |_| with_script);
+    TABLE_1.iter().chain(BEYOND.iter().take(1)).chain(own)
 }
 
-/// All entrants, condition by condition.
+/// All entrants, condition by condition; a script of one's own takes part where one is given.
 #[must_use]
-pub fn entrants() -> Vec<Entrant> {
-    let base = experiment_2();
+pub fn entrants(script: Option<&ScriptSettings>) -> Vec<Entrant> {
+    let mut base = experiment_2();
+    if let Some(script) = script {
+        let own = base.change(|settings| settings.controller.script = script.clone());
+        own.expect("no rule joins a script with other settings");
+    }
     let under = |condition: &RobustnessCondition| {
         let changed = base.with(condition.apply).expect("tested: every condition is in range");
-        methods().map(|method| method.on(&changed)).collect::<Vec<Entrant>>()
+        methods(script.is_some()).map(|method| method.on(&changed)).collect::<Vec<Entrant>>()
     };
     CONDITIONS.iter().flat_map(under).collect()
 }
@@ -128,7 +134,7 @@ pub struct RobustnessRow {
 #[must_use]
 pub fn rows(table: Vec<Compared>) -> Vec<RobustnessRow> {
     let known = reference();
-    let each = methods().count();
+    let each = (table.len() / CONDITIONS.len()).max(1);
     let row = |(index, found): (usize, Compared)| {
         let condition = &CONDITIONS[(index / each).min(CONDITIONS.len() - 1)];
         let same =
@@ -184,7 +190,7 @@ mod tests {
 
     #[test]
     fn every_reference_finds_its_row_and_conditions_change_only_the_plant_and_what_is_known() {
-        let tournament = Tournament::new(entrants(), 1);
+        let tournament = Tournament::new(entrants(None), 1);
         let rows = rows(tournament.table());
         assert_eq!(rows.len(), 4 * 7);
         assert_eq!(material_claim(&rows), None, "nothing has run yet");
@@ -197,5 +203,27 @@ mod tests {
             assert_eq!(steel, row.condition == "16mncrsi5");
             assert_eq!(s.plant.hardness_hb, if steel { 180.0 } else { 200.0 });
         }
+    }
+
+    /// It meets every condition, after the others, whose figures it moves in nothing.
+    #[test]
+    fn a_script_of_ones_own_takes_part_under_every_condition() {
+        use crate::blocks::control::ControllerKind;
+        use crate::run::presets;
+        let script = presets::load("own-controller").unwrap().controller.script.clone();
+        let tournament = Tournament::new(entrants(Some(&script)), 1);
+        let with = rows(tournament.table());
+        assert_eq!(with.len(), 4 * 8);
+        for (row, entrant) in with.iter().zip(tournament.entrants()) {
+            let own = row.found.name == "Own script";
+            assert_eq!(own, entrant.scenario.controller.kind == ControllerKind::Script, "{row:?}");
+            assert!(!own || entrant.scenario.controller.script == script);
+        }
+        let known = |rows: &[RobustnessRow]| {
+            let others = rows.iter().filter(|row| row.found.name != "Own script");
+            others.map(|row| (row.condition, row.reference.clone())).collect::<Vec<_>>()
+        };
+        let without = rows(Tournament::new(entrants(None), 1).table());
+        assert_eq!(known(&with), known(&without));
     }
 }

@@ -13,6 +13,7 @@ use crate::base::stats;
 use crate::base::units::percent_from_ratio;
 use crate::run::constant_feed_twin::{TwinBeside, is_of_controller};
 use crate::run::edits::Edits;
+use crate::run::end::EndId;
 use crate::run::job::{Budget, Job, Progress};
 use crate::run::metrics::METRICS;
 use crate::run::one_run::Run;
@@ -152,6 +153,7 @@ impl Marking {
             (true, true, true) => 3,
         };
         let digest = self.learners().map_or(String::new(), |run| run.recording().digest());
+        let end = self.learners().and_then(Run::end).filter(|end| end.id() == EndId::Script);
         MissionVerdict {
             mission: self.mission.id.clone(),
             passed,
@@ -159,6 +161,7 @@ impl Marking {
             predictions,
             checks,
             stars_asked,
+            script_fault: end.map(ToString::to_string),
             digest,
         }
     }

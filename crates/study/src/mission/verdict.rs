@@ -80,17 +80,26 @@ pub struct MissionVerdict {
     /// The conditions for the second star and the third, beside predictions that were foreseen.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub stars_asked: Vec<StarVerdict>,
+    /// What went wrong in the script of the learner's run, with its line, in the chosen language; so it stands in no
+    /// file.
+    #[serde(skip)]
+    pub script_fault: Option<String>,
     /// Digest of the learner's run: who repeats it gets the same.
     pub digest: String,
 }
 
 impl MissionVerdict {
-    /// What the learner is told of what is missing: of predictions first, as they came first.
+    /// What the learner is told of what is missing: of a script that failed first, since all else follows from it; then
+    /// of predictions, as they came first.
     pub fn words(&self) -> impl Iterator<Item = &str> {
         let wrong = self.predictions.iter().filter(|prediction| !prediction.right);
         let unmet = self.checks.iter().filter(|check| !check.holds);
         let wrong = wrong.map(|prediction| prediction.word.as_str());
-        wrong.chain(unmet.map(|check| check.otherwise.as_str())).filter(|word| !word.is_empty())
+        let fault = self.script_fault.iter().map(String::as_str);
+        fault
+            .chain(wrong)
+            .chain(unmet.map(|check| check.otherwise.as_str()))
+            .filter(|word| !word.is_empty())
     }
 
     /// Whether all questions were answered rightly before the cut had been seen.

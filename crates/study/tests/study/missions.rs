@@ -349,3 +349,36 @@ fn stars_are_told_condition_by_condition() {
     assert_eq!((three.star, three.holds), (3, false));
     assert!(!verdict.is_foreseen(), "nothing was predicted");
 }
+
+/// A mission may let the learner write the controller: the template with a script among what is offered, and opened.
+#[test]
+fn a_script_can_pass_a_mission_and_one_that_fails_is_told_in_plain_words() {
+    let text = TEMPLATE
+        .replacen(
+            "\"controller.constant_feed.feed_percent\"]",
+            "\"controller.script.code\", \"controller.script.a\"]",
+            1,
+        )
+        .replacen("\"sdnrp\", \"tracking\"]", "\"script\"]", 1);
+    let mission = Mission::read(&text).unwrap_or_else(|error| panic!("{error}"));
+    let answer = |code: &str| {
+        let text = format!(
+            "version = 1\nmission = \"my-mission\"\n[set.controller]\nkind = \"script\"\n\
+             [set.controller.script]\na = 0.2\ncode = \"\"\"\n{code}\"\"\"\n"
+        );
+        MissionAnswer::read(&text, &mission).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let integral = "fn update(now) {\n    \
+                    100.0 * max(now.feed_percent / 100.0 + now.a * (1.0 - now.y), 0.05)\n}\n";
+    let verdict = marked(&mission, answer(integral));
+    assert!(verdict.passed && verdict.script_fault.is_none(), "{verdict:#?}");
+    let failing = "fn update(now) {\n    if now.x_mm > 10.0 { no_such_thing() }\n    100.0\n}\n";
+    let verdict = marked(&mission, answer(failing));
+    assert!(!verdict.passed && verdict.stars == 0);
+    let word = verdict.words().next().unwrap();
+    assert!(word.contains("script failed at") && word.contains("line 2"), "{word}");
+    // What the mission does not open the learner's script does not have either.
+    let closed = "version = 1\nmission = \"my-mission\"\n[set.controller.script]\nb = 0.1\n";
+    let refused = MissionAnswer::read(closed, &mission).unwrap_err().to_string();
+    assert!(refused.contains("controller.script.b") && refused.contains("script.a"), "{refused}");
+}

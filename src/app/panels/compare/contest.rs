@@ -262,6 +262,8 @@ impl Contest {
 /// Everybody under changed conditions.
 #[derive(Default)]
 pub struct Robust {
+    /// The script of one's own that takes part.
+    script: Option<ScriptSettings>,
     /// All runs; made when they are first wanted.
     work: Option<Work<Tournament>>,
     /// The rows, and the table that they are of.
@@ -271,10 +273,24 @@ pub struct Robust {
 impl Robust {
     /// How far the runs are.
     pub fn progress(&self) -> Progress {
-        let all = robustness::CONDITIONS.len() * robustness::methods().count();
+        let all = robustness::CONDITIONS.len() * self.methods();
         let total = (all * ROBUST_SEEDS as usize) as f64;
         let none = Progress { done: 0.0, total, unit: "runs" };
         self.work.as_ref().map_or(none, Work::progress)
+    }
+
+    /// Takes the script that the console runs, which then takes part: with another one than before all begins anew.
+    /// Without one what was run stays.
+    fn follow(&mut self, script: Option<&ScriptSettings>) {
+        if script == self.script.as_ref() || (script.is_none() && self.work.is_some()) {
+            return;
+        }
+        *self = Self { script: script.cloned(), work: None, rows: None };
+    }
+
+    /// How many take part.
+    pub fn methods(&self) -> usize {
+        robustness::methods(self.script.is_some()).count()
     }
 
     /// Whether it goes on.
@@ -284,7 +300,8 @@ impl Robust {
 
     /// Begins it, or goes on.
     pub fn go_on(&mut self, jobs: &Jobs) {
-        let new = || Tournament::new(robustness::entrants(), ROBUST_SEEDS);
+        let script = self.script.as_ref();
+        let new = || Tournament::new(robustness::entrants(script), ROBUST_SEEDS);
         let work =
             self.work.get_or_insert_with(|| jobs.take(text!("Compare: conditions"), new(), FIRST));
         work.go_on();
@@ -347,6 +364,7 @@ impl Contests {
     pub fn follow(&mut self, open: &Scenario, may_run_script: bool, jobs: &Jobs) {
         let runs = open.controller.kind == ControllerKind::Script && may_run_script;
         self.setup.script = runs.then(|| open.controller.script.clone());
+        self.robust.follow(self.setup.script.as_ref());
         let open_part = (self.setup.part == ContestPart::Open).then_some(open);
         let same = self.followed.as_ref().is_some_and(|(setup, scenario)| {
             *setup == self.setup && scenario.as_ref() == open_part

@@ -16,10 +16,9 @@ use crate::app::widgets::standing::Standing;
 use crate::app::widgets::touch;
 use crate::base::language::tr;
 use crate::study::compare::outcome::Measure;
-use crate::study::compare::robustness::{CONDITIONS, RobustnessRow, material_claim, methods};
+use crate::study::compare::robustness::{CONDITIONS, RobustnessRow, material_claim};
 use crate::study::verdict::Verdict;
 
-/// Size of type of the prototype's figures.
 /// What is shown of each condition.
 const MEASURES: [Measure; 3] = [Measure::Nsn, Measure::Time, Measure::Force];
 
@@ -51,6 +50,7 @@ pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs, commands: &mut Vec<Co
         let text = tr!("{done} of {n} runs", done = done, n = all);
         ui.label(RichText::new(text).color(palette.weak));
     });
+    let each = robust.methods();
     let rows = robust.rows();
     let sheet = || sheets::robustness(rows);
     let so_many = || tr!("{done} of {n} runs done", done = done, n = all);
@@ -61,7 +61,6 @@ pub fn show(ui: &mut Ui, robust: &mut Robust, jobs: &Jobs, commands: &mut Vec<Co
     if rows.is_empty() {
         return;
     }
-    let each = methods().count();
     scaffold::across(ui, "robustness", |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
         touch::grid(ui, "robustness").striped(true).spacing([14.0, 4.0]).show(ui, |ui| {
@@ -104,6 +103,11 @@ fn cell(ui: &mut Ui, row: &RobustnessRow, palette: &Palette) {
     ui.vertical(|ui| {
         let found = figures(&|measure| row.found.get(measure).map(|spread| spread.mean));
         ui.label(found);
+        let (finished, runs) = (row.found.finished, row.found.runs);
+        if finished < runs {
+            let text = tr!("{n} of {runs} runs not finished", n = runs - finished, runs = runs);
+            ui.label(RichText::new(text).small().color(palette.weak));
+        }
         if let Some(reference) = &row.reference {
             let known = figures(&|measure| reference.get(measure));
             ui.label(RichText::new(known).small().color(palette.weak));

@@ -38,6 +38,9 @@ pub fn show(
                     ui.label(told(&prediction.word));
                 }
             }
+            if let Some(fault) = &verdict.script_fault {
+                Standing::Bad.label(ui, fault, |text| text);
+            }
             for check in verdict.checks.iter().filter(|check| !check.holds) {
                 Standing::Bad.label(ui, &told(&check.otherwise), |text| text);
             }
