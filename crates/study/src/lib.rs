@@ -22,6 +22,7 @@
 //! | How does a run get into a spreadsheet, and a table out of one? | [`export`], [`csv_table`] |
 //! | What does a formula make of a table? | [`formula_table`] |
 //! | Where in a run can a formula stand? | [`formula_place`] |
+//! | How does a measured channel lie over a signal of a run? | [`over_run`] |
 //!
 //! One run is `steadycut_core`: dead time, controllers and plant are there, in `blocks`.
 
@@ -32,6 +33,7 @@
 
 // The layers below, under the names that they have in the whole project.
 pub use steadycut_core::{base, blocks, models, run};
+pub use steadycut_measured as measured;
 
 pub mod afc;
 pub mod combined;
@@ -48,6 +50,7 @@ pub mod identify;
 pub mod machine_life;
 pub mod mission;
 pub mod opening;
+pub mod over_run;
 pub mod own_file;
 pub mod papers;
 pub mod papers_2019;

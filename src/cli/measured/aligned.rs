@@ -6,11 +6,10 @@ use super::args::PrepareArgs;
 use crate::cli::progress;
 use crate::cli::scenarios::load;
 use crate::measured::channel::{MeasuredChannel, SampleTimes};
-use crate::measured::signal::align::{Alignment, align};
-use crate::measured::signal::filled;
 use crate::measured::signal::periods::resampled;
 use crate::run::one_run::Run;
 use crate::run::signals::SIGNALS;
+use crate::study::over_run::{self, OverRun, OverRunFit};
 
 /// A channel in the time of a run.
 pub struct Aligned {
@@ -70,22 +69,12 @@ pub fn aligned(
     let mut run = Run::new(&scenario, &edits);
     progress::work(&mut run, "run", json)?;
     let row_s = run.recording().row_s();
-    let values = run.recording().rows().iter().map(|row| (signal.value)(row).unwrap_or(f64::NAN));
-    let reference = MeasuredChannel {
-        name: signal.id.to_owned(),
-        unit: signal.unit.to_owned(),
-        times: SampleTimes::Even { rate_hz: 1.0 / row_s, first_s: 0.0 },
-        values: values.collect(),
-    };
     let failed = |fault| format!("--align: {fault}");
     let measured = resampled(channel, row_s).map_err(failed)?;
-    let (of_run, _) = filled(&reference).map_err(failed)?;
-    let rate_hz = 1.0 / row_s;
-    let most_s = (measured.values.len() + of_run.len()) as f64 * row_s;
-    let Alignment { shift_s, scale, offset, correlation, rest, samples } =
-        align(&measured.values, &of_run, rate_hz, most_s).map_err(failed)?;
-    // The shift counts from the channel's own first time.
-    let shift_s = shift_s + measured.times.at(0).unwrap_or(0.0);
+    let of_run = over_run::reference(run.recording(), signal).map_err(failed)?;
+    let OverRunFit { place, correlation, rest, samples } =
+        over_run::aligned(&measured, &of_run, row_s).map_err(failed)?;
+    let OverRun { shift_s, scale, offset } = place;
     let told = AlignmentTold {
         scenario: scenario.info.name.clone(),
         channel: name.clone(),
@@ -107,6 +96,9 @@ pub fn aligned(
             SampleTimes::Given(times.iter().map(|time_s| time_s - shift_s).collect())
         }
     };
-    let channels = vec![MeasuredChannel { times, ..channel.clone() }, reference];
+    let channels = vec![
+        MeasuredChannel { times, ..channel.clone() },
+        over_run::channel_of(run.recording(), signal),
+    ];
     Ok(Some(Aligned { told, channels }))
 }
