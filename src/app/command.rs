@@ -247,6 +247,8 @@ pub enum FileCommand {
     OpenTable,
     /// Asks for a part of one's own: a table of depths, or a program.
     OpenPart,
+    /// Asks for measured data, and lays them over the plots.
+    OpenMeasured,
     /// Asks for a saved search for a formula, and goes on with it.
     OpenSearch,
     /// Hands a file to the screen that it is for, and shows that.

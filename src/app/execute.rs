@@ -119,6 +119,7 @@ impl Console {
             FileCommand::SaveBytes { name, bytes } => self.files.save(ctx, &name, bytes),
             FileCommand::OpenTable => self.files.open_table(ctx),
             FileCommand::OpenPart => self.files.open_part(ctx),
+            FileCommand::OpenMeasured => self.files.open_measured(ctx),
             FileCommand::OpenSearch => self.files.open_search(ctx),
             FileCommand::Bring(file) => {
                 self.show_screen(file.screen());

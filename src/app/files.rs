@@ -5,9 +5,11 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 #[cfg(target_arch = "wasm32")]
 use super::command::ShellCommand;
 use super::command::{Command, FileCommand, SessionCommand};
+use super::overlay::file::MeasuredFile;
 use super::panels::BroughtFile;
 use crate::base::language::{self, Catalogue, tr};
 use crate::base::text::decode;
+use crate::measured::layout::DataLayout;
 use crate::run::edits::Edits;
 use crate::run::presets;
 use crate::run::scenario::Scenario;
@@ -90,6 +92,12 @@ impl Files {
         self.ask(ctx, tr("Part: table or G-code"), &endings, loaded);
     }
 
+    /// Asks for measured data.
+    pub fn open_measured(&self, ctx: &egui::Context) {
+        let endings: Vec<&str> = TABLES.into_iter().chain(TEXTS).chain(MEASURED).collect();
+        self.ask(ctx, tr("Measured data"), &endings, measured);
+    }
+
     /// Asks for a saved search for a formula.
     pub fn open_search(&self, ctx: &egui::Context) {
         self.ask(ctx, tr("Saved search"), &[JSON], search);
@@ -143,8 +151,8 @@ impl Files {
         });
     }
 
-    /// Reads the files that were dropped onto the window.
-    pub fn take_dropped(&self, ctx: &egui::Context) {
+    /// Reads the files that were dropped onto the window while the screen with the id `shown` was.
+    pub fn take_dropped(&self, ctx: &egui::Context, shown: &'static str) {
         for file in ctx.input(|input| input.raw.dropped_files.clone()) {
             let answer = self.answer(ctx);
             let name = file.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -155,7 +163,7 @@ impl Files {
                 let bytes = file.bytes();
                 answer.speak();
                 answer.send(match bytes {
-                    Ok(bytes) => loaded(name, &bytes),
+                    Ok(bytes) => dropped(name, &bytes, shown),
                     Err(error) => Command::notify(unread(&name, &error.to_string())),
                 });
             });
@@ -246,6 +254,13 @@ const PROGRAMS: [&str; 6] = ["nc", "ngc", "gcode", "tap", "cnc", "mpf"];
 /// See [`TABLES`].
 const SPREADSHEETS: [&str; 3] = ["xlsx", "xls", "ods"];
 
+/// Endings of files of measured data, which are nothing else.
+const MEASURED: [&str; 8] = ["mat", "tdms", "parquet", "h5", "hdf5", "dat", "asc", "lvm"];
+/// Endings of texts that may be measured data.
+const TEXTS: [&str; 1] = ["txt"];
+/// Id of the screen that every table is for which is dropped onto it.
+const IDENTIFY: &str = "identify";
+
 fn ends_with_one_of(name: &str, endings: &[&str]) -> bool {
     let ending = name.rsplit_once('.').map(|(_, ending)| ending);
     ending.is_some_and(|ending| endings.iter().any(|known| ending.eq_ignore_ascii_case(known)))
@@ -256,11 +271,41 @@ fn unread(name: &str, error: &str) -> String {
     tr!("{name} could not be read: {error}", name = name, error = error)
 }
 
+/// The command for measured data.
+fn measured(name: String, bytes: &[u8]) -> Command {
+    let file = MeasuredFile::read(name, bytes.into(), DataLayout::default());
+    Command::File(FileCommand::Bring(BroughtFile::Measured(file)))
+}
+
+/// The command for a file that was dropped while a screen was shown: a table with times lies over the plots, unless it is
+/// dropped where formulas are searched for.
+#[must_use]
+pub fn dropped(name: String, bytes: &[u8], shown: &str) -> Command {
+    let is_table = ends_with_one_of(&name, &TABLES) && shown != IDENTIFY;
+    let is_text = ends_with_one_of(&name, &TEXTS);
+    let decoded = decode(bytes).ok();
+    let is_other = decoded.as_deref().is_some_and(|text| match is_table {
+        true => PartPath::is_meant_by(text),
+        // What is read as a scenario has its own faults to tell.
+        false => text.parse::<toml::Table>().is_ok(),
+    });
+    if (is_table || is_text) && !is_other {
+        let file = MeasuredFile::read(name.clone(), bytes.into(), DataLayout::default());
+        if file.is_measured() && (is_table || file.contents().is_ok()) {
+            return Command::File(FileCommand::Bring(BroughtFile::Measured(file)));
+        }
+    }
+    loaded(name, bytes)
+}
+
 /// The command for a file that was read.
 #[must_use]
 pub fn loaded(name: String, bytes: &[u8]) -> Command {
     if ends_with_one_of(&name, &TABLES) || ends_with_one_of(&name, &SPREADSHEETS) {
         return part_or_table(name, bytes);
+    }
+    if ends_with_one_of(&name, &MEASURED) {
+        return measured(name, bytes);
     }
     if ends_with_one_of(&name, &PROGRAMS) {
         let bring =
@@ -442,6 +487,21 @@ mod tests {
         let said = loaded("x.csv".to_owned(), b"s,a_p,a_e\n0,99,3\n10,0,0\n");
         let Command::Session(SessionCommand::Notify(said)) = said else { panic!("{said:?}") };
         assert!(said.starts_with("x.csv: line 2, column `a_p`"), "{said}");
+        let bytes = b"t,Fx\n0.0,1\n0.1,2\n0.2,3\n";
+        for (shown, brought) in
+            [("console", "Measured"), ("plan", "Measured"), ("identify", "Table")]
+        {
+            let said = format!("{:?}", dropped("x.csv".to_owned(), bytes, shown));
+            assert!(said.contains(&format!("Bring({brought}")), "{said}");
+        }
+        let said = format!("{:?}", dropped("x.csv".to_owned(), b"a,b\n1,2\n", "console"));
+        assert!(said.contains("Bring(Table"), "without times it is a table: {said}");
+        let said = format!("{:?}", dropped("x.txt".to_owned(), b"t Fx\n0.0 1\n0.1 2\n", "plan"));
+        assert!(said.contains("Bring(Measured"), "{said}");
+        let said = format!("{:?}", dropped("x.txt".to_owned(), b"version = 1\n", "console"));
+        assert!(said.contains("LoadText"), "{said}");
+        let said = format!("{:?}", loaded("x.TDMS".to_owned(), b"TDSm"));
+        assert!(said.contains("Bring(Measured"), "{said}");
         let bytes = b"G0 X1\n";
         let brought = BroughtFile::Program { name: "x.nc".to_owned(), text: text(bytes) };
         assert_eq!(loaded("x.nc".to_owned(), bytes), Command::File(FileCommand::Bring(brought)));

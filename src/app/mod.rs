@@ -18,6 +18,7 @@ mod messages;
 pub mod mirror;
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
+pub mod overlay;
 pub mod panels;
 pub mod playback;
 pub mod remembered;
@@ -247,7 +248,7 @@ impl Console {
         }
         let dt_s = scaffold::frame_s(&ctx);
         let mut commands: Vec<Command> = self.files.answers().collect();
-        self.files.take_dropped(&ctx);
+        self.files.take_dropped(&ctx, self.panels[self.shown].id());
         let ids: Vec<&'static str> = match self.frame.hides(FramePart::Screens) {
             true => Vec::new(),
             false => self.panels.iter().map(|panel| panel.id()).collect(),

@@ -97,6 +97,7 @@ fn without_key() -> Vec<(&'static str, Command)> {
     vec![
         (text!("Search formulas in a table of one's own"), file(FileCommand::OpenTable)),
         (text!("Open a part of one's own: table or G-code"), file(FileCommand::OpenPart)),
+        (text!("Lay measured data over the plots"), file(FileCommand::OpenMeasured)),
         (text!("Go on with a saved search for a formula"), file(FileCommand::OpenSearch)),
         (text!("Open networks of UNKS"), file(FileCommand::OpenNetworks)),
         (text!("Save the networks of UNKS"), file(FileCommand::SaveNetworks)),
@@ -135,6 +136,11 @@ fn words(command: &Command) -> &'static str {
             }
             FileCommand::OpenPart => {
                 text!("workpiece cam nc gcode program csv depths import own blank")
+            }
+            FileCommand::OpenMeasured => {
+                text!(
+                    "own data measurements csv matlab mat tdms labview parquet hdf5 dynamometer channel overlay compare import"
+                )
             }
             FileCommand::OpenSearch => text!("identify resume json"),
             FileCommand::OpenNetworks | FileCommand::SaveNetworks => {

@@ -62,6 +62,8 @@ pub struct Palette {
     pub ghost: Color32,
     /// The last cut driven by hand.
     pub hand: Color32,
+    /// What was measured.
+    pub measured: Color32,
     /// The playhead.
     pub playhead: Color32,
     /// As it should be.
@@ -113,6 +115,7 @@ const LIGHT: Palette = Palette {
     twin: rgb(0x6b6b6b),
     ghost: rgb(0xb07a00),
     hand: rgb(0x6a3d9a),
+    measured: rgb(0x2b2118),
     playhead: rgb(0x1f2933),
     good: rgb(0x006b4f),
     bad: rgb(0xb3431a),
@@ -146,6 +149,7 @@ const DARK: Palette = Palette {
     twin: rgb(0xa8a8a8),
     ghost: rgb(0xe6b94a),
     hand: rgb(0xb79af0),
+    measured: rgb(0xf6efe2),
     playhead: rgb(0xe8edf2),
     good: rgb(0x3fd2a8),
     bad: rgb(0xff9166),
@@ -217,6 +221,8 @@ pub enum Look {
     Constraint(usize),
     /// The searched cutting speed where it is fixed.
     Searched,
+    /// A measured channel, by its number among those over the plots.
+    Measured(usize),
     /// A force component along the feed, across it, along the tool.
     Axis(usize),
 }
@@ -238,6 +244,14 @@ impl Look {
             Self::Hand => (1.8, palette.hand, LineStyle::Dashed { length: 10.0 }),
             Self::Future => (1.5, palette.produced, LineStyle::Dashed { length: 3.0 }),
             Self::FutureDynamics => (1.0, palette.dynamics, LineStyle::Dashed { length: 3.0 }),
+            Self::Measured(number) => {
+                let style = match number % 3 {
+                    0 => LineStyle::Solid,
+                    1 => LineStyle::Dashed { length: 9.0 },
+                    _ => LineStyle::Dotted { spacing: 6.0 },
+                };
+                (1.2, palette.measured, style)
+            }
             Self::Searched => (1.2, palette.weak, LineStyle::Dashed { length: 6.0 }),
             Self::Axis(0) => (1.4, palette.command, LineStyle::Solid),
             Self::Axis(1) => (1.4, palette.limit, LineStyle::Dashed { length: 8.0 }),

@@ -17,6 +17,7 @@ mod learn;
 mod learning;
 mod legible;
 mod machine;
+mod measured;
 mod mirror;
 mod operator;
 mod panels;

@@ -6,7 +6,9 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use steadycut::app::Console;
 use steadycut::app::command::{Command, FileCommand, ShellCommand};
+use steadycut::app::overlay::file::MeasuredFile;
 use steadycut::app::panels::{BroughtFile, panels};
+use steadycut::measured::layout::DataLayout;
 use steadycut::run::edits::Edits;
 use steadycut::run::{Start, presets};
 
@@ -241,6 +243,20 @@ fn overlays(size: Vec2, pixels: Option<f32>, look: Look<'_>) {
     click(&mut screen, "Workpiece");
     click(&mut screen, "Edit depths\u{2026}");
     over(&mut screen, "cuts", look);
+    let rows = (0..200).map(|i| format!("{}.{:02},{}\n", i / 50, 2 * (i % 50), (i * 7) % 31));
+    for (name, text) in [
+        ("measured data", format!("t [s],Fx [N]\n{}", rows.collect::<String>())),
+        ("measured data, faulty", "t [s],Fx [N]\n0.0,1\n0.1,2\n0.2,x\n0.3,1\n".to_owned()),
+    ] {
+        let bytes = text.into_bytes().into();
+        let file = MeasuredFile::read("cut.csv".to_owned(), bytes, DataLayout::default());
+        let brought = FileCommand::Bring(BroughtFile::Measured(file));
+        screen.state().as_ref().unwrap().push(Command::File(brought));
+        screen.run_steps(5);
+        settle(&mut screen);
+        look(&mut screen, name);
+    }
+    press(&mut screen, Modifiers::NONE, Key::Escape);
 }
 
 /// Groups of settings with lists, tables and long texts in them.

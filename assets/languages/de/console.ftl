@@ -168,6 +168,16 @@ no-graphics-adapter-could-be-used-a-driver-f = Kein Grafikadapter ließ sich ben
 no-window-could-be-opened-a-display-is-neede = Kein Fenster ließ sich öffnen. Nötig ist eine Anzeige: Unter Linux muss DISPLAY oder WAYLAND_DISPLAY gesetzt sein, und X11 braucht libxkbcommon-x11 (Debian, Ubuntu: apt install libxkbcommon-x11-0). Ohne Anzeige öffnet `xvfb-run steadycut` eine unsichtbare, und `steadycut run` braucht keine.
 the-console-cannot-be-shown-problem = die Konsole lässt sich nicht anzeigen: { $problem }
 
+## src/app/overlay/file.rs
+
+
+## src/app/overlay/mod.rs
+
+
+## src/app/overlay/work.rs
+
+steps = Schritte
+
 ## src/app/panels/console/afc.rs
 
 adaptive-feed-control-teach-in-the-reference = Adaptive Vorschubregelung: Referenzkräfte im Lehrschnitt lernen, FMIN und FMAX einstellen und das Protokoll des Schnitts lesen
@@ -397,6 +407,21 @@ twin-share-not-judged = { $twin }: { $share } % nicht beurteilt
 nothing-is-cut-yet = noch ist nichts gefräst
 neither-is-scrap = keiner ist Ausschuss
 most-is-scrap = ≤ { $most } % sind Ausschuss
+
+## src/app/panels/console/measured/layout.rs
+
+least-2 = kleinster
+largest = größter
+
+## src/app/panels/console/measured/place.rs
+
+
+## src/app/panels/console/measured/prepare.rs
+
+
+## src/app/panels/console/measured.rs
+
+remove = Entfernen
 
 ## src/app/panels/console/mod.rs
 
@@ -982,7 +1007,6 @@ change = Ändern
 type = Eintippen
 write-the-formula-and-the-ranges-of-its-inpu = Die Formel und die Bereiche ihrer Eingänge schreiben
 a-file-of-a-formula-s-model-as-steadycut-for = Eine Datei mit dem Modell einer Formel, wie `steadycut formula --save` sie schreibt
-remove = Entfernen
 the-built-in-model-again = Wieder das eingebaute Modell
 a-number = eine Zahl
 input-low-to-high-unit = { $input } { $low } bis { $high } { $unit }
@@ -1044,3 +1068,81 @@ iso-1302-grade-grade-ra-ra-um-m = Rauheitsklasse { $grade } nach ISO 1302: Ra { 
 ## src/app/widgets/window.rs
 
 close-window = Fenster schließen
+
+measured-data = Messdaten
+text = Text
+tabs-between-the-values = Tabulatoren zwischen den Werten
+semicolons-between-the-values = Strichpunkte zwischen den Werten
+commas-between-the-values = Kommas zwischen den Werten
+blanks-between-the-values = Leerzeichen zwischen den Werten
+decimal-point = Dezimalpunkt
+decimal-comma = Dezimalkomma
+no-line-with-names = keine Zeile mit Namen
+names-in-line-line = Namen in Zeile { $line }
+units-in-line-line = Einheiten in Zeile { $line }
+values-from-line-line-on = Werte ab Zeile { $line }
+times-in-the-column-column = Zeiten in der Spalte { $column }
+rate-samples-in-a-second = { $rate } Werte in einer Sekunde
+no-times = keine Zeiten
+measured-name = gemessen: { $name }
+a-measured-file-over-the-plots-text-matlab-t = Eine Messdatei über den Diagrammen: Text, MATLAB, TDMS oder Parquet. Sie kann auch hierher gezogen werden.
+measured-data-2 = Messdaten …
+search-for-formulas-in-it = Formeln darin suchen
+record = Datensatz
+none-a-sample-rate = keine: eine Abtastrate
+times = Zeiten
+sample-rate = Abtastrate
+read-it-otherwise = Anders lesen
+entries-of-the-layout-as-the-command-steadyc = Einträge des Aufbaus, wie sie der Befehl steadycut measured hat, mit Leerzeichen dazwischen: encoding, separator, decimal, thousands, names_line, units_line, first_line, names, units. Enter liest die Datei neu.
+allowed-is-key-value = erlaubt ist KEY=VALUE
+t-1-channel = 1 Kanal
+n-channels = { $n } Kanäle
+channel = Kanal
+samples = Werte
+the-channel-is-being-worked-out = Der Kanal wird vorbereitet.
+finds-the-shift-at-which-both-go-together-mo = Findet die Verschiebung, bei der beide am besten zusammengehen, und dort Maßstab und Versatz, wie steadycut measured es tut
+align = Ausrichten
+shift-0-s-scale-1-offset-0 = Verschiebung 0 s, Maßstab 1, Versatz 0
+as-measured = Wie gemessen
+shift = Verschiebung
+by-so-much-the-measurement-is-later-than-the = Um so viel ist die Messung später als die Simulation: Um das wird sie früher gezeichnet
+scale = Maßstab
+the-run-times-this-is-what-was-measured-the = Die Simulation mal diesem Wert ist das Gemessene: Die Linie ist dadurch geteilt gezeichnet
+scale-value-cannot-be-allowed-is-any-number = Maßstab: { $value } kann nicht sein: Erlaubt ist jede Zahl außer 0, mit einem Betrag ab { $least }
+offset-2 = Versatz
+what-the-measurement-has-in-addition-after-t = Was die Messung nach dem Maßstab noch dazu hat
+not-aligned-why-it-can-be-moved-by-hand = Nicht ausgerichtet: { $why }. Es kann von Hand verschoben werden.
+it-is-aligned-as-soon-as-the-cut-is-worked-o = Es wird ausgerichtet, sobald der Schnitt berechnet ist.
+it-has-nothing-in-common-with-the-cut-here = Hier hat es mit dem Schnitt nichts gemeinsam.
+by-hand = von Hand
+aligned = ausgerichtet
+how-what-is-left-rms-rest-over-samples-sampl = { $how }: was bleibt, effektiv { $rest } über { $samples } Werte; Korrelation { $correlation }
+preparation = Vorbereitung
+low-pass-filter-without-a-shift-in-time = Tiefpass, ohne Verschiebung in der Zeit
+cut-off = Grenzfrequenz
+zero-before-the-cut = Null vor dem Schnitt
+before-the-cut = vor dem Schnitt
+drift-by-a-time-behind-the-cut = Drift, nach einer Zeit hinter dem Schnitt
+behind-the-cut = hinter dem Schnitt
+turn-two-forces-into-the-machine-s-axes = Zwei Kräfte in die Achsen der Maschine drehen
+force-x-of-the-dynamometer = Kraft x des Dynamometers
+force-y-of-the-dynamometer = Kraft y des Dynamometers
+angle-to-x = Winkel zu X
+largest-force-across-the-tool-in-every-perio = Größte Kraft quer zum Werkzeug in jeder Periode
+force-along-x = Kraft längs x
+force-along-y = Kraft längs y
+period = Periode
+from-time = Von, { $time }
+to-time = Bis, { $time }
+name-is-not-shown-there-are-most-measured-ch = { $name } wird nicht gezeigt: Über den Diagrammen liegen schon { $most } gemessene Kanäle. Entfernen Sie zuerst einen.
+open-a-file = Datei öffnen …
+text-of-any-layout-matlab-v5-tdms-or-parquet = Text in beliebigem Aufbau, MATLAB v5, TDMS oder Parquet; eine Datei kann auch auf die Diagramme gezogen werden.
+no-part-of-the-scenario-neither-a-file-nor-a = Kein Teil des Szenarios: Weder eine Datei noch ein Link enthält es. Änderungen des Schnitts lassen es, wo es ist, bis es entfernt oder das Programm geschlossen wird.
+channel-2 = Kanal
+laid-over = Liegt über
+as-it-is-not-converted = wie sie ist, nicht umgerechnet
+its-unit = Einheit
+show-it = Zeigen
+another-channel-of-this-file = Noch ein Kanal dieser Datei
+lay-measured-data-over-the-plots = Messdaten über die Diagramme legen
+own-data-measurements-csv-matlab-mat-tdms-la = eigene daten messungen csv matlab mat tdms labview parquet hdf5 dynamometer kanal überlagern vergleichen import

@@ -509,10 +509,6 @@ straight-on-beyond = darüber hinaus geradlinig
 
 done-of-total-unit = { $unit }: { $done } von { $total }
 
-## crates/core/src/run/one_run.rs
-
-steps = Schritte
-
 ## crates/core/src/run/packed.rs
 
 its-packed-part-is-not-url-safe-base64-probl = ihr gepackter Teil ist kein URL-sicheres Base64: { $problem }

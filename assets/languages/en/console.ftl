@@ -54,6 +54,7 @@ steadycut-scenario = SteadyCut scenario
 unks-networks = UNKS networks
 table = Table
 part-table-or-g-code = Part: table or G-code
+measured-data = Measured data
 saved-search = Saved search
 model-of-a-formula = Model of a formula
 saved-as-name = saved as { $name }
@@ -155,6 +156,31 @@ embed-screen-id-allowed-behind-screen-are-al = embed: `screen:{ $id }`: allowed 
 no-graphics-adapter-could-be-used-a-driver-f = No graphics adapter could be used. A driver for Vulkan is needed; without a graphics card, Mesa's software driver does (Debian, Ubuntu: apt install mesa-vulkan-drivers).
 no-window-could-be-opened-a-display-is-neede = No window could be opened. A display is needed: on Linux, DISPLAY or WAYLAND_DISPLAY must be set, and X11 needs libxkbcommon-x11 (Debian, Ubuntu: apt install libxkbcommon-x11-0). Without a display, `xvfb-run steadycut` opens one that is not seen, and `steadycut run` needs none.
 the-console-cannot-be-shown-problem = the console cannot be shown: { $problem }
+
+## src/app/overlay/file.rs
+
+text = Text
+tabs-between-the-values = tabs between the values
+semicolons-between-the-values = semicolons between the values
+commas-between-the-values = commas between the values
+blanks-between-the-values = blanks between the values
+decimal-point = decimal point
+decimal-comma = decimal comma
+no-line-with-names = no line with names
+names-in-line-line = names in line { $line }
+units-in-line-line = units in line { $line }
+values-from-line-line-on = values from line { $line } on
+times-in-the-column-column = times in the column { $column }
+rate-samples-in-a-second = { $rate } samples in a second
+no-times = no times
+
+## src/app/overlay/mod.rs
+
+measured-name = measured: { $name }
+
+## src/app/overlay/work.rs
+
+steps = steps
 
 ## src/app/panels/console/afc.rs
 
@@ -305,6 +331,8 @@ limit-depth-2 = Limit depth…
 the-forces-on-the-tool-at-28-8-khz-over-the = The forces on the tool at 28.8 kHz over the last turns before the playhead
 within-a-revolution = Within a revolution…
 operator-2 = Operator…
+a-measured-file-over-the-plots-text-matlab-t = A measured file over the plots: text, MATLAB, TDMS or Parquet. It can also be dropped here.
+measured-data-2 = Measured data…
 more-settings = More settings
 scenario-changed = { $scenario }, changed
 scenario-scenario = Scenario: { $scenario }
@@ -385,6 +413,78 @@ twin-share-not-judged = { $twin }: { $share } % not judged
 nothing-is-cut-yet = nothing is cut yet
 neither-is-scrap = neither is scrap
 most-is-scrap = ≤ { $most } % is scrap
+
+## src/app/panels/console/measured/layout.rs
+
+search-for-formulas-in-it = Search for formulas in it
+record = Record
+none-a-sample-rate = none: a sample rate
+times = Times
+sample-rate = Sample rate
+read-it-otherwise = Read it otherwise
+entries-of-the-layout-as-the-command-steadyc = Entries of the layout as the command steadycut measured has them, with blanks between: encoding, separator, decimal, thousands, names_line, units_line, first_line, names, units. Enter reads the file again.
+allowed-is-key-value = allowed is KEY=VALUE
+t-1-channel = 1 channel
+n-channels = { $n } channels
+channel = channel
+samples = samples
+least-2 = least
+largest = largest
+
+## src/app/panels/console/measured/place.rs
+
+the-channel-is-being-worked-out = The channel is being worked out.
+finds-the-shift-at-which-both-go-together-mo = Finds the shift at which both go together most, and there scale and offset, as steadycut measured does
+align = Align
+shift-0-s-scale-1-offset-0 = Shift 0 s, scale 1, offset 0
+as-measured = As measured
+shift = Shift
+by-so-much-the-measurement-is-later-than-the = By so much the measurement is later than the run: it is drawn earlier by that
+scale = Scale
+the-run-times-this-is-what-was-measured-the = The run times this is what was measured: the line is drawn divided by it
+scale-value-cannot-be-allowed-is-any-number = Scale: { $value } cannot be: allowed is any number but 0, of a size from { $least } on
+offset-2 = Offset
+what-the-measurement-has-in-addition-after-t = What the measurement has in addition, after the scale
+not-aligned-why-it-can-be-moved-by-hand = Not aligned: { $why }. It can be moved by hand.
+it-is-aligned-as-soon-as-the-cut-is-worked-o = It is aligned as soon as the cut is worked out.
+it-has-nothing-in-common-with-the-cut-here = It has nothing in common with the cut here.
+by-hand = by hand
+aligned = aligned
+how-what-is-left-rms-rest-over-samples-sampl = { $how }: what is left, rms { $rest } over { $samples } samples; correlation { $correlation }
+
+## src/app/panels/console/measured/prepare.rs
+
+preparation = Preparation
+low-pass-filter-without-a-shift-in-time = Low-pass filter, without a shift in time
+cut-off = Cut-off
+zero-before-the-cut = Zero before the cut
+before-the-cut = before the cut
+drift-by-a-time-behind-the-cut = Drift, by a time behind the cut
+behind-the-cut = behind the cut
+turn-two-forces-into-the-machine-s-axes = Turn two forces into the machine's axes
+force-x-of-the-dynamometer = Force x of the dynamometer
+force-y-of-the-dynamometer = Force y of the dynamometer
+angle-to-x = Angle to X
+largest-force-across-the-tool-in-every-perio = Largest force across the tool in every period
+force-along-x = Force along x
+force-along-y = Force along y
+period = Period
+from-time = From, { $time }
+to-time = To, { $time }
+
+## src/app/panels/console/measured.rs
+
+name-is-not-shown-there-are-most-measured-ch = { $name } is not shown: there are { $most } measured channels over the plots already. Remove one first.
+open-a-file = Open a file…
+text-of-any-layout-matlab-v5-tdms-or-parquet = Text of any layout, MATLAB v5, TDMS or Parquet; a file can also be dropped onto the plots.
+no-part-of-the-scenario-neither-a-file-nor-a = No part of the scenario: neither a file nor a link holds it. Changes of the cut leave it where it is, until it is removed or the program is closed.
+remove = Remove
+channel-2 = Channel
+laid-over = Laid over
+as-it-is-not-converted = as it is, not converted
+its-unit = Its unit
+show-it = Show it
+another-channel-of-this-file = Another channel of this file
 
 ## src/app/panels/console/mod.rs
 
@@ -609,6 +709,7 @@ as-fast-as-possible = as fast as possible
 screen = screen
 search-formulas-in-a-table-of-one-s-own = Search formulas in a table of one's own
 open-a-part-of-one-s-own-table-or-g-code = Open a part of one's own: table or G-code
+lay-measured-data-over-the-plots = Lay measured data over the plots
 go-on-with-a-saved-search-for-a-formula = Go on with a saved search for a formula
 open-networks-of-unks = Open networks of UNKS
 save-the-networks-of-unks = Save the networks of UNKS
@@ -625,6 +726,7 @@ save-table-data-results-measurements-downloa = save table data results measureme
 qr-code-class-phone-digest-share-address-url = qr code class phone digest share address url command line terminal headless repeat reproduce send
 identify-own-data-measured-measurements-csv = identify own data measured measurements csv upload import
 workpiece-cam-nc-gcode-program-csv-depths-im = workpiece cam nc gcode program csv depths import own blank
+own-data-measurements-csv-matlab-mat-tdms-la = own data measurements csv matlab mat tdms labview parquet hdf5 dynamometer channel overlay compare import
 identify-resume-json = identify resume json
 neural-learning-weights-json = neural learning weights json
 help-about-introduction-keyboard-shortcuts-h = help about introduction keyboard shortcuts hotkeys touch swipe pinch finger
@@ -942,7 +1044,6 @@ change = Change
 type = Type
 write-the-formula-and-the-ranges-of-its-inpu = Write the formula and the ranges of its inputs
 a-file-of-a-formula-s-model-as-steadycut-for = A file of a formula's model, as `steadycut formula --save` writes it
-remove = Remove
 the-built-in-model-again = The built-in model again
 a-number = a number
 input-low-to-high-unit = { $input } { $low } to { $high } { $unit }

@@ -489,10 +489,6 @@ straight-on-beyond = straight on beyond
 
 done-of-total-unit = { $done } of { $total } { $unit }
 
-## crates/core/src/run/one_run.rs
-
-steps = steps
-
 ## crates/core/src/run/packed.rs
 
 its-packed-part-is-not-url-safe-base64-probl = its packed part is not URL-safe Base64: { $problem }

@@ -180,6 +180,16 @@ no-graphics-adapter-could-be-used-a-driver-f = Nobenega grafičnega vmesnika ni 
 no-window-could-be-opened-a-display-is-neede = Okna ni mogoče odpreti. Potreben je prikaz: v Linuxu mora biti nastavljen DISPLAY ali WAYLAND_DISPLAY, X11 pa potrebuje libxkbcommon-x11 (Debian, Ubuntu: apt install libxkbcommon-x11-0). Brez prikaza `xvfb-run steadycut` odpre okno, ki se ne vidi, `steadycut run` pa ne potrebuje nobenega.
 the-console-cannot-be-shown-problem = programa ni mogoče prikazati: { $problem }
 
+## src/app/overlay/file.rs
+
+
+## src/app/overlay/mod.rs
+
+
+## src/app/overlay/work.rs
+
+steps = koraki
+
 ## src/app/panels/console/afc.rs
 
 adaptive-feed-control-teach-in-the-reference = Prilagodljiva regulacija podajanja: naučite referenčne sile, nastavite FMIN in FMAX in preberite dnevnik reza
@@ -409,6 +419,21 @@ twin-share-not-judged = { $twin }: { $share } % neocenjeno
 nothing-is-cut-yet = odrezanega še ni nič
 neither-is-scrap = nobeden ni izmet
 most-is-scrap = ≤ { $most } % je izmet
+
+## src/app/panels/console/measured/layout.rs
+
+least-2 = najmanjša
+largest = maksimum
+
+## src/app/panels/console/measured/place.rs
+
+
+## src/app/panels/console/measured/prepare.rs
+
+
+## src/app/panels/console/measured.rs
+
+remove = Odstrani
 
 ## src/app/panels/console/mod.rs
 
@@ -984,7 +1009,6 @@ change = Spremeni
 type = Vtipkaj
 write-the-formula-and-the-ranges-of-its-inpu = Vpis formule in območij njenih vhodov
 a-file-of-a-formula-s-model-as-steadycut-for = Datoteka modela formule, kot jo zapiše `steadycut formula --save`
-remove = Odstrani
 the-built-in-model-again = Spet vgrajeni model
 a-number = število
 input-low-to-high-unit = { $input } { $low } do { $high } { $unit }
@@ -1048,3 +1072,86 @@ iso-1302-grade-grade-ra-ra-um-m = ISO 1302, razred { $grade }: Ra { $ra_um } µm
 ## src/app/widgets/window.rs
 
 close-window = Zapri okno
+
+measured-data = Izmerjeni podatki
+text = Besedilo
+tabs-between-the-values = tabulatorji med vrednostmi
+semicolons-between-the-values = podpičja med vrednostmi
+commas-between-the-values = vejice med vrednostmi
+blanks-between-the-values = presledki med vrednostmi
+decimal-point = decimalna pika
+decimal-comma = decimalna vejica
+no-line-with-names = nobena vrstica z imeni
+names-in-line-line = imena v vrstici { $line }
+units-in-line-line = enote v vrstici { $line }
+values-from-line-line-on = vrednosti od vrstice { $line } naprej
+times-in-the-column-column = časi v stolpcu { $column }
+rate-samples-in-a-second = { $rate } vzorcev v sekundi
+no-times = brez časov
+measured-name = izmerjeno: { $name }
+a-measured-file-over-the-plots-text-matlab-t = Izmerjena datoteka nad grafi: besedilo, MATLAB, TDMS ali Parquet. Lahko jo tudi spustite sem.
+measured-data-2 = Izmerjeni podatki …
+search-for-formulas-in-it = Išči v njej formule
+record = Zapis
+none-a-sample-rate = brez: pogostost vzorčenja
+times = Časi
+sample-rate = Pogostost vzorčenja
+read-it-otherwise = Preberi drugače
+entries-of-the-layout-as-the-command-steadyc = Vnosi oblike, kot jih ima ukaz steadycut measured, s presledki vmes: encoding, separator, decimal, thousands, names_line, units_line, first_line, names, units. Enter prebere datoteko znova.
+allowed-is-key-value = dovoljeno je KEY=VALUE
+t-1-channel = 1 kanal
+n-channels = { $n ->
+    [one] { $n } kanal
+    [two] { $n } kanala
+    [few] { $n } kanali
+   *[other] { $n } kanalov
+}
+channel = kanal
+samples = vzorcev
+the-channel-is-being-worked-out = Kanal se pripravlja.
+finds-the-shift-at-which-both-go-together-mo = Poišče zamik, pri katerem se oba najbolj ujemata, in tam merilo in odmik, kot to naredi steadycut measured
+align = Poravnaj
+shift-0-s-scale-1-offset-0 = Zamik 0 s, merilo 1, odmik 0
+as-measured = Kot izmerjeno
+shift = Zamik
+by-so-much-the-measurement-is-later-than-the = Za toliko je meritev poznejša od simulacije: za toliko prej je narisana
+scale = Merilo
+the-run-times-this-is-what-was-measured-the = Simulacija, pomnožena s tem, je izmerjeno: črta je narisana deljena s tem
+scale-value-cannot-be-allowed-is-any-number = Merilo: { $value } ni mogoče: dovoljeno je vsako število razen 0, velikosti vsaj { $least }
+offset-2 = Odmik
+what-the-measurement-has-in-addition-after-t = Kar ima meritev še poleg, po merilu
+not-aligned-why-it-can-be-moved-by-hand = Ni poravnano: { $why }. Lahko ga premaknete ročno.
+it-is-aligned-as-soon-as-the-cut-is-worked-o = Poravna se, ko je rez izračunan.
+it-has-nothing-in-common-with-the-cut-here = Tu z rezom nima nič skupnega.
+by-hand = ročno
+aligned = poravnano
+how-what-is-left-rms-rest-over-samples-sampl = { $how }: kar ostane, efektivno { $rest } na { $samples } vzorcih; korelacija { $correlation }
+preparation = Priprava
+low-pass-filter-without-a-shift-in-time = Nizkoprepustni filter, brez zamika v času
+cut-off = Mejna frekvenca
+zero-before-the-cut = Ničla pred rezom
+before-the-cut = pred rezom
+drift-by-a-time-behind-the-cut = Lezenje, po času za rezom
+behind-the-cut = za rezom
+turn-two-forces-into-the-machine-s-axes = Zavrti dve sili v osi stroja
+force-x-of-the-dynamometer = Sila x dinamometra
+force-y-of-the-dynamometer = Sila y dinamometra
+angle-to-x = Kot do X
+largest-force-across-the-tool-in-every-perio = Največja sila prečno na orodje v vsaki periodi
+force-along-x = Sila vzdolž x
+force-along-y = Sila vzdolž y
+period = Perioda
+from-time = Od, { $time }
+to-time = Do, { $time }
+name-is-not-shown-there-are-most-measured-ch = { $name } ni prikazana: nad grafi je že { $most } izmerjenih kanalov. Najprej enega odstranite.
+open-a-file = Odpri datoteko …
+text-of-any-layout-matlab-v5-tdms-or-parquet = Besedilo katerekoli oblike, MATLAB v5, TDMS ali Parquet; datoteko lahko tudi spustite na grafe.
+no-part-of-the-scenario-neither-a-file-nor-a = Ni del scenarija: nima ga ne datoteka ne povezava. Spremembe reza ga pustijo, kjer je, dokler ga ne odstranite ali zaprete programa.
+channel-2 = Kanal
+laid-over = Leži na
+as-it-is-not-converted = kot je, brez pretvorbe
+its-unit = Enota
+show-it = Pokaži
+another-channel-of-this-file = Še en kanal te datoteke
+lay-measured-data-over-the-plots = Položi izmerjene podatke na grafe
+own-data-measurements-csv-matlab-mat-tdms-la = lastni podatki meritve csv matlab mat tdms labview parquet hdf5 dinamometer kanal prekrivanje primerjava uvoz

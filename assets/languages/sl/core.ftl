@@ -489,10 +489,6 @@ straight-on-beyond = naprej po premici
 
 done-of-total-unit = { $unit }: { $done } od { $total }
 
-## crates/core/src/run/one_run.rs
-
-steps = koraki
-
 ## crates/core/src/run/packed.rs
 
 its-packed-part-is-not-url-safe-base64-probl = njen stisnjeni del ni Base64, varen za URL: { $problem }

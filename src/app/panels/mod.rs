@@ -6,6 +6,7 @@ pub mod learning;
 
 use super::command::Command;
 use super::jobs::Jobs;
+use super::overlay::file::MeasuredFile;
 use super::remembered::Remembered;
 use super::session::Session;
 use super::shortcuts::Host;
@@ -53,6 +54,8 @@ pub enum BroughtFile {
     },
     /// A mission of a link.
     Linked(Box<LinkedMission>),
+    /// Measured data, to lie over the plots.
+    Measured(MeasuredFile),
     /// A saved search for a formula.
     Search {
         /// Where it came from, for messages.
@@ -68,6 +71,7 @@ impl BroughtFile {
     pub fn screen(&self) -> &'static str {
         match self {
             Self::Mission { .. } | Self::Linked(_) => "learn",
+            Self::Measured(_) => "console",
             Self::Program { .. } => "workpiece",
             Self::Table { .. } | Self::Search { .. } => "identify",
         }

@@ -107,6 +107,7 @@ impl Panel for WorkpiecePanel {
             BroughtFile::Table { .. }
             | BroughtFile::Search { .. }
             | BroughtFile::Mission { .. }
+            | BroughtFile::Measured(_)
             | BroughtFile::Linked(_) => {}
         }
     }

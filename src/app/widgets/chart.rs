@@ -19,7 +19,7 @@ use super::plot::{self, near, still, tick};
 use super::zoom::{by_touch, zoom};
 use crate::base::language::tr;
 use crate::run::signals::SIGNALS;
-pub use content::{Axes, Chart, ChartCurve};
+pub use content::{Axes, Chart, ChartCurve, ChartMeasured};
 use content::{BY_HAND, BY_HAND_HELP, FUTURE, FUTURE_HELP, GHOST, TWIN};
 use content::{ghost_help, index, twin_help};
 use curves::{band, fit_values, future_is_shown, lines};
@@ -182,6 +182,13 @@ fn legend_row(
         // Those out of the picture need no explanation.
         for (name, _) in chart.levels.iter().filter(|(_, level)| (low..=high).contains(level)) {
             entry(ui, name, Look::Limit);
+        }
+        for channel in &chart.measured {
+            let hidden = !axes.shows_measured(channel.id);
+            let look = Look::Measured(channel.number);
+            if legend::entry(ui, &channel.name, look, hidden).pressed {
+                axes.show_measured(channel.id, hidden);
+            }
         }
     });
     *ui.spacing_mut() = spacing;

@@ -14,8 +14,8 @@ pub struct WindowPlace {
     pub screen: Rect,
     /// Whether that is as narrow as a phone's.
     pub narrow: bool,
-    /// Height of its content at first, points.
-    pub height: f32,
+    /// Width and height of its content at first, points.
+    pub size: [f32; 2],
     /// Share of a phone's screen that it takes, from below: what it acts on stays in sight above.
     pub share: f32,
 }
@@ -65,8 +65,9 @@ pub fn show(
         let size = (taken.size() - vec2(14.0, TITLE + 4.0)).max(LEAST);
         window.resizable(false).fixed_pos(taken.min).fixed_size(size)
     } else {
-        let width = theme::OVERLAY_WIDTH.min(screen.width() - 16.0);
-        let height = place.height.min(screen.height() - TITLE - 8.0).max(LEAST.y);
+        let [width, height] = place.size;
+        let width = width.min(screen.width() - 16.0);
+        let height = height.min(screen.height() - TITLE - 8.0).max(LEAST.y);
         // Below the head of the screen where there is room.
         let top = (screen.height() - height - TITLE).clamp(4.0, LOWER);
         let at = screen.min + vec2(theme::CONTROLS_WIDTH + 40.0, top);

@@ -60,8 +60,8 @@ impl AfcWindow {
     /// Shows it, if it is open. A teach-in under way goes on even while it is closed.
     pub fn show(&mut self, ui: &Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         self.take(view, commands);
-        let height = theme::OVERLAY_HEIGHTS[0];
-        let place = WindowPlace { screen: ui.max_rect(), narrow: view.narrow, height, share: 1.0 };
+        let size = [theme::OVERLAY_WIDTH, theme::OVERLAY_HEIGHTS[0]];
+        let place = WindowPlace { screen: ui.max_rect(), narrow: view.narrow, size, share: 1.0 };
         let mut open = self.open;
         window::show(ui.ctx(), "AFC", place, &mut open, |ui| {
             self.teach_in(ui, view, commands);

@@ -89,8 +89,8 @@ fn button(
 impl DisturbWindow {
     /// Shows it, if it is open.
     pub fn show(&mut self, ui: &Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        let height = theme::OVERLAY_HEIGHTS[1];
-        let place = WindowPlace { screen: ui.max_rect(), narrow: view.narrow, height, share: 0.42 };
+        let size = [theme::OVERLAY_WIDTH, theme::OVERLAY_HEIGHTS[1]];
+        let place = WindowPlace { screen: ui.max_rect(), narrow: view.narrow, size, share: 0.42 };
         window::show(ui.ctx(), text!("Disturb the cut"), place, &mut self.open, |ui| {
             ui.label(tr(
                 "A press on a name drops that disturbance a little ahead of the tool, as long and as large as set beside it.",

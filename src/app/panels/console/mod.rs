@@ -7,6 +7,7 @@ mod cards;
 mod controls;
 mod disturb;
 mod headline;
+mod measured;
 pub(super) mod operator;
 mod revolution;
 mod story;
@@ -17,14 +18,16 @@ use egui::{CentralPanel, CollapsingHeader, Ui};
 use afc::AfcWindow;
 pub use controls::group_title;
 use disturb::DisturbWindow;
+use measured::MeasuredWindow;
 pub use operator::CUT_BY_HAND;
 use operator::OperatorView;
 use revolution::RevolutionWindow;
 use workpiece::WorkpieceWindow;
 
-use super::{Panel, View};
+use super::{BroughtFile, Panel, View};
 use crate::app::command::{Command, PlaybackCommand};
 use crate::app::format;
+use crate::app::overlay::Overlays;
 use crate::app::theme::{self, Look};
 use crate::app::timeline::try_again;
 use crate::app::widgets::chart::{self, Axes, Chart, ChartCurve};
@@ -43,6 +46,8 @@ pub struct ConsolePanel {
     /// Whether the line that says what the program is was closed.
     introduced: bool,
     windows: Windows,
+    /// Measured data over the plots.
+    overlays: Overlays,
     operator: OperatorView,
 }
 
@@ -53,6 +58,7 @@ struct Windows {
     workpiece: WorkpieceWindow,
     afc: AfcWindow,
     disturb: DisturbWindow,
+    measured: MeasuredWindow,
 }
 
 const fn main(signal: &'static str) -> ChartCurve {
@@ -74,6 +80,7 @@ pub(in crate::app::panels) fn charts(view: &View<'_>) -> [Chart<'static>; 6] {
         band: None,
         levels: Vec::new(),
         include: &[],
+        measured: Vec::new(),
         write: format::quantity,
     };
     let cnc = &scenario.cnc;
@@ -170,6 +177,7 @@ impl Panel for ConsolePanel {
             self.axes.fit();
         }
         self.operator.follow(ui, view);
+        self.overlays.follow(view.session, view.jobs);
         if self.operator.show(ui, view, commands) {
             return;
         }
@@ -188,6 +196,19 @@ impl Panel for ConsolePanel {
         self.windows.workpiece.show(ui, view, commands);
         self.windows.afc.show(ui, view, commands);
         self.windows.disturb.show(ui, view, commands);
+        let over = (&mut self.overlays, &mut self.axes);
+        self.windows.measured.show(ui, view, over, commands);
+    }
+
+    fn take(&mut self, file: &BroughtFile) {
+        match file {
+            BroughtFile::Measured(file) => self.windows.measured.take(file, &mut self.overlays),
+            BroughtFile::Table { .. }
+            | BroughtFile::Search { .. }
+            | BroughtFile::Mission { .. }
+            | BroughtFile::Linked(_)
+            | BroughtFile::Program { .. } => {}
+        }
     }
 
     fn left(&mut self) {
@@ -246,7 +267,8 @@ impl ConsolePanel {
         with_headline: bool,
         commands: &mut Vec<Command>,
     ) {
-        let charts = charts(view);
+        let mut charts: [Chart<'_>; 6] = charts(view);
+        self.overlays.over(&mut charts);
         let rows = charts.len() / columns;
         scaffold::column(ui, "plots").show(ui, |ui| {
             let settings = !view.frame.hides(FramePart::Settings);

@@ -99,8 +99,8 @@ impl WorkpieceWindow {
 
     /// Shows it, if it is open.
     pub fn show(&mut self, ui: &Ui, view: &View<'_>, commands: &mut Vec<Command>) {
-        let height = theme::OVERLAY_HEIGHTS[0];
-        let place = WindowPlace { screen: ui.max_rect(), narrow: view.narrow, height, share: 1.0 };
+        let size = [theme::OVERLAY_WIDTH, theme::OVERLAY_HEIGHTS[0]];
+        let place = WindowPlace { screen: ui.max_rect(), narrow: view.narrow, size, share: 1.0 };
         let mut open = self.open;
         window::show(ui.ctx(), text!("Workpiece"), place, &mut open, |ui| {
             self.content(ui, view, commands);

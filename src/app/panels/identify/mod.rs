@@ -66,7 +66,10 @@ impl Panel for IdentifyPanel {
         match file {
             BroughtFile::Table { name, text } => self.form.bring(name, text),
             BroughtFile::Search { name, text } => self.form.resume(name, text),
-            BroughtFile::Mission { .. } | BroughtFile::Linked(_) | BroughtFile::Program { .. } => {}
+            BroughtFile::Mission { .. }
+            | BroughtFile::Linked(_)
+            | BroughtFile::Measured(_)
+            | BroughtFile::Program { .. } => {}
         }
     }
 

@@ -90,6 +90,7 @@ impl Panel for LearnPanel {
             BroughtFile::Linked(linked) => self.bring((**linked).clone()),
             BroughtFile::Table { .. }
             | BroughtFile::Search { .. }
+            | BroughtFile::Measured(_)
             | BroughtFile::Program { .. } => {}
         }
     }

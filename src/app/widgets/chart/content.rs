@@ -2,10 +2,12 @@
 
 use std::collections::BTreeSet;
 
+use crate::app::overlay::trace::MeasuredTrace;
 use crate::app::session::{Session, TwinStand};
 use crate::app::theme::{self, Look};
 use crate::base::language::{text, tr};
 use crate::run::signals::SIGNALS;
+use crate::study::over_run::OverRun;
 
 /// One signal in a chart.
 #[derive(Clone, Copy, Debug)]
@@ -16,6 +18,21 @@ pub struct ChartCurve {
     pub look: Look,
     /// Whether the twin and the run before the last change are drawn with it.
     pub compared: bool,
+}
+
+/// A measured channel in a chart.
+#[derive(Clone, Debug)]
+pub struct ChartMeasured<'a> {
+    /// Its number: larger than those of all before.
+    pub id: u64,
+    /// What it is called, in the chosen language.
+    pub name: String,
+    /// Its number among those over the plots.
+    pub number: usize,
+    /// Its samples.
+    pub trace: &'a MeasuredTrace,
+    /// How it lies over the signal.
+    pub place: OverRun,
 }
 
 /// What a chart shows.
@@ -33,6 +50,8 @@ pub struct Chart<'a> {
     pub levels: Vec<(&'static str, f64)>,
     /// Values that are always in the picture.
     pub include: &'static [f64],
+    /// What was measured, at the back.
+    pub measured: Vec<ChartMeasured<'a>>,
     /// How its values are written: the value and its unit as the tables have it.
     pub write: fn(f64, &str) -> String,
 }
@@ -51,6 +70,12 @@ impl ChartCurve {
 }
 
 impl<'a> Chart<'a> {
+    /// The unit of its values, as the tables have it.
+    #[must_use]
+    pub fn unit(&self) -> &'static str {
+        SIGNALS[index(self.curves[0].signal)].unit
+    }
+
     /// The curves that it is about: those compared with the twin, or else all.
     pub(super) fn foremost(&self) -> impl Iterator<Item = &'a ChartCurve> {
         let any = self.curves.iter().any(|curve| curve.compared);
@@ -67,6 +92,8 @@ pub struct Axes {
     pub(super) drag: Option<f32>,
     /// Legend entries switched off: chart (or [`ALL`]) and name.
     pub(super) hidden: BTreeSet<(&'static str, &'static str)>,
+    /// Measured channels switched off, by their numbers.
+    pub(super) measured_off: BTreeSet<u64>,
 }
 
 /// Stands for the chart where an entry is one of all charts.
@@ -149,6 +176,21 @@ impl Axes {
     #[must_use]
     pub fn is_zoomed(&self) -> bool {
         self.zoomed.is_some()
+    }
+
+    /// Whether a measured channel is drawn.
+    #[must_use]
+    pub fn shows_measured(&self, id: u64) -> bool {
+        !self.measured_off.contains(&id)
+    }
+
+    /// Draws a measured channel, or does not.
+    pub fn show_measured(&mut self, id: u64, shown: bool) {
+        if shown {
+            self.measured_off.remove(&id);
+        } else {
+            self.measured_off.insert(id);
+        }
     }
 
     /// Back to the automatic range.

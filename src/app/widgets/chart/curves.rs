@@ -50,6 +50,11 @@ pub(super) fn fit_values(chart: &Chart, session: &Session, axes: &Axes) -> [f64;
             points.iter().for_each(|[_, value]| join(*value));
         }
     }
+    for channel in chart.measured.iter().filter(|channel| axes.shows_measured(channel.id)) {
+        let times = zoomed.unwrap_or([0.0, session.length_s()]);
+        let points = channel.trace.points(&channel.place, times, BUCKETS);
+        points.iter().filter(|[_, value]| value.is_finite()).for_each(|[_, value]| join(*value));
+    }
     if zoomed.is_none() {
         chart.include.iter().for_each(|value| join(*value));
     }
@@ -138,6 +143,11 @@ pub(super) fn lines(
     let revealed = session.revealed().len();
     let playhead_s = session.playback().playhead_s;
     let mut lines = Vec::new();
+    // At the back: dense samples are a band, and what the run does is to be seen before it.
+    for channel in chart.measured.iter().filter(|channel| axes.shows_measured(channel.id)) {
+        let points = channel.trace.points(&channel.place, range, buckets(width));
+        lines.extend(line(&channel.name, Look::Measured(channel.number), points));
+    }
     for curve in chart.curves {
         let label = SIGNALS[index(curve.signal)].label;
         let chosen = session.chosen();
@@ -227,6 +237,7 @@ mod tests {
                     band: None,
                     levels: Vec::new(),
                     include: &[],
+                    measured: Vec::new(),
                     write: |_, _| String::new(),
                 };
                 let ranges = [[0.0, 10.0], [0.0, 500.0]];
