@@ -274,7 +274,7 @@ fn unread(name: &str, error: &str) -> String {
 /// The command for measured data.
 fn measured(name: String, bytes: &[u8]) -> Command {
     let file = MeasuredFile::read(name, bytes.into(), DataLayout::default());
-    Command::File(FileCommand::Bring(BroughtFile::Measured(file)))
+    Command::File(FileCommand::Bring(BroughtFile::Measured(Box::new(file))))
 }
 
 /// The command for a file that was dropped while a screen was shown: a table with times lies over the plots, unless it is
@@ -292,7 +292,7 @@ pub fn dropped(name: String, bytes: &[u8], shown: &str) -> Command {
     if (is_table || is_text) && !is_other {
         let file = MeasuredFile::read(name.clone(), bytes.into(), DataLayout::default());
         if file.is_measured() && (is_table || file.contents().is_ok()) {
-            return Command::File(FileCommand::Bring(BroughtFile::Measured(file)));
+            return Command::File(FileCommand::Bring(BroughtFile::Measured(Box::new(file))));
         }
     }
     loaded(name, bytes)

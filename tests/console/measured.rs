@@ -171,8 +171,7 @@ fn it_is_switched_moved_by_hand_kept_through_edits_and_removed() {
     screen.run_steps(3);
     // The sample in the legend is struck out then.
     assert_eq!(drawn_lines(&screen), 0);
-    screen.get_by_role_and_label(Role::CheckBox, "Show it").click();
-    screen.run_steps(3);
+    click(&mut screen, "Show it");
     assert!(drawn_lines(&screen) > 0);
 
     let aligned = number(&screen, "Shift");

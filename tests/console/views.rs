@@ -250,7 +250,7 @@ fn overlays(size: Vec2, pixels: Option<f32>, look: Look<'_>) {
     ] {
         let bytes = text.into_bytes().into();
         let file = MeasuredFile::read("cut.csv".to_owned(), bytes, DataLayout::default());
-        let brought = FileCommand::Bring(BroughtFile::Measured(file));
+        let brought = FileCommand::Bring(BroughtFile::Measured(Box::new(file)));
         screen.state().as_ref().unwrap().push(Command::File(brought));
         screen.run_steps(5);
         settle(&mut screen);

@@ -18,7 +18,7 @@ use crate::run::signals::{SignalInfo, signal};
 use crate::study::over_run::{self, OverRun, OverRunFit};
 use file::MeasuredFile;
 use unit::{likely_signal, place_of, units};
-use work::{ChannelWish, OneStep, PreparedChannel, prepared};
+use work::{ChannelWish, PreparedChannel, SingleTask, prepared};
 
 /// Most channels that lie over the plots at once.
 pub const MOST_OVERLAYS: usize = 6;
@@ -41,6 +41,11 @@ pub struct OverlayChoice {
 /// What a fit was worked out of: changes of the run, its rows, the signal.
 type ReferenceKey = (u64, usize, &'static str);
 
+/// What came of working a channel out.
+type Worked = Result<Arc<PreparedChannel>, String>;
+/// The values of a signal in the rows of the run.
+type OfRun = Arc<Result<Vec<f64>, String>>;
+
 /// A channel over a signal of the run.
 pub struct Overlay {
     /// Its number: larger than those of all before.
@@ -57,12 +62,12 @@ pub struct Overlay {
     to_align: bool,
     /// What the channel was worked out for last.
     asked: Option<(Arc<file::ReadFile>, ChannelWish)>,
-    preparing: Option<Work<OneStep<Result<Arc<PreparedChannel>, String>>>>,
-    prepared: Option<Result<Arc<PreparedChannel>, String>>,
-    aligning: Option<Work<OneStep<Result<OverRunFit, String>>>>,
+    preparing: Option<Work<SingleTask<Worked>>>,
+    prepared: Option<Worked>,
+    aligning: Option<Work<SingleTask<Result<OverRunFit, String>>>>,
     /// Why it could not be aligned.
     not_aligned: Option<String>,
-    reference: Option<(ReferenceKey, Arc<Result<Vec<f64>, String>>)>,
+    reference: Option<(ReferenceKey, OfRun)>,
     /// How well it lies, and of what that was worked out.
     fit: Option<(ReferenceKey, OverRun, Option<OverRunFit>)>,
 }
@@ -241,7 +246,7 @@ impl Overlay {
                     .map_err(|fault| fault.to_string()),
                 Err(why) => Err(why.clone()),
             };
-            self.aligning = Some(jobs.begin_brief(tr(WORK), OneStep::new(align), 1));
+            self.aligning = Some(jobs.begin_brief(tr(WORK), SingleTask::new(align), 1));
         }
         let known = self.fit.is_some_and(|(of, place, _)| of == key && place == self.place);
         if !known {
@@ -276,13 +281,13 @@ impl Overlay {
             return;
         }
         let (file, asked) = (Arc::clone(read), wish.clone());
-        let work = OneStep::new(move || prepared(&file, &asked));
+        let work = SingleTask::new(move || prepared(&file, &asked));
         self.asked = Some((Arc::clone(read), wish));
         self.preparing = Some(jobs.begin_brief(tr(WORK), work, 1));
     }
 
     /// The values of the signal in the run, worked out once for each change of it.
-    fn reference_of(&mut self, session: &Session) -> (ReferenceKey, Arc<Result<Vec<f64>, String>>) {
+    fn reference_of(&mut self, session: &Session) -> (ReferenceKey, OfRun) {
         let recording = session.chosen().run().recording();
         let key = (session.changes(), recording.rows().len(), self.choice.signal);
         match &self.reference {

@@ -12,19 +12,19 @@ use crate::run::job::{Budget, Job, Progress};
 use super::file::ReadFile;
 
 /// Work that is done in one step.
-pub struct OneStep<T> {
+pub struct SingleTask<T> {
     work: Option<Box<dyn FnOnce() -> T + Send>>,
     done: Option<T>,
 }
 
-impl<T> OneStep<T> {
+impl<T> SingleTask<T> {
     /// Of a piece of work.
     pub fn new(work: impl FnOnce() -> T + Send + 'static) -> Self {
         Self { work: Some(Box::new(work)), done: None }
     }
 }
 
-impl<T: Clone + Send> Job for OneStep<T> {
+impl<T: Clone + Send> Job for SingleTask<T> {
     type Partial = Option<T>;
 
     fn advance(&mut self, budget: &Budget<'_>) -> bool {

@@ -55,7 +55,7 @@ pub enum BroughtFile {
     /// A mission of a link.
     Linked(Box<LinkedMission>),
     /// Measured data, to lie over the plots.
-    Measured(MeasuredFile),
+    Measured(Box<MeasuredFile>),
     /// A saved search for a formula.
     Search {
         /// Where it came from, for messages.

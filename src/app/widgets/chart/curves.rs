@@ -204,12 +204,15 @@ pub(super) fn lines(
 mod tests {
     use egui_plot::PlotItem as _;
 
-    use super::super::content::ChartCurve;
+    use super::super::content::{ChartCurve, ChartMeasured};
     use super::*;
     use crate::app::command::{PlaybackCommand, SessionCommand};
+    use crate::app::overlay::trace::MeasuredTrace;
     use crate::base::settings::Value;
+    use crate::measured::channel::SampleTimes;
     use crate::run::edits::Edits;
     use crate::run::presets;
+    use crate::study::over_run::OverRun;
 
     /// What was before the change has the curves that the cut has: with vibration where the machine vibrates.
     #[test]
@@ -252,6 +255,39 @@ mod tests {
                 assert!(has(names[1], FUTURE), "{preset}: {}", names[1]);
             }
         }
+    }
+
+    /// What was measured is drawn and in the picture as long as it is switched on.
+    #[test]
+    fn a_measured_channel_is_a_line_until_it_is_switched_off() {
+        let session = Session::new(presets::load("first-cut").unwrap(), Edits::none());
+        let times = SampleTimes::Even { rate_hz: 10.0, first_s: 5.0 };
+        let trace = MeasuredTrace::new(times, vec![10.0, 4000.0, f64::NAN, 20.0, 30.0]);
+        let place = OverRun { shift_s: 5.0, scale: 2.0, offset: 0.0 };
+        let name = "measured: Fx".to_owned();
+        let chart = Chart {
+            id: "a",
+            title: "A",
+            curves: &[ChartCurve { signal: "force_n", look: Look::Produced, compared: false }],
+            band: None,
+            levels: Vec::new(),
+            include: &[],
+            measured: vec![ChartMeasured { id: 7, name, number: 0, trace: &trace, place }],
+            write: |_, _| String::new(),
+        };
+        let mut axes = Axes::default();
+        let palette = Palette::of(egui::Theme::Light);
+        let drawn = |axes: &Axes| {
+            let values = fit_values(&chart, &session, axes);
+            let lines = lines(&chart, &session, axes, [[0.0, 10.0], values], 400.0, palette);
+            let measured = lines.iter().filter(|line| line.name() == "measured: Fx").count();
+            (measured, values[1])
+        };
+        let (count, most) = drawn(&axes);
+        assert!(count == 2 && most >= 2000.0, "in two pieces, as 2000 N: {count} {most}");
+        axes.show_measured(7, false);
+        let (count, most) = drawn(&axes);
+        assert!(count == 0 && most < 2000.0, "{count} {most}");
     }
 
     #[test]
