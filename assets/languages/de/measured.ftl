@@ -342,7 +342,6 @@ numbers-alone = nur Zahlen
 byte-byte-is-no-utf-8 = das Byte { $byte } ist kein UTF-8
 utf-8-or-another-encoding-latin-1 = UTF-8, oder eine andere Kodierung: latin-1
 byte-byte-stands-in-no-text = das Byte { $byte } steht in keinem Text
-text-matlab-v5-tdms-or-parquet = Text, MATLAB v5, TDMS oder Parquet
 half-a-character-of-utf-16 = ein halbes Zeichen von UTF-16
 utf-16-or-another-encoding-utf-8-or-latin-1 = UTF-16, oder eine andere Kodierung: utf-8 oder latin-1
 a-whole-one = ein ganzes

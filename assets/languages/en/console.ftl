@@ -331,7 +331,7 @@ limit-depth-2 = Limit depth…
 the-forces-on-the-tool-at-28-8-khz-over-the = The forces on the tool at 28.8 kHz over the last turns before the playhead
 within-a-revolution = Within a revolution…
 operator-2 = Operator…
-a-measured-file-over-the-plots-text-matlab-t = A measured file over the plots: text, MATLAB, TDMS or Parquet. It can also be dropped here.
+a-measured-file-over-the-plots-text-matlab-h = A measured file over the plots: text, MATLAB, HDF5, TDMS or Parquet. It can also be dropped here.
 measured-data-2 = Measured data…
 more-settings = More settings
 scenario-changed = { $scenario }, changed
@@ -476,7 +476,7 @@ to-time = To, { $time }
 
 name-is-not-shown-there-are-most-measured-ch = { $name } is not shown: there are { $most } measured channels over the plots already. Remove one first.
 open-a-file = Open a file…
-text-of-any-layout-matlab-v5-tdms-or-parquet = Text of any layout, MATLAB v5, TDMS or Parquet; a file can also be dropped onto the plots.
+text-of-any-layout-matlab-hdf5-tdms-or-parqu = Text of any layout, MATLAB, HDF5, TDMS or Parquet; a file can also be dropped onto the plots.
 no-part-of-the-scenario-neither-a-file-nor-a = No part of the scenario: neither a file nor a link holds it. Changes of the cut leave it where it is, until it is removed or the program is closed.
 remove = Remove
 channel-2 = Channel

@@ -342,7 +342,6 @@ numbers-alone = numbers alone
 byte-byte-is-no-utf-8 = byte { $byte } is no UTF-8
 utf-8-or-another-encoding-latin-1 = UTF-8, or another encoding: latin-1
 byte-byte-stands-in-no-text = byte { $byte } stands in no text
-text-matlab-v5-tdms-or-parquet = text, MATLAB v5, TDMS or Parquet
 half-a-character-of-utf-16 = half a character of UTF-16
 utf-16-or-another-encoding-utf-8-or-latin-1 = UTF-16, or another encoding: utf-8 or latin-1
 a-whole-one = a whole one

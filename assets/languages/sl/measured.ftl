@@ -342,7 +342,6 @@ numbers-alone = samo števila
 byte-byte-is-no-utf-8 = bajt { $byte } ni UTF-8
 utf-8-or-another-encoding-latin-1 = UTF-8 ali drugo kodiranje: latin-1
 byte-byte-stands-in-no-text = bajta { $byte } ni v nobenem besedilu
-text-matlab-v5-tdms-or-parquet = besedilo, MATLAB v5, TDMS ali Parquet
 half-a-character-of-utf-16 = pol znaka UTF-16
 utf-16-or-another-encoding-utf-8-or-latin-1 = UTF-16 ali drugo kodiranje: utf-8 ali latin-1
 a-whole-one = cel

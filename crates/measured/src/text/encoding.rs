@@ -43,7 +43,7 @@ pub(super) fn decode(
     let control = |byte: &u8| *byte < b' ' && !b"\t\n\r\x0c\x1a".contains(byte);
     if let Some(at) = looked_at.iter().position(control) {
         let found = tr!("byte {byte} stands in no text", byte = format!("0x{:02x}", looked_at[at]));
-        return Err(DataFault::at(at, found, tr("text, MATLAB v5, TDMS or Parquet")));
+        return Err(DataFault::at(at, found, tr("text, MATLAB v5 or v7.3, HDF5, TDMS or Parquet")));
     }
     // Old programs end lines with a carriage return alone.
     let text = match looked_at.contains(&b'\r') && !text.contains('\n') {

@@ -110,7 +110,7 @@ pub fn more(ui: &mut Ui, view: &View<'_>, windows: &mut Windows, commands: &mut 
         if ui.button(tr("Operator\u{2026}")).on_hover_text(tr(operator::HELP)).clicked() {
             commands.push(Command::hand(HandCommand::Toggle));
         }
-        let help = tr("A measured file over the plots: text, MATLAB, TDMS or Parquet. It can also be dropped here.");
+        let help = tr("A measured file over the plots: text, MATLAB, HDF5, TDMS or Parquet. It can also be dropped here.");
         if ui.button(tr("Measured data\u{2026}")).on_hover_text(help).clicked() {
             windows.measured.open = !windows.measured.open;
         }

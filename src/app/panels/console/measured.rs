@@ -117,7 +117,7 @@ impl MeasuredWindow {
         match overlays.chosen_mut() {
             None => {
                 ui.label(tr(
-                    "Text of any layout, MATLAB v5, TDMS or Parquet; a file can also be dropped onto the plots.",
+                    "Text of any layout, MATLAB, HDF5, TDMS or Parquet; a file can also be dropped onto the plots.",
                 ));
             }
             Some(overlay) => {
