@@ -202,6 +202,7 @@ impl Console {
     /// Makes the texts anew that are kept from frame to frame, in the language of the thread.
     pub fn tell_anew(&mut self) {
         self.session.tell_anew();
+        self.panels.iter_mut().for_each(|panel| panel.tell_anew());
     }
 
     /// Scenario, run and playhead.

@@ -234,7 +234,7 @@ fn a_faulty_file_is_told_with_line_and_column_and_other_layouts_are_said() {
     let text = format!("Zeit [s];Fx [N]\n{}", lines.concat());
     drop_file(&mut screen, Dropped("/lab/good.csv", text.into_bytes()), "good.csv");
     assert!(!texts(&screen).contains("bad.csv"), "{}", texts(&screen));
-    choose(&mut screen, "Times", "none: a sample rate");
+    choose(&mut screen, "Time column", "none: a sample rate");
     assert!(texts(&screen).contains("Zeit [s]"), "the times are a channel now");
     set(&mut screen, "Sample rate", 200.0);
     let said = texts(&screen);

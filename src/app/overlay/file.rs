@@ -60,6 +60,12 @@ impl MeasuredFile {
         Self::read(self.name.clone(), Arc::clone(&self.bytes), said)
     }
 
+    /// The same file read again as before.
+    #[must_use]
+    pub fn again(&self) -> Self {
+        Self::read(self.name.clone(), Arc::clone(&self.bytes), self.said.clone())
+    }
+
     /// What was read of it, or what is wrong with it: the place, what stands there, and what was expected.
     pub fn contents(&self) -> Result<&Arc<ReadFile>, &str> {
         self.read.as_ref().map_err(String::as_str)

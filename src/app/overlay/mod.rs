@@ -353,6 +353,12 @@ impl Overlays {
         }
     }
 
+    /// Says what is wrong with a file in the language of now.
+    pub fn tell_anew(&mut self) {
+        let faulty = self.all.iter_mut().filter(|overlay| overlay.file.contents().is_err());
+        faulty.for_each(|overlay| overlay.file = overlay.file.again());
+    }
+
     /// Follows what was chosen and the run.
     pub fn follow(&mut self, session: &Session, jobs: &Jobs) {
         self.all.iter_mut().for_each(|overlay| overlay.follow(session, jobs));

@@ -98,6 +98,8 @@ pub trait Panel {
     fn take(&mut self, _file: &BroughtFile) {}
     /// Another screen is shown from now on.
     fn left(&mut self) {}
+    /// Makes the texts anew that it keeps from frame to frame: another language is spoken.
+    fn tell_anew(&mut self) {}
 }
 
 /// From the list of screens `module::Type` their modules and [`panels`].

@@ -60,6 +60,11 @@ const HDF5_SAMPLES: [&str; 7] = [
     "hdf5storage_records.mat",
 ];
 
+/// From place to place where a sample is spoilt: a byte of a text means no more than the next one.
+fn stride(name: &str) -> usize {
+    if name.ends_with(".csv") { 9 } else { 1 }
+}
+
 /// Reads bytes that may be anything.
 fn try_read(bytes: &[u8]) {
     match read(bytes, &DataLayout::default()) {
@@ -74,8 +79,9 @@ fn files_that_were_cut_off_anywhere_are_read_or_refused() {
     for name in SAMPLES {
         let bytes = sample(name);
         // Every place in the head, and many behind it.
-        let places =
-            (0..bytes.len().min(700)).chain((700..bytes.len()).step_by(bytes.len() / 400 + 1));
+        let places = (0..bytes.len().min(700))
+            .step_by(stride(name))
+            .chain((700..bytes.len()).step_by(bytes.len() / 400 + 1));
         for place in places {
             try_read(&bytes[..place]);
         }
@@ -90,8 +96,9 @@ fn files_with_spoilt_bytes_are_read_or_refused() {
         let bytes = sample(name);
         let from_end = bytes.len().saturating_sub(800).max(600);
         let places = (0..bytes.len().min(600))
+            .step_by(stride(name))
             .chain((600..bytes.len()).step_by(bytes.len() / 100 + 1))
-            .chain(from_end..bytes.len());
+            .chain((from_end..bytes.len()).step_by(stride(name)));
         for place in places {
             let mut spoilt = bytes.clone();
             spoilt[place] ^= [0xff, 0x80, 0x01][place % 3];

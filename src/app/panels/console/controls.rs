@@ -110,10 +110,6 @@ pub fn more(ui: &mut Ui, view: &View<'_>, windows: &mut Windows, commands: &mut 
         if ui.button(tr("Operator\u{2026}")).on_hover_text(tr(operator::HELP)).clicked() {
             commands.push(Command::hand(HandCommand::Toggle));
         }
-        let help = tr("A measured file over the plots: text, MATLAB, HDF5, TDMS or Parquet. It can also be dropped here.");
-        if ui.button(tr("Measured data\u{2026}")).on_hover_text(help).clicked() {
-            windows.measured.open = !windows.measured.open;
-        }
         let chosen = view.session.current().controller.kind == ControllerKind::Afc;
         if chosen && ui.button("AFC\u{2026}").on_hover_text(tr(afc::HELP)).clicked() {
             windows.afc.open = !windows.afc.open;
@@ -121,6 +117,10 @@ pub fn more(ui: &mut Ui, view: &View<'_>, windows: &mut Windows, commands: &mut 
     });
     ui.add_space(6.0);
     CollapsingHeader::new(tr("More settings")).id_salt("more").show_unindented(ui, |ui| {
+        let help = tr("A measured file over the plots: text, MATLAB, HDF5, TDMS or Parquet. It can also be dropped here.");
+        if ui.button(tr("Measured data\u{2026}")).on_hover_text(help).clicked() {
+            windows.measured.open = !windows.measured.open;
+        }
         let scenario = view.session.current();
         for (group, title) in groups() {
             if !concerns(group, scenario.controller.kind) {

@@ -214,6 +214,10 @@ impl Panel for ConsolePanel {
     fn left(&mut self) {
         self.operator.left();
     }
+
+    fn tell_anew(&mut self) {
+        self.overlays.tell_anew();
+    }
 }
 
 impl ConsolePanel {

@@ -94,7 +94,7 @@ impl LayoutFields {
         let names: Vec<String> =
             columns.iter().cloned().chain([tr("none: a sample rate").to_owned()]).collect();
         let chosen = columns.iter().position(|name| name == time).unwrap_or(columns.len());
-        if let Some(place) = choice(ui, tr("Times"), &names, Some(chosen)) {
+        if let Some(place) = choice(ui, tr("Time column"), &names, Some(chosen)) {
             self.rate_hz = None;
             let column = columns.get(place).map_or(NO_TIMES, String::as_str);
             return Some(file.with_times(column, layout.rate_hz));
