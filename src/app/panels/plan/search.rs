@@ -44,10 +44,13 @@ struct Key {
     workpiece: Workpiece,
     target: Target,
     belief: Belief,
+    /// How far the machine goes: largest feed in mm/min, least and largest speed in 1/min.
+    machine: [f64; 3],
 }
 
 impl Key {
     fn of(scenario: &Scenario) -> Self {
+        let cnc = &scenario.cnc;
         Self {
             plan: scenario.plan.clone(),
             plant: scenario.plant.clone(),
@@ -55,6 +58,7 @@ impl Key {
             workpiece: scenario.workpiece.clone(),
             target: scenario.target.clone(),
             belief: scenario.belief.clone(),
+            machine: [cnc.feed_max_mm_min, cnc.speed_min_rpm, cnc.speed_max_rpm],
         }
     }
 

@@ -116,6 +116,7 @@ fn breaking(rule: &Rule) -> Settings {
             s.machine.coupled = true;
         }
         "wear.adjust_speed" => s.wear.adjust_speed = true,
+        "cnc.speed_min_rpm" => (s.cnc.speed_min_rpm, s.cnc.speed_max_rpm) = (2000.0, 1500.0),
         "controller.unks.networks" => {
             let origin = |i| crate::base::network::parse(crate::models::unks::FILES[i]).unwrap().1;
             let origins = [origin(0), origin(1), origin(2)];
