@@ -560,7 +560,7 @@ pub struct PlanArgs {
     #[command(flatten)]
     pub own_cut: OwnCutArgs,
     /// Limits of another machine, in the format of the shipped file of the papers' machine, whose
-    /// values are placeholders; or a machine of one's own with [limits], as `steadycut own new machine` begins it.
+    /// values are placeholders; or a machine of one's own with a section of limits, as `steadycut own new machine` begins it.
     #[arg(long, value_name = "FILE.toml")]
     pub machine: Option<InPath>,
     /// Plan the feed of every cut for its lightest or its heaviest section, the spindle as
