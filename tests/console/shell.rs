@@ -13,7 +13,7 @@ use steadycut::run::edits::Edits;
 use steadycut::run::{Start, presets};
 
 use crate::drawn;
-use crate::screen::{self, Screen, finger, rest, show, sliced, texts};
+use crate::screen::{self, Screen, finger, show, sliced, texts};
 
 const DESKTOP: Vec2 = vec2(1280.0, 800.0);
 const PHONE: Vec2 = vec2(390.0, 844.0);
@@ -513,7 +513,7 @@ fn what_lies_over_the_screens_looks_as_its_pictures() {
         press(&mut screen, Modifiers::NONE, Key::Space);
         let mut picture = |screen: &mut Screen<'_>, name: &str| {
             screen.run_steps(20);
-            rest(screen);
+            screen::computed(screen);
             let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(40);
             results.add(screen.try_snapshot_options(format!("{name}-{look}"), &options));
         };
