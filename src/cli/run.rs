@@ -237,6 +237,15 @@ fn shown(value: Option<f64>, text: &dyn Fn(f64) -> String) -> String {
     value.map_or("no contact".to_owned(), text)
 }
 
+/// A deviation with what it is one of. That is no setting: edits move the target, and a force that is held belongs to a
+/// roughness of its own.
+fn deviation_told(percent: f64, produced_um: Option<f64>) -> String {
+    let of = produced_um.map(|ra_um| ra_um / (1.0 + percent / 100.0));
+    let of =
+        of.filter(|um| um.is_finite()).map_or(String::new(), |of_um| format!(" of {of_um:.4} um"));
+    format!("{percent:+.2} %{of}")
+}
+
 fn print_metrics(
     out: &mut impl Write,
     scenario: &Scenario,
@@ -250,7 +259,6 @@ fn print_metrics(
         let shipped = if presets::is_changed(scenario) { "as shipped: " } else { "" };
         writeln!(out, "{shipped}{}", scenario.info.description)?;
     }
-    let target = scenario.target.ra_um;
     let dead_ticks = scenario.ticks(scenario.cnc.dead_time_s);
     let settled = m.settling_time_s.map_or("not settled".to_owned(), |time_s| {
         format!("{time_s:.3} s, within 2 % of its reference")
@@ -267,7 +275,7 @@ fn print_metrics(
     };
     let lines = [
         ("Ra produced", ra_shown(m.ra_final_um, &|x| format!("{x:.4} um"))),
-        ("  deviation", ra_shown(m.ra_deviation_percent, &|x| format!("{x:+.2} % of {target} um"))),
+        ("  deviation", ra_shown(m.ra_deviation_percent, &|x| deviation_told(x, m.ra_final_um))),
         (
             "  in tolerance",
             shown(m.in_tolerance_percent, &|x| {

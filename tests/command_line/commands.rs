@@ -1,6 +1,7 @@
 //! The command line as its user meets it.
 
-use steadycut::run::edits::Edits;
+use steadycut::base::settings::Value;
+use steadycut::run::edits::{Edit, Edits};
 use steadycut::run::job::Job;
 use steadycut::run::one_run::Run;
 use steadycut::run::presets::load;
@@ -33,6 +34,29 @@ fn run_prints_one_json_object_with_the_promised_keys() {
     // The command line and the library run the same bits.
     let run = Run::complete(&load("table3-5").unwrap(), &Edits::none());
     assert_eq!(report["digest"], run.recording().digest());
+}
+
+#[test]
+fn a_deviation_of_ra_names_what_it_is_one_of() {
+    // A target that an edit moves, and one that belongs to a force that is held, are not that of the settings.
+    let scenario = load("table3-5").unwrap();
+    let mut edits = Edits::none();
+    let (path, value) = ("target.ra_um".to_owned(), Value::Float(0.6));
+    edits.push(&scenario, Edit { at_s: 5.0, path, value }).unwrap();
+    let edited = scenario_link::write(&scenario, &edits);
+    let held = temporary("deviation_held.csv");
+    let told = |args: &[&str]| {
+        let text = String::from_utf8(steadycut(args).stdout).unwrap();
+        let line = text.lines().find(|line| line.trim().starts_with("deviation")).unwrap();
+        line.split(" of ").nth(1).unwrap().to_owned()
+    };
+    assert_eq!(told(&["run", &edited]), "0.6000 um");
+    let of = told(&["run", "combined-2005", "--out", held.to_str().unwrap()]);
+    let table = std::fs::read_to_string(&held).unwrap();
+    let column =
+        table.lines().next().unwrap().split(',').position(|name| name == "ra_target_um [um]");
+    let last = table.lines().last().unwrap().split(',').nth(column.unwrap()).unwrap();
+    assert_eq!(of, format!("{:.4} um", last.parse::<f64>().unwrap()));
 }
 
 #[test]
