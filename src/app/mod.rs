@@ -6,6 +6,7 @@ mod bar;
 mod clock;
 pub mod command;
 pub mod cut;
+mod draw_calls;
 mod execute;
 mod files;
 pub mod format;
@@ -117,6 +118,7 @@ impl Console {
         assert!(!panels.is_empty(), "a console has a screen");
         theme::install(ctx);
         ctx.add_plugin(mirror::PlainNames);
+        ctx.add_plugin(draw_calls::FewDrawCalls);
         let mut session = Session::new(start.scenario, start.edits);
         if let Some(notice) = start.notice {
             session.notify(notice);

@@ -5,6 +5,8 @@
 mod named;
 mod sheet;
 
+use std::sync::LazyLock;
+
 use egui::{Context, Event, Id, Key, KeyboardShortcut, Modifiers};
 
 use crate::base::language::text;
@@ -99,7 +101,17 @@ pub const TRY_AGAIN: &str = text!("Back to before it went wrong");
 /// Name of [`SessionCommand::CutAgain`].
 pub const CUT_AGAIN: &str = text!("Apply from the start");
 
-fn table(place: Host) -> Vec<Shortcut> {
+/// The keys of a window or a page: made once, since every frame asks for some of them.
+fn table(place: Host) -> &'static [Shortcut] {
+    static OF_WINDOW: LazyLock<Vec<Shortcut>> = LazyLock::new(|| all_of(Host::Window));
+    static OF_PAGE: LazyLock<Vec<Shortcut>> = LazyLock::new(|| all_of(Host::Page));
+    match place {
+        Host::Window => &OF_WINDOW,
+        Host::Page => &OF_PAGE,
+    }
+}
+
+fn all_of(place: Host) -> Vec<Shortcut> {
     let shortcut = |modifiers, key, doing, command| Shortcut {
         keys: KeyboardShortcut::new(modifiers, key),
         doing,
@@ -240,7 +252,7 @@ pub fn screen_key(order: usize, place: Host) -> Option<KeyboardShortcut> {
 /// The key of a command as a tooltip shows it, in brackets; empty where there is none.
 #[must_use]
 pub fn hint(ctx: &Context, place: Host, command: &Command) -> String {
-    let keys = table(place).into_iter().find(|shortcut| shortcut.command == *command);
+    let keys = table(place).iter().find(|shortcut| shortcut.command == *command);
     keys.map_or(String::new(), |found| format!(" ({})", named(ctx, &found.keys)))
 }
 
@@ -248,8 +260,8 @@ pub fn hint(ctx: &Context, place: Host, command: &Command) -> String {
 pub fn commands(place: Host) -> Vec<(&'static str, Command)> {
     let mut all: Vec<(&'static str, Command)> = Vec::new();
     for Shortcut { doing, command, .. } in table(place) {
-        if all.iter().all(|(_, other)| *other != command) {
-            all.push((doing, command));
+        if all.iter().all(|(_, other)| other != command) {
+            all.push((*doing, command.clone()));
         }
     }
     all
@@ -285,7 +297,7 @@ pub fn read(ctx: &Context, reach: &Reach<'_>, commands: &mut Vec<Command>) {
     });
     let sheet = KeyboardShortcut::new(Modifiers::NONE, Key::Questionmark);
     let sheet = (sheet, Command::Shell(ShellCommand::ShowShortcuts(true)));
-    let all = table(reach.place).into_iter().filter(|shortcut| {
+    let all = table(reach.place).iter().filter(|shortcut| {
         let there = match shortcut.command {
             Command::Session(SessionCommand::Hand(HandCommand::Turn(_))) => {
                 reach.operator && reach.timeline && !menu
@@ -300,7 +312,7 @@ pub fn read(ctx: &Context, reach: &Reach<'_>, commands: &mut Vec<Command>) {
     });
     let all: Vec<(KeyboardShortcut, Command)> = screens
         .chain([sheet])
-        .chain(all.map(|shortcut| (shortcut.keys, shortcut.command)))
+        .chain(all.map(|shortcut| (shortcut.keys, shortcut.command.clone())))
         .collect();
     // What is typed right after the key that opens the search is for its field, which is there from the next frame on;
     // the key's own sign is for nobody.

@@ -45,6 +45,30 @@ pub(super) fn shaken_ra_um(row: &Row) -> Option<f64> {
     produced_ra_um(row).and((!ended).then_some(row.ra_dyn_um))
 }
 
+/// The values of rows in contact, row by row; those that a row does not have are left out.
+#[derive(Default)]
+struct Values {
+    ra_um: Vec<f64>,
+    shaken_ra_um: Vec<f64>,
+    force_n: Vec<f64>,
+    feed_mm_min: Vec<f64>,
+    spindle_rpm: Vec<f64>,
+    deviation: Vec<f64>,
+    shaken_deviation: Vec<f64>,
+}
+
+impl Values {
+    fn add(&mut self, row: &Row, held: Reference) {
+        self.ra_um.extend(produced_ra_um(row));
+        self.shaken_ra_um.extend(shaken_ra_um(row));
+        self.force_n.push(row.force_n);
+        self.feed_mm_min.push(row.feed_mm_min);
+        self.spindle_rpm.push(row.spindle_rpm);
+        self.deviation.extend(deviation(row, held));
+        self.shaken_deviation.extend(shaken_deviation(row));
+    }
+}
+
 /// Means over a stretch of rows in contact.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct StretchMeans {
@@ -75,26 +99,28 @@ impl StretchMeans {
     #[must_use]
     pub fn of(rows: &[Row], held: Reference, tolerance_percent: f64) -> Option<Self> {
         let step = rows.len() / MOST_ROWS + 1;
-        let taken: Vec<&Row> =
-            rows.iter().step_by(step).filter(|row| !row.has(flag::AIR)).collect();
-        let mean = |of: fn(&Row) -> f64| stats::mean(taken.iter().map(|row| of(row)));
-        let known = |of: &dyn Fn(&Row) -> Option<f64>| {
-            let values: Vec<f64> = taken.iter().filter_map(|row| of(row)).collect();
-            if 2 * values.len() > taken.len() { stats::mean(values) } else { None }
+        // Once over the rows, which are wide: this is told anew while the cut plays.
+        let mut all = Values::default();
+        let taken = rows.iter().step_by(step).filter(|row| !row.has(flag::AIR));
+        taken.for_each(|row| all.add(row, held));
+        let known = |values: &Vec<f64>| {
+            if 2 * values.len() > all.force_n.len() {
+                stats::mean(values.iter().copied())
+            } else {
+                None
+            }
         };
-        let deviation_percent = known(&|row| deviation(row, held)).map(percent_from_ratio);
-        let deviation_dyn_percent = known(&shaken_deviation).map(percent_from_ratio);
+        let mean = |values: &Vec<f64>| stats::mean(values.iter().copied());
+        let deviation_percent = known(&all.deviation).map(percent_from_ratio);
+        let deviation_dyn_percent = known(&all.shaken_deviation).map(percent_from_ratio);
         let inside = |percent: f64| percent.abs() <= tolerance_percent;
         Some(Self {
-            ra_um: known(&produced_ra_um),
-            ra_dyn_um: known(&shaken_ra_um),
-            force_n: mean(|row| row.force_n)?,
-            feed_mm_min: mean(|row| row.feed_mm_min)?,
-            feed_scatter_mm_min: {
-                let feeds: Vec<f64> = taken.iter().map(|row| row.feed_mm_min).collect();
-                stats::deviation(&feeds)?
-            },
-            spindle_rpm: mean(|row| row.spindle_rpm)?,
+            ra_um: known(&all.ra_um),
+            ra_dyn_um: known(&all.shaken_ra_um),
+            force_n: mean(&all.force_n)?,
+            feed_mm_min: mean(&all.feed_mm_min)?,
+            feed_scatter_mm_min: stats::deviation(&all.feed_mm_min)?,
+            spindle_rpm: mean(&all.spindle_rpm)?,
             deviation_percent,
             in_tolerance: deviation_percent.map(inside),
             deviation_dyn_percent,
