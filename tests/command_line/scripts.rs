@@ -31,5 +31,5 @@ fn a_script_of_a_file_controls_the_cut_and_a_wrong_one_is_refused_with_its_line(
     let output = steadycut(&run);
     let told = String::from_utf8_lossy(&output.stdout).into_owned()
         + String::from_utf8_lossy(&output.stderr).as_ref();
-    assert!(!output.status.success() && told.contains("more than"), "{told}");
+    assert!(!output.status.success() && told.contains("line 3: more than"), "{told}");
 }

@@ -79,7 +79,7 @@ impl ScriptRandom {
 /// The one engine; it has no state.
 pub static ENGINE: LazyLock<Engine> = LazyLock::new(engine);
 
-fn engine() -> Engine {
+pub(super) fn engine() -> Engine {
     let mut engine = Engine::new_raw();
     engine
         .register_global_module(LanguageCorePackage::new().as_shared_module())

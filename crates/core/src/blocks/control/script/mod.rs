@@ -14,6 +14,7 @@
 //! (`engine.rs`). What it cannot do, an endless loop, a number that is not finite, is a fault: the run ends there with
 //! the line, and what was recorded stays.
 
+mod endless;
 mod engine;
 mod program;
 
@@ -102,7 +103,7 @@ impl Script {
     fn begin(&mut self) {
         self.state = Dynamic::from_map(Map::new());
         if self.settings.code.has("init") {
-            match self.call("init", self.start()) {
+            match self.call("init", self.start(), |this| this.start()) {
                 Ok(state) => self.state = state,
                 Err(problem) => self.problem = Some(Box::new(problem)),
             }
@@ -151,18 +152,36 @@ impl Script {
     }
 
     /// Calls a function of the script with a map; its state is `this`.
-    fn call(&mut self, name: &str, given: Map) -> Result<Dynamic, ScriptProblem> {
+    fn call(
+        &mut self,
+        name: &str,
+        given: Map,
+        again: impl FnOnce(&mut Self) -> Map,
+    ) -> Result<Dynamic, ScriptProblem> {
         let options = CallFnOptions::new().eval_ast(false).bind_this_ptr(&mut self.state);
         let code = self.settings.code.code();
-        ENGINE
-            .call_fn_with_options::<Dynamic>(options, &mut Scope::new(), code, name, (given,))
-            .map_err(|error| problem_of(&error))
+        let called = ENGINE.call_fn_with_options::<Dynamic>(
+            options,
+            &mut Scope::new(),
+            code,
+            name,
+            (given,),
+        );
+        called.map_err(|error| {
+            let mut problem = problem_of(&error);
+            if endless::is_that(&error) {
+                // Rhai does not say where: the call is done again, watched, with what it was given before.
+                let given = again(self);
+                problem.line = endless::line(&self.settings.code, name, given, &mut self.state);
+            }
+            problem
+        })
     }
 
     /// The command that the script gives.
     fn ask(&mut self, input: &ControlInput) -> Result<ControlOutput, ScriptProblem> {
         let (given, models) = self.now(input);
-        let told = self.call("update", given)?;
+        let told = self.call("update", given, |this| this.now(input).0)?;
         let [feed_model_valid, speed_model_valid] = models.valid();
         let mut output = ControlOutput {
             request: input.programmed,
@@ -252,7 +271,7 @@ fn problem_of(error: &EvalAltResult) -> ScriptProblem {
         let inner = problem_of(inner);
         return ScriptProblem { line: inner.line.or(position.line()), ..inner };
     }
-    let what = if let EvalAltResult::ErrorTooManyOperations(_) = error {
+    let what = if endless::is_that(error) {
         tr!("more than {n} steps in one control period: an endless loop?", n = MAX_STEPS)
     } else {
         let told = error.to_string();
@@ -292,7 +311,7 @@ impl ControlLaw for Script {
             return self.begin();
         }
         let start = self.start();
-        if let Err(problem) = self.call("restart", start) {
+        if let Err(problem) = self.call("restart", start, |this| this.start()) {
             self.problem = Some(Box::new(problem));
         }
     }

@@ -126,6 +126,12 @@ impl ScriptProgram {
         &self.read
     }
 
+    /// The line at which a function begins.
+    pub(super) fn begins(&self, name: &str) -> Option<usize> {
+        let found = self.read.iter_fn_def().find(|function| function.name == name)?;
+        found.body.start_position().line()
+    }
+
     /// Whether it has a function.
     pub(super) fn has(&self, name: &str) -> bool {
         self.read.iter_functions().any(|function| function.name == name)
