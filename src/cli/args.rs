@@ -727,6 +727,9 @@ pub struct CombineArgs {
     /// Change a setting, for example `--set run.seed=2`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+    /// A part of one's own: a table (CSV) of depths along a path; see `steadycut part`.
+    #[arg(long, value_name = "FILE.csv")]
+    pub part: Option<InPath>,
     /// The section of the part that the feed is planned for: the controller lowers the feed to
     /// nothing but raises it by half at most, so the lightest one is the faster choice.
     #[arg(long, default_value = PlannedSection::Lightest.id(), value_parser = one_of(PlannedSection::ALL, PlannedSection::id))]

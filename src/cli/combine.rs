@@ -11,7 +11,7 @@ use super::files::report;
 use super::recommend::{print as print_recommended, read_table, table_id};
 use super::run::Ended;
 use super::scenarios::{apply, load};
-use super::{Outcome, given, own, progress};
+use super::{Outcome, given, own, part, progress};
 use crate::run::edits::Edits;
 use crate::run::metrics::Metrics;
 use crate::run::scenario_file;
@@ -38,6 +38,7 @@ pub fn execute(args: &CombineArgs) -> Outcome {
     let mut brought = own::Brought::new();
     let machine = own::planned_machine(&mut scenario, args.machine.as_ref(), &mut brought)?;
     apply(&mut scenario, &args.set)?;
+    part::take(&mut scenario, args.part.as_ref(), &args.set)?;
     own::all_used(Reader::Combine, &scenario, &edits, &args.set, &brought)?;
     let (table, source) = read_table(args.table.as_ref())?;
     let mut combined = Combined::new(&scenario, &Advisor::new(&table), &machine, args.section)?;

@@ -59,3 +59,42 @@ fn a_program_over_a_blank_becomes_a_table_and_a_scenario() {
         assert!(said.contains(named), "{args:?}: {said}");
     }
 }
+
+#[test]
+fn every_command_that_takes_a_scenario_takes_its_part_or_says_why_not() {
+    let table = temporary("part-everywhere.csv");
+    fs::write(&table, EXAMPLE_CSV).unwrap();
+    let table = table.to_str().unwrap();
+    // The same as with the scenario that has the part already.
+    let saved = temporary("part-everywhere.toml");
+    let saved = saved.to_str().unwrap();
+    let into = ["--scenario", "experiment-2", "--save", saved];
+    assert!(steadycut(&[&["part", "from-csv", table], &into[..]].concat()).status.success());
+    let both = |before: &[&str], preset: &[&str], file: &[&str]| {
+        let with = json(&[before, preset, &["--part", table, "--json"]].concat());
+        assert_eq!(with, json(&[before, file, &["--json"]].concat()), "{before:?}");
+        with
+    };
+    let taught = both(&["afc", "teach"], &["experiment-2"], &[saved]);
+    assert_eq!(taught["references_n"].as_array().map(Vec::len), Some(1), "one way is one cut");
+    let set = ["combine", "--scenario"];
+    let combined = both(&set, &["experiment-2"], &[saved]);
+    assert!(combined["run"]["ticks"].is_u64(), "{combined}");
+    // The log is that of AFC on the part; what was taught in goes with it.
+    let under = temporary("part-under-afc.toml");
+    let under = under.to_str().unwrap();
+    let teach = ["afc", "teach", "experiment-2", "--part", table, "--out", under];
+    assert!(steadycut(&teach).status.success());
+    let log = both(&["afc", "log"], &[under], &[under]);
+    assert_eq!(log["cuts"].as_array().map(Vec::len), Some(1), "{log}");
+    for (args, named) in [
+        (vec!["experiment", "--part", table], "every cut is short, straight and of one depth"),
+        (vec!["experiment", "--run", "--part", table], "every cut is short"),
+        (vec!["machine", "stability", "--part", table], "is asked about one cut"),
+        (vec!["machine", "wear", "--part", table], "has no use for it: the machine"),
+        (vec!["combine", "--part", table, "--set", "workpiece.length_mm=5"], "workpiece.length_mm"),
+    ] {
+        let said = refused(&args);
+        assert!(said.contains("--part") && said.contains(named), "{args:?}: {said}");
+    }
+}

@@ -2,7 +2,7 @@
 
 use clap::{Args, Subcommand};
 
-use crate::cli::files::{OutPath, ScenarioPath};
+use crate::cli::files::{InPath, OutPath, ScenarioPath};
 
 /// Arguments of `afc`.
 #[derive(Debug, Args)]
@@ -28,6 +28,10 @@ pub struct AfcTeachArgs {
     /// teach-in.
     #[arg(value_name = "PRESET|FILE|LINK")]
     pub scenario: ScenarioPath,
+    /// A part of one's own: a table (CSV) of depths along a path; see `steadycut part`. It is one cut, whatever depths it goes
+    /// through.
+    #[arg(long, value_name = "FILE.csv")]
+    pub part: Option<InPath>,
     /// Write the scenario under AFC with these references.
     #[arg(long, value_name = "FILE.toml")]
     pub out: Option<OutPath>,
@@ -42,6 +46,10 @@ pub struct AfcLogArgs {
     /// A preset's name, a scenario file, or a link of the console; its controller is AFC.
     #[arg(value_name = "PRESET|FILE|LINK")]
     pub scenario: ScenarioPath,
+    /// A part of one's own: a table (CSV) of depths along a path; see `steadycut part`. It is one cut, whatever depths it goes
+    /// through.
+    #[arg(long, value_name = "FILE.csv")]
+    pub part: Option<InPath>,
     /// Write the log as CSV.
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<OutPath>,

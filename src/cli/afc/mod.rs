@@ -10,7 +10,7 @@ use serde_json::json;
 use self::args::{AfcArgs, AfcLogArgs, AfcTeachArgs, AfcWhat};
 use super::files::report as report_to;
 use super::scenarios::load;
-use super::{Outcome, progress};
+use super::{Outcome, part, progress};
 use crate::blocks::control::ControllerKind;
 use crate::run::edits::Edits;
 use crate::run::job::Job;
@@ -27,7 +27,8 @@ pub fn execute(args: &AfcArgs) -> Outcome {
 }
 
 fn teach(args: &AfcTeachArgs) -> Outcome {
-    let (scenario, edits) = load(&args.scenario)?;
+    let (mut scenario, edits) = load(&args.scenario)?;
+    let edits = part::take_with(&mut scenario, edits, args.part.as_ref(), &[])?;
     let name = &scenario.info.name;
     let mut out = report_to(args.json, args.out.as_ref())?;
     let mut teach_in = TeachIn::new(&scenario);
@@ -71,7 +72,8 @@ fn teach(args: &AfcTeachArgs) -> Outcome {
 }
 
 fn tell(args: &AfcLogArgs) -> Outcome {
-    let (scenario, edits) = load(&args.scenario)?;
+    let (mut scenario, edits) = load(&args.scenario)?;
+    let edits = part::take_with(&mut scenario, edits, args.part.as_ref(), &[])?;
     let name = &scenario.info.name;
     let kind = scenario.controller.kind;
     if kind != ControllerKind::Afc {

@@ -36,6 +36,9 @@ pub struct ExperimentArgs {
     /// Change a setting, for example `--set plant.material=42crmo4`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+    /// Refused, with the reason: every cut of an experiment is of one depth.
+    #[arg(long, value_name = "FILE.csv", hide = true)]
+    pub part: Option<InPath>,
     /// A factor: feed, speed, axial_depth, radial_depth, hardness or wear with its range, as
     /// `feed=240..600`, or without one over a default; `feed=240..600:4` has four levels in a full factorial;
     /// `tool=ball-6-2,ball-10-2` are cutters.
@@ -72,7 +75,7 @@ pub struct ExperimentArgs {
     pub seed: u64,
     /// The runs of a table in place of a design: CSV with columns of factors.
     #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["scenario", "seed", "factor", "design", "levels", "drop", "generator",
-        "stars", "points", "centre", "replicates", "set", "run", "read", "out", "page"])]
+        "stars", "points", "centre", "replicates", "set", "part", "run", "read", "out", "page"])]
     pub table: Option<InPath>,
     /// The model whose terms the runs have to tell apart.
     #[arg(long, value_parser = one_of(DeclaredModel::ALL, DeclaredModel::id), default_value = DeclaredModel::Interactions.id())]

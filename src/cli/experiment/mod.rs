@@ -13,7 +13,7 @@ use self::args::{DesignArg, ExperimentArgs, ExperimentWhat};
 use self::told::{fixed, print_assessment, print_measured, print_plan};
 use super::files::report as report_to;
 use super::scenarios::{apply, load};
-use super::{Outcome, given, progress};
+use super::{Outcome, given, part, progress};
 use crate::run::scenario::{Scenario, param};
 use crate::study::experiment::assess::{ExperimentAssessment, MeasuringNoise, assess};
 use crate::study::experiment::design::StarDistance;
@@ -29,6 +29,10 @@ use crate::study::uses::Reader;
 /// Points of a Latin hypercube, and runs in the middle of a composite design, without a number.
 const POINTS: u32 = 20;
 const CENTRE: u32 = 4;
+
+/// Why a way of changing depths is no part of it.
+const STEADY: &str =
+    "every cut is short, straight and of one depth, that of the scenario or of a factor";
 
 type Fallible<T> = Result<T, Box<dyn std::error::Error>>;
 
@@ -98,6 +102,7 @@ fn scenario(args: &ExperimentArgs) -> Fallible<Scenario> {
     let (mut scenario, edits) = load(&args.scenario)?;
     given::no_edits(reader, &scenario.info.name, &edits)?;
     apply(&mut scenario, &args.set)?;
+    part::refuse(reader, args.part.as_ref(), STEADY)?;
     given::all_used(reader, &scenario, &edits, &args.set)?;
     Ok(scenario)
 }

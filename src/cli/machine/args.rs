@@ -3,7 +3,7 @@
 use clap::{Args, Subcommand};
 
 use crate::cli::args::one_of;
-use crate::cli::files::OutPath;
+use crate::cli::files::{InPath, OutPath};
 use crate::cli::own::{OwnCutArgs, OwnStructureArgs};
 use crate::models::structure::parameters::Parameters;
 
@@ -67,6 +67,9 @@ pub struct MachineModel {
     /// Change a setting, for example `--set machine.variant=B`; `steadycut list` names all.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+    /// Refused, with the reason: the machine is asked about one cut.
+    #[arg(long, value_name = "FILE.csv", hide = true)]
+    pub part: Option<InPath>,
     /// Cutter and material of one's own.
     #[command(flatten)]
     pub own_cut: OwnCutArgs,

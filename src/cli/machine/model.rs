@@ -4,11 +4,14 @@ use std::io::Write as _;
 
 use super::args::MachineModel;
 use crate::cli::scenarios::apply;
-use crate::cli::{given, own};
+use crate::cli::{given, own, part};
 use crate::models::tip_modes::TipMode;
 use crate::run::edits::Edits;
 use crate::run::scenario::Scenario;
 use crate::study::uses::Reader;
+
+/// Why a way of changing depths is no part of it.
+const ONE_CUT: &str = "the machine is asked about one cut, of `workpiece.axial_depth_mm` and `workpiece.radial_depth_mm` at most";
 
 /// The scenario that `--set` and `--parameters` describe.
 pub(super) fn scenario(
@@ -22,6 +25,7 @@ pub(super) fn scenario(
         given::once("--parameters", &["machine.parameters"], &model.set)?;
         scenario.change(|settings| settings.machine.parameters = parameters)?;
     }
+    part::refuse(reader, model.part.as_ref(), ONE_CUT)?;
     own::all_used(reader, &scenario, &Edits::none(), &model.set, &brought)?;
     Ok(scenario)
 }

@@ -20,6 +20,7 @@ use crate::run::scenario_file;
 use crate::study::part::PartPath;
 use crate::study::part::gcode::GCodeProgram;
 use crate::study::part::milling::{MilledPart, MillingJob};
+use crate::study::uses::Reader;
 
 /// What a part says of a scenario; time and rows besides, where they are not said.
 const SAID: [&str; 6] = [
@@ -63,6 +64,30 @@ pub fn take(
         eprintln!("{file}: {told}");
     }
     Ok(())
+}
+
+/// The same for a scenario with changes during its run, of which all have to go with the part.
+pub fn take_with(
+    scenario: &mut Scenario,
+    edits: Edits,
+    part: Option<&InPath>,
+    sets: &[String],
+) -> Result<Edits, Box<dyn std::error::Error>> {
+    if part.is_none() {
+        return Ok(edits);
+    }
+    take(scenario, part, sets)?;
+    let (fitted, unfit) = edits.fitted(scenario);
+    match unfit.first() {
+        None => Ok(fitted),
+        Some(unfit) => Err(format!("--part: {unfit}").into()),
+    }
+}
+
+/// Refuses the part of `--part` where a command makes cuts of its own, and says why.
+pub fn refuse(reader: Reader, part: Option<&InPath>, why: &str) -> Result<(), String> {
+    let Some(file) = part else { return Ok(()) };
+    Err(format!("--part {file}: `{}` has no use for it: {why}", reader.label()))
 }
 
 /// Puts a path into a scenario that has the `--set`s already; gives what came with it.
