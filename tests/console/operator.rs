@@ -411,6 +411,44 @@ fn the_score_is_that_of_the_study_and_tells_it_in_a_sentence() {
     }
 }
 
+/// A script that has the feed before the hand takes it is one of the others, and can be watched.
+#[test]
+fn a_script_of_ones_own_is_an_opponent_of_the_hand() {
+    let code = "fn update(now) { if now.a > 1.0 { 60.0 } else { 40.0 } }";
+    let of_own = [
+        ("controller.kind", Value::Text("script".to_owned())),
+        ("controller.script.code", Value::Text(code.to_owned())),
+        ("controller.script.a", Value::Float(2.0)),
+    ];
+    let cut = |is_played: bool| {
+        let mut screen = screen::open("depth-step", DESKTOP, "Console", &of_own);
+        if is_played {
+            press(&mut screen, Key::Space);
+        }
+        press(&mut screen, Key::M);
+        click(&mut screen, "Cut by hand");
+        assert_eq!(session(&screen).scenario().controller.kind, ControllerKind::ConstantFeed);
+        push(&mut screen, Command::hand(HandCommand::To(70.0)));
+        push(&mut screen, Command::Playback(PlaybackCommand::SeekToEnd));
+        rest(&mut screen);
+        screen.run_steps(5);
+        screen
+    };
+    // What was brought and never let run takes no part.
+    let screen = cut(false);
+    assert!(texts(&screen).contains("Cut by Tracking"), "{}", texts(&screen));
+    assert!(!texts(&screen).contains("Own script"), "{}", texts(&screen));
+    let mut screen = cut(true);
+    assert!(texts(&screen).contains("Own script"), "{}", texts(&screen));
+    click(&mut screen, "Cut by Own script");
+    let now = session(&screen).scenario();
+    assert_eq!(now.controller.kind, ControllerKind::Script);
+    assert_eq!((now.controller.script.code.text(), now.controller.script.a), (code, 2.0));
+    // Without one it is none of the others.
+    let screen = driven(DESKTOP, &[]);
+    assert!(!texts(&screen).contains("Own script"));
+}
+
 #[test]
 fn a_controller_cuts_the_same_part_next_with_the_hand_beside_it() {
     for size in SIZES {

@@ -9,6 +9,7 @@ use crate::app::playback::Speed;
 use crate::app::trace::Traces;
 use crate::base::settings::Value;
 use crate::blocks::control::ControllerKind;
+use crate::blocks::control::script::ScriptSettings;
 use crate::run::constant_feed_twin::is_of_controller;
 use crate::run::recording::Recording;
 use crate::run::scenario::Scenario;
@@ -55,6 +56,10 @@ pub struct Driving {
     kept_at: Option<u64>,
     /// Whether it belongs to the part that is cut now, and is not that cut itself.
     is_shown: bool,
+    /// The script that had the feed before the hand took it, with the scenario that it ran in.
+    script: Option<Box<(Scenario, ScriptSettings)>>,
+    /// Whether that scenario's part is cut now.
+    script_takes_part: bool,
 }
 
 impl Default for Driving {
@@ -66,6 +71,8 @@ impl Default for Driving {
             kept: None,
             kept_at: None,
             is_shown: false,
+            script: None,
+            script_takes_part: false,
         }
     }
 }
@@ -98,6 +105,8 @@ impl Driving {
     pub(super) fn follow(&mut self, plan: &Plan) {
         let beside = |kept: &HandTrace| kept.plan != *plan && is_same_part(&kept.plan.0, &plan.0);
         self.is_shown = self.kept.as_ref().is_some_and(beside);
+        self.script_takes_part =
+            self.script.as_ref().is_some_and(|script| is_same_part(&script.0, &plan.0));
     }
 }
 
@@ -136,6 +145,29 @@ impl Session {
     #[must_use]
     pub fn hand_trace(&self) -> Option<&HandTrace> {
         self.hand.kept.as_ref().filter(|_| self.hand.is_shown)
+    }
+
+    /// The script of one's own that the hand is scored against: the one that has the feed in this cut, or had it before the
+    /// hand cut the same part. One that came with a file or a link and was not allowed to run takes no part.
+    #[must_use]
+    pub fn script_beside_hand(&self) -> Option<&ScriptSettings> {
+        let noted = self.hand.script.as_ref().filter(|_| self.hand.script_takes_part);
+        noted.map(|noted| &noted.1).or_else(|| self.running_script())
+    }
+
+    /// The script that has the feed at the playhead or at the start of the cut, if it may run.
+    fn running_script(&self) -> Option<&ScriptSettings> {
+        let runs = |scenario: &Scenario| scenario.controller.kind == ControllerKind::Script;
+        let running = [&self.current, &self.plan.0].into_iter().find(|scenario| runs(scenario));
+        running.filter(|_| !self.waits).map(|scenario| &scenario.controller.script)
+    }
+
+    /// Keeps the script that has the feed, before the hand takes it.
+    fn note_script(&mut self) {
+        let noted = self.running_script().map(|script| (self.plan.0.clone(), script.clone()));
+        if let Some(noted) = noted {
+            (self.hand.script, self.hand.script_takes_part) = (Some(Box::new(noted)), true);
+        }
     }
 
     /// Whether the present cut is driven by hand.

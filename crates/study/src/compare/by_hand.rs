@@ -5,10 +5,11 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::entrants::{Entrant, Method, methods};
+use super::entrants::{Entrant, Method, OWN, methods, methods_and_own};
 use super::outcome::Outcome;
 use crate::base::language::{text, tr};
 use crate::blocks::control::ControllerKind;
+use crate::blocks::control::script::ScriptSettings;
 use crate::blocks::reference::Reference;
 use crate::run::constant_feed_twin::TwinBeside;
 use crate::run::edits::Edits;
@@ -136,18 +137,37 @@ impl ByHandJob {
     /// The score of the cut of a scenario with the edits of a hand, not yet begun.
     #[must_use]
     pub fn new(scenario: &Scenario, edits: &Edits) -> Self {
+        Self::against(scenario, edits, None)
+    }
+
+    /// The same score with a script of one's own among the others, where there is one.
+    #[must_use]
+    pub fn against(scenario: &Scenario, edits: &Edits, script: Option<&ScriptSettings>) -> Self {
         // A scenario may begin at another override than the programmed one: that is the hand's, not the others'.
         let part = Self::without_control(scenario);
-        let entrants = methods().map(|method| (method, method.on(&part))).collect();
+        let brought = methods().map(|method| (method, method.on(&part)));
+        let own = OWN.iter().filter_map(|method| {
+            let script = script?;
+            Some((method, method.on(&with_script(&part, script))))
+        });
+        let entrants = brought.chain(own).collect();
         let hand = Arc::new(Run::new(scenario, edits));
         Self { hand, own: None, entrants, others: Parts::default() }
     }
 
-    /// Scenario of a way of control by its id, as it is scored.
+    /// Scenario of a way of control by its id, as it is scored; a script of one's own only where there is one.
     #[must_use]
-    pub fn entrant(scenario: &Scenario, id: &str) -> Option<Entrant> {
-        let method = methods().find(|method| method.id == id)?;
-        Some(method.on(&Self::without_control(scenario)))
+    pub fn entrant(
+        scenario: &Scenario,
+        script: Option<&ScriptSettings>,
+        id: &str,
+    ) -> Option<Entrant> {
+        let method = methods_and_own().find(|method| method.id == id)?;
+        let part = Self::without_control(scenario);
+        if !OWN.iter().any(|own| own.id == id) {
+            return Some(method.on(&part));
+        }
+        script.map(|script| method.on(&with_script(&part, script)))
     }
 
     fn score(&self) -> HandScore {
@@ -164,6 +184,12 @@ impl ByHandJob {
         let verdict = over.then(|| verdict(&rows, &self.hand, reference));
         HandScore { rows, verdict }
     }
+}
+
+/// A part whose script is this one.
+fn with_script(part: &Scenario, script: &ScriptSettings) -> Scenario {
+    let own = part.with(|settings| settings.controller.script = script.clone());
+    own.expect("no rule joins a script with other settings")
 }
 
 fn row(name: &str, id: Option<&'static str>, outcome: Outcome) -> Scored {
@@ -380,8 +406,32 @@ mod tests {
         let part = presets::load("depth-step").unwrap();
         let cut = Run::complete(&ByHandJob::without_control(&part), &Edits::none());
         assert_eq!(quiet.rows[1].outcome.digest, cut.recording().digest());
-        let entrant = ByHandJob::entrant(&part, "preview").unwrap();
+        let entrant = ByHandJob::entrant(&part, None, "preview").unwrap();
         assert_eq!(entrant.scenario.controller.kind, ControllerKind::Preview);
-        assert_eq!(ByHandJob::entrant(&part, "nobody"), None);
+        assert_eq!(ByHandJob::entrant(&part, None, "nobody"), None);
+    }
+
+    #[test]
+    fn a_script_of_ones_own_is_among_the_others_where_there_is_one() {
+        let part = presets::load("depth-step").unwrap();
+        assert_eq!(ByHandJob::entrant(&part, None, "script"), None);
+        let script = presets::load("own-controller").unwrap().controller.script.clone();
+        let entrant = ByHandJob::entrant(&part, Some(&script), "script").unwrap();
+        assert_eq!(entrant.scenario.controller.kind, ControllerKind::Script);
+        assert_eq!(entrant.scenario.controller.script, script);
+        let mut edits = Edits::none();
+        let turn = Edit { at_s: 1.0, path: HAND.to_owned(), value: Value::Float(50.0) };
+        let by_hand = ByHandJob::without_control(&part);
+        edits.push(&by_hand, turn).unwrap();
+        let mut job = ByHandJob::against(&by_hand, &edits, Some(&script));
+        job.to_end();
+        let score = job.partial();
+        let own = score.rows.last().unwrap();
+        assert_eq!((own.id, own.name.as_str()), (Some("script"), "Own script"));
+        // It cuts as it does alone.
+        let alone = Run::complete(&entrant.scenario, &Edits::none());
+        assert_eq!(own.outcome.digest, alone.recording().digest());
+        assert_eq!(score.rows.len(), 2 + methods().count());
+        assert!(score.verdict.is_some());
     }
 }

@@ -30,13 +30,16 @@ impl Session {
             HandCommand::Take => self.turn_to(self.knob().percent.round()),
             HandCommand::GiveBack => self.give_back(),
             HandCommand::CutByHand => {
+                self.note_script();
                 let scenario = ByHandJob::without_control(&self.plan.0);
                 self.cut_from_the_start(scenario);
             }
-            HandCommand::CutBy(id) => match ByHandJob::entrant(&self.plan.0, id) {
-                Some(entrant) => self.cut_from_the_start(entrant.scenario),
-                None => self.notify(tr!("There is no way of control `{id}`.", id = id)),
-            },
+            HandCommand::CutBy(id) => {
+                match ByHandJob::entrant(&self.plan.0, self.script_beside_hand(), id) {
+                    Some(entrant) => self.cut_from_the_start(entrant.scenario),
+                    None => self.notify(tr!("There is no way of control `{id}`.", id = id)),
+                }
+            }
         }
     }
 
@@ -99,6 +102,9 @@ impl Session {
         let taken = !self.knob().by_hand;
         let changes = &changes[usize::from(!taken)..];
         let before = self.knob_owner();
+        if taken {
+            self.note_script();
+        }
         let done = changes.iter().try_for_each(|(path, _)| self.is_open(path));
         let turned = done.and_then(|()| self.turned(changes));
         let (plan, later) = turned.map_err(|error| error.to_string())?;

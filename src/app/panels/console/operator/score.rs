@@ -41,7 +41,8 @@ impl ScoreView {
         if session.finished().is_none() || !session.is_by_hand() || is_scored {
             return;
         }
-        let job = ByHandJob::new(session.scenario(), session.edits());
+        let script = session.script_beside_hand();
+        let job = ByHandJob::against(session.scenario(), session.edits(), script);
         let work = view.jobs.begin_brief(text!("Score of the cut by hand"), job, FIRST);
         (self.scored, self.latest) = (Some((now, work)), None);
     }
