@@ -251,6 +251,32 @@ fn find_lists_it() {
     assert!(texts(&screen).contains("Lay measured data over the plots"), "{}", texts(&screen));
 }
 
+/// On a phone it folds to a line, which says what lies over the plots, and is found again.
+#[test]
+fn on_a_phone_it_folds_to_a_line_and_leaves_the_plots_free() {
+    let (mut screen, _) = overlaid(SIZES[1]);
+    let lowest = |screen: &Screen<'_>, name: &str| screen.get_by_label(name).rect().top();
+    assert!(lowest(&screen, "Fold to a line") < 0.75 * SIZES[1].y);
+    click(&mut screen, "Fold to a line");
+    assert!(screen.query_by_label("Open a file\u{2026}").is_none(), "{}", texts(&screen));
+    let line = screen.get_by_label_contains("Fx over").rect();
+    assert!(line.top() > 0.78 * SIZES[1].y && line.bottom() <= SIZES[1].y, "{line:?}");
+    for name in ["Unfold", "Close window"] {
+        let rect = screen.get_by_label(name).rect();
+        assert!(rect.size().min_elem() > 43.9 && rect.right() <= SIZES[1].x, "{name}: {rect:?}");
+    }
+    assert!(screen.unnamed_widgets().is_empty(), "{:?}", screen.unnamed_widgets());
+    assert!(drawn_lines(&screen) > 0, "it stays over the plots");
+    click(&mut screen, "Unfold");
+    assert!(texts(&screen).contains("what is left, rms"), "{}", texts(&screen));
+    click(&mut screen, "Fold to a line");
+    click(&mut screen, "Close window");
+    assert!(screen.query_by_label("Unfold").is_none() && drawn_lines(&screen) > 0);
+    // A desktop has room for it.
+    let (screen, _) = overlaid(SIZES[0]);
+    assert!(screen.query_by_label("Fold to a line").is_none());
+}
+
 #[test]
 fn the_plots_with_measured_data_look_as_they_should() {
     if !drawn::in_software() {
@@ -283,5 +309,11 @@ fn the_plots_with_measured_data_look_as_they_should() {
         drop_file(&mut screen, file, "what is left, rms");
         screen.run_steps(20);
         results.add(screen.try_snapshot_options(name, &SnapshotOptions::default()));
+        if name == "measured-phone-dark" {
+            click(&mut screen, "Fold to a line");
+            screen.run_steps(20);
+            let folded = "measured-phone-folded";
+            results.add(screen.try_snapshot_options(folded, &SnapshotOptions::default()));
+        }
     }
 }

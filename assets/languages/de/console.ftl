@@ -54,6 +54,7 @@ steadycut-scenario = SteadyCut-Szenario
 unks-networks = UNKS-Netze
 table = Tabelle
 part-table-or-g-code = Werkstück: Tabelle oder G-Code
+measured-data = Messdaten
 saved-search = Gespeicherte Suche
 model-of-a-formula = Modell einer Formel
 saved-as-name = gespeichert als { $name }
@@ -170,13 +171,30 @@ the-console-cannot-be-shown-problem = die Konsole lässt sich nicht anzeigen: { 
 
 ## src/app/overlay/file.rs
 
+text = Text
+tabs-between-the-values = Tabulatoren zwischen den Werten
+semicolons-between-the-values = Strichpunkte zwischen den Werten
+commas-between-the-values = Kommas zwischen den Werten
+blanks-between-the-values = Leerzeichen zwischen den Werten
+decimal-point = Dezimalpunkt
+decimal-comma = Dezimalkomma
+no-line-with-names = keine Zeile mit Namen
+names-in-line-line = Namen in Zeile { $line }
+units-in-line-line = Einheiten in Zeile { $line }
+values-from-line-line-on = Werte ab Zeile { $line }
+times-in-the-column-column = Zeiten in der Spalte { $column }
+rate-samples-in-a-second = { $rate } Werte in einer Sekunde
+no-times = keine Zeiten
 
 ## src/app/overlay/mod.rs
 
+measured-name = gemessen: { $name }
 
 ## src/app/overlay/work.rs
 
 steps = Schritte
+and-n-more = { " " }und { $n } weitere
+file-has-no-channel-name-it-has-channels = { $file } hat keinen Kanal `{ $name }`: Es gibt { $channels }.
 
 ## src/app/panels/console/afc.rs
 
@@ -328,6 +346,8 @@ the-forces-on-the-tool-at-28-8-khz-over-the = Die Kräfte am Werkzeug mit 28,8 k
 within-a-revolution = In einer Umdrehung…
 operator-2 = Bediener…
 more-settings = Mehr Einstellungen
+a-measured-file-over-the-plots-text-matlab-h = Eine Messdatei über den Diagrammen: Text, MATLAB, HDF5, TDMS oder Parquet. Sie kann auch hierher gezogen werden.
+measured-data-2 = Messdaten …
 scenario-changed = { $scenario }, geändert
 scenario-scenario = Szenario: { $scenario }
 scenario = Szenario
@@ -410,18 +430,79 @@ most-is-scrap = ≤ { $most } % sind Ausschuss
 
 ## src/app/panels/console/measured/layout.rs
 
+search-for-formulas-in-it = Formeln darin suchen
+record = Datensatz
+none-a-sample-rate = keine: eine Abtastrate
+time-column = Spalte der Zeiten
+sample-rate = Abtastrate
+read-it-otherwise = Anders lesen
+entries-of-the-layout-as-the-command-steadyc = Einträge des Aufbaus, wie sie der Befehl steadycut measured hat, mit Leerzeichen dazwischen: encoding, separator, decimal, thousands, names_line, units_line, first_line, names, units. Enter liest die Datei neu.
+allowed-is-key-value = erlaubt ist KEY=VALUE
+t-1-channel = 1 Kanal
+n-channels = { $n } Kanäle
+channel = Kanal
+samples = Werte
 least-2 = kleinster
 largest = größter
 
 ## src/app/panels/console/measured/place.rs
 
+the-channel-is-being-worked-out = Der Kanal wird vorbereitet.
+finds-the-shift-at-which-both-go-together-mo = Findet die Verschiebung, bei der beide am besten zusammengehen, und dort Maßstab und Versatz, wie steadycut measured es tut
+align = Ausrichten
+shift-0-s-scale-1-offset-0 = Verschiebung 0 s, Maßstab 1, Versatz 0
+as-measured = Wie gemessen
+shift = Verschiebung
+by-so-much-the-measurement-is-later-than-the = Um so viel ist die Messung später als die Simulation: Um das wird sie früher gezeichnet
+scale = Maßstab
+the-run-times-this-is-what-was-measured-the = Die Simulation mal diesem Wert ist das Gemessene: Die Linie ist dadurch geteilt gezeichnet
+scale-value-cannot-be-allowed-is-any-number = Maßstab: { $value } kann nicht sein: Erlaubt ist jede Zahl außer 0, mit einem Betrag ab { $least }
+offset-2 = Versatz
+what-the-measurement-has-in-addition-after-t = Was die Messung nach dem Maßstab noch dazu hat
+not-aligned-why-it-can-be-moved-by-hand = Nicht ausgerichtet: { $why }. Es kann von Hand verschoben werden.
+it-is-aligned-as-soon-as-the-cut-is-worked-o = Es wird ausgerichtet, sobald der Schnitt berechnet ist.
+it-has-nothing-in-common-with-the-cut-here = Hier hat es mit dem Schnitt nichts gemeinsam.
+by-hand = von Hand
+aligned = ausgerichtet
+how-what-is-left-rms-rest-over-samples-sampl = { $how }: was bleibt, effektiv { $rest } über { $samples } Werte; Korrelation { $correlation }
 
 ## src/app/panels/console/measured/prepare.rs
 
+preparation = Vorbereitung
+low-pass-filter-without-a-shift-in-time = Tiefpass, ohne Verschiebung in der Zeit
+cut-off = Grenzfrequenz
+zero-before-the-cut = Null vor dem Schnitt
+before-the-cut = vor dem Schnitt
+drift-by-a-time-behind-the-cut = Drift, nach einer Zeit hinter dem Schnitt
+behind-the-cut = hinter dem Schnitt
+turn-two-forces-into-the-machine-s-axes = Zwei Kräfte in die Achsen der Maschine drehen
+force-x-of-the-dynamometer = Kraft x des Dynamometers
+force-y-of-the-dynamometer = Kraft y des Dynamometers
+angle-to-x = Winkel zu X
+largest-force-across-the-tool-in-every-perio = Größte Kraft quer zum Werkzeug in jeder Periode
+force-along-x = Kraft längs x
+force-along-y = Kraft längs y
+period = Periode
+from-time = Von, { $time }
+to-time = Bis, { $time }
 
 ## src/app/panels/console/measured.rs
 
+name-is-not-shown-there-are-most-measured-ch = { $name } wird nicht gezeigt: Über den Diagrammen liegen schon { $most } gemessene Kanäle. Entfernen Sie zuerst einen.
+unfold = Aufklappen
+open-a-file = Datei öffnen …
+leaves-a-line-of-it-and-the-plots-in-sight = Lässt eine Zeile davon übrig und die Diagramme sichtbar
+fold-to-a-line = Einklappen
+text-of-any-layout-matlab-hdf5-tdms-or-parqu = Text in beliebigem Aufbau, MATLAB, HDF5, TDMS oder Parquet; eine Datei kann auch auf die Diagramme gezogen werden.
+no-part-of-the-scenario-neither-a-file-nor-a = Kein Teil des Szenarios: Weder eine Datei noch ein Link enthält es. Änderungen des Schnitts lassen es, wo es ist, bis es entfernt oder das Programm geschlossen wird.
 remove = Entfernen
+channel-2 = Kanal
+laid-over = Liegt über
+as-it-is-not-converted = wie sie ist, nicht umgerechnet
+its-unit = Einheit
+show-it = Zeigen
+another-channel-of-this-file = Noch ein Kanal dieser Datei
+channel-over-signal-more = { $channel } über { $signal }{ $more }
 
 ## src/app/panels/console/mod.rs
 
@@ -662,6 +743,7 @@ as-fast-as-possible = so schnell wie möglich
 screen = Ansicht
 search-formulas-in-a-table-of-one-s-own = Formeln in einer eigenen Tabelle suchen
 open-a-part-of-one-s-own-table-or-g-code = Ein eigenes Werkstück öffnen: Tabelle oder G-Code
+lay-measured-data-over-the-plots = Messdaten über die Diagramme legen
 go-on-with-a-saved-search-for-a-formula = Eine gespeicherte Formelsuche fortsetzen
 open-networks-of-unks = Netze von UNKS öffnen
 save-the-networks-of-unks = Netze von UNKS speichern
@@ -678,6 +760,7 @@ save-table-data-results-measurements-downloa = speichern tabelle daten ergebniss
 qr-code-class-phone-digest-share-address-url = qr code klasse telefon prüfsumme teilen adresse url befehlszeile terminal headless wiederholen reproduzieren senden
 identify-own-data-measured-measurements-csv = identifikation eigene daten gemessen messungen csv hochladen importieren
 workpiece-cam-nc-gcode-program-csv-depths-im = werkstück cam nc gcode programm csv tiefen import eigen rohteil
+own-data-measurements-csv-matlab-mat-tdms-la = eigene daten messungen csv matlab mat tdms labview parquet hdf5 dynamometer kanal überlagern vergleichen import
 identify-resume-json = identifikation fortsetzen json
 neural-learning-weights-json = neuronal lernen gewichte json
 help-about-introduction-keyboard-shortcuts-h = hilfe über einführung tastatur tastenkürzel tippen wischen spreizen finger
@@ -1068,81 +1151,3 @@ iso-1302-grade-grade-ra-ra-um-m = Rauheitsklasse { $grade } nach ISO 1302: Ra { 
 ## src/app/widgets/window.rs
 
 close-window = Fenster schließen
-
-measured-data = Messdaten
-text = Text
-tabs-between-the-values = Tabulatoren zwischen den Werten
-semicolons-between-the-values = Strichpunkte zwischen den Werten
-commas-between-the-values = Kommas zwischen den Werten
-blanks-between-the-values = Leerzeichen zwischen den Werten
-decimal-point = Dezimalpunkt
-decimal-comma = Dezimalkomma
-no-line-with-names = keine Zeile mit Namen
-names-in-line-line = Namen in Zeile { $line }
-units-in-line-line = Einheiten in Zeile { $line }
-values-from-line-line-on = Werte ab Zeile { $line }
-times-in-the-column-column = Zeiten in der Spalte { $column }
-rate-samples-in-a-second = { $rate } Werte in einer Sekunde
-no-times = keine Zeiten
-measured-name = gemessen: { $name }
-a-measured-file-over-the-plots-text-matlab-h = Eine Messdatei über den Diagrammen: Text, MATLAB, HDF5, TDMS oder Parquet. Sie kann auch hierher gezogen werden.
-measured-data-2 = Messdaten …
-search-for-formulas-in-it = Formeln darin suchen
-record = Datensatz
-none-a-sample-rate = keine: eine Abtastrate
-time-column = Spalte der Zeiten
-sample-rate = Abtastrate
-read-it-otherwise = Anders lesen
-entries-of-the-layout-as-the-command-steadyc = Einträge des Aufbaus, wie sie der Befehl steadycut measured hat, mit Leerzeichen dazwischen: encoding, separator, decimal, thousands, names_line, units_line, first_line, names, units. Enter liest die Datei neu.
-allowed-is-key-value = erlaubt ist KEY=VALUE
-t-1-channel = 1 Kanal
-n-channels = { $n } Kanäle
-channel = Kanal
-samples = Werte
-the-channel-is-being-worked-out = Der Kanal wird vorbereitet.
-finds-the-shift-at-which-both-go-together-mo = Findet die Verschiebung, bei der beide am besten zusammengehen, und dort Maßstab und Versatz, wie steadycut measured es tut
-align = Ausrichten
-shift-0-s-scale-1-offset-0 = Verschiebung 0 s, Maßstab 1, Versatz 0
-as-measured = Wie gemessen
-shift = Verschiebung
-by-so-much-the-measurement-is-later-than-the = Um so viel ist die Messung später als die Simulation: Um das wird sie früher gezeichnet
-scale = Maßstab
-the-run-times-this-is-what-was-measured-the = Die Simulation mal diesem Wert ist das Gemessene: Die Linie ist dadurch geteilt gezeichnet
-scale-value-cannot-be-allowed-is-any-number = Maßstab: { $value } kann nicht sein: Erlaubt ist jede Zahl außer 0, mit einem Betrag ab { $least }
-offset-2 = Versatz
-what-the-measurement-has-in-addition-after-t = Was die Messung nach dem Maßstab noch dazu hat
-not-aligned-why-it-can-be-moved-by-hand = Nicht ausgerichtet: { $why }. Es kann von Hand verschoben werden.
-it-is-aligned-as-soon-as-the-cut-is-worked-o = Es wird ausgerichtet, sobald der Schnitt berechnet ist.
-it-has-nothing-in-common-with-the-cut-here = Hier hat es mit dem Schnitt nichts gemeinsam.
-by-hand = von Hand
-aligned = ausgerichtet
-how-what-is-left-rms-rest-over-samples-sampl = { $how }: was bleibt, effektiv { $rest } über { $samples } Werte; Korrelation { $correlation }
-preparation = Vorbereitung
-low-pass-filter-without-a-shift-in-time = Tiefpass, ohne Verschiebung in der Zeit
-cut-off = Grenzfrequenz
-zero-before-the-cut = Null vor dem Schnitt
-before-the-cut = vor dem Schnitt
-drift-by-a-time-behind-the-cut = Drift, nach einer Zeit hinter dem Schnitt
-behind-the-cut = hinter dem Schnitt
-turn-two-forces-into-the-machine-s-axes = Zwei Kräfte in die Achsen der Maschine drehen
-force-x-of-the-dynamometer = Kraft x des Dynamometers
-force-y-of-the-dynamometer = Kraft y des Dynamometers
-angle-to-x = Winkel zu X
-largest-force-across-the-tool-in-every-perio = Größte Kraft quer zum Werkzeug in jeder Periode
-force-along-x = Kraft längs x
-force-along-y = Kraft längs y
-period = Periode
-from-time = Von, { $time }
-to-time = Bis, { $time }
-name-is-not-shown-there-are-most-measured-ch = { $name } wird nicht gezeigt: Über den Diagrammen liegen schon { $most } gemessene Kanäle. Entfernen Sie zuerst einen.
-open-a-file = Datei öffnen …
-text-of-any-layout-matlab-hdf5-tdms-or-parqu = Text in beliebigem Aufbau, MATLAB, HDF5, TDMS oder Parquet; eine Datei kann auch auf die Diagramme gezogen werden.
-no-part-of-the-scenario-neither-a-file-nor-a = Kein Teil des Szenarios: Weder eine Datei noch ein Link enthält es. Änderungen des Schnitts lassen es, wo es ist, bis es entfernt oder das Programm geschlossen wird.
-channel-2 = Kanal
-laid-over = Liegt über
-as-it-is-not-converted = wie sie ist, nicht umgerechnet
-its-unit = Einheit
-show-it = Zeigen
-another-channel-of-this-file = Noch ein Kanal dieser Datei
-lay-measured-data-over-the-plots = Messdaten über die Diagramme legen
-own-data-measurements-csv-matlab-mat-tdms-la = eigene daten messungen csv matlab mat tdms labview parquet hdf5 dynamometer kanal überlagern vergleichen import

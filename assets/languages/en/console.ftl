@@ -181,6 +181,8 @@ measured-name = measured: { $name }
 ## src/app/overlay/work.rs
 
 steps = steps
+and-n-more = { " " }and { $n } more
+file-has-no-channel-name-it-has-channels = { $file } has no channel `{ $name }`: it has { $channels }.
 
 ## src/app/panels/console/afc.rs
 
@@ -331,9 +333,9 @@ limit-depth-2 = Limit depth…
 the-forces-on-the-tool-at-28-8-khz-over-the = The forces on the tool at 28.8 kHz over the last turns before the playhead
 within-a-revolution = Within a revolution…
 operator-2 = Operator…
+more-settings = More settings
 a-measured-file-over-the-plots-text-matlab-h = A measured file over the plots: text, MATLAB, HDF5, TDMS or Parquet. It can also be dropped here.
 measured-data-2 = Measured data…
-more-settings = More settings
 scenario-changed = { $scenario }, changed
 scenario-scenario = Scenario: { $scenario }
 scenario = Scenario
@@ -475,7 +477,10 @@ to-time = To, { $time }
 ## src/app/panels/console/measured.rs
 
 name-is-not-shown-there-are-most-measured-ch = { $name } is not shown: there are { $most } measured channels over the plots already. Remove one first.
+unfold = Unfold
 open-a-file = Open a file…
+leaves-a-line-of-it-and-the-plots-in-sight = Leaves a line of it, and the plots in sight
+fold-to-a-line = Fold to a line
 text-of-any-layout-matlab-hdf5-tdms-or-parqu = Text of any layout, MATLAB, HDF5, TDMS or Parquet; a file can also be dropped onto the plots.
 no-part-of-the-scenario-neither-a-file-nor-a = No part of the scenario: neither a file nor a link holds it. Changes of the cut leave it where it is, until it is removed or the program is closed.
 remove = Remove
@@ -485,6 +490,7 @@ as-it-is-not-converted = as it is, not converted
 its-unit = Its unit
 show-it = Show it
 another-channel-of-this-file = Another channel of this file
+channel-over-signal-more = { $channel } over { $signal }{ $more }
 
 ## src/app/panels/console/mod.rs
 

@@ -54,6 +54,7 @@ steadycut-scenario = Scenarij SteadyCut
 unks-networks = Mreže UNKS
 table = Tabela
 part-table-or-g-code = Obdelovanec: tabela ali koda G
+measured-data = Izmerjeni podatki
 saved-search = Shranjeno iskanje
 model-of-a-formula = Model formule
 saved-as-name = shranjeno kot { $name }
@@ -182,13 +183,30 @@ the-console-cannot-be-shown-problem = programa ni mogoče prikazati: { $problem 
 
 ## src/app/overlay/file.rs
 
+text = Besedilo
+tabs-between-the-values = tabulatorji med vrednostmi
+semicolons-between-the-values = podpičja med vrednostmi
+commas-between-the-values = vejice med vrednostmi
+blanks-between-the-values = presledki med vrednostmi
+decimal-point = decimalna pika
+decimal-comma = decimalna vejica
+no-line-with-names = nobena vrstica z imeni
+names-in-line-line = imena v vrstici { $line }
+units-in-line-line = enote v vrstici { $line }
+values-from-line-line-on = vrednosti od vrstice { $line } naprej
+times-in-the-column-column = časi v stolpcu { $column }
+rate-samples-in-a-second = { $rate } vzorcev v sekundi
+no-times = brez časov
 
 ## src/app/overlay/mod.rs
 
+measured-name = izmerjeno: { $name }
 
 ## src/app/overlay/work.rs
 
 steps = koraki
+and-n-more = { " " }in še { $n }
+file-has-no-channel-name-it-has-channels = { $file } nima kanala `{ $name }`: ima { $channels }.
 
 ## src/app/panels/console/afc.rs
 
@@ -340,6 +358,8 @@ the-forces-on-the-tool-at-28-8-khz-over-the = Sile na orodju pri 28,8 kHz v zadn
 within-a-revolution = V enem vrtljaju…
 operator-2 = Operater…
 more-settings = Več nastavitev
+a-measured-file-over-the-plots-text-matlab-h = Izmerjena datoteka nad grafi: besedilo, MATLAB, HDF5, TDMS ali Parquet. Lahko jo tudi spustite sem.
+measured-data-2 = Izmerjeni podatki …
 scenario-changed = { $scenario }, spremenjen
 scenario-scenario = Scenarij: { $scenario }
 scenario = Scenarij
@@ -422,18 +442,85 @@ most-is-scrap = ≤ { $most } % je izmet
 
 ## src/app/panels/console/measured/layout.rs
 
+search-for-formulas-in-it = Išči v njej formule
+record = Zapis
+none-a-sample-rate = brez: pogostost vzorčenja
+time-column = Stolpec s časi
+sample-rate = Pogostost vzorčenja
+read-it-otherwise = Preberi drugače
+entries-of-the-layout-as-the-command-steadyc = Vnosi oblike, kot jih ima ukaz steadycut measured, s presledki vmes: encoding, separator, decimal, thousands, names_line, units_line, first_line, names, units. Enter prebere datoteko znova.
+allowed-is-key-value = dovoljeno je KEY=VALUE
+t-1-channel = 1 kanal
+n-channels =
+    { $n ->
+        [one] { $n } kanal
+        [two] { $n } kanala
+        [few] { $n } kanali
+       *[other] { $n } kanalov
+    }
+channel = kanal
+samples = vzorcev
 least-2 = najmanjša
 largest = maksimum
 
 ## src/app/panels/console/measured/place.rs
 
+the-channel-is-being-worked-out = Kanal se pripravlja.
+finds-the-shift-at-which-both-go-together-mo = Poišče zamik, pri katerem se oba najbolj ujemata, in tam merilo in odmik, kot to naredi steadycut measured
+align = Poravnaj
+shift-0-s-scale-1-offset-0 = Zamik 0 s, merilo 1, odmik 0
+as-measured = Kot izmerjeno
+shift = Zamik
+by-so-much-the-measurement-is-later-than-the = Za toliko je meritev poznejša od simulacije: za toliko prej je narisana
+scale = Merilo
+the-run-times-this-is-what-was-measured-the = Simulacija, pomnožena s tem, je izmerjeno: črta je narisana deljena s tem
+scale-value-cannot-be-allowed-is-any-number = Merilo: { $value } ni mogoče: dovoljeno je vsako število razen 0, velikosti vsaj { $least }
+offset-2 = Odmik
+what-the-measurement-has-in-addition-after-t = Kar ima meritev še poleg, po merilu
+not-aligned-why-it-can-be-moved-by-hand = Ni poravnano: { $why }. Lahko ga premaknete ročno.
+it-is-aligned-as-soon-as-the-cut-is-worked-o = Poravna se, ko je rez izračunan.
+it-has-nothing-in-common-with-the-cut-here = Tu z rezom nima nič skupnega.
+by-hand = ročno
+aligned = poravnano
+how-what-is-left-rms-rest-over-samples-sampl = { $how }: kar ostane, efektivno { $rest } na { $samples } vzorcih; korelacija { $correlation }
 
 ## src/app/panels/console/measured/prepare.rs
 
+preparation = Priprava
+low-pass-filter-without-a-shift-in-time = Nizkoprepustni filter, brez zamika v času
+cut-off = Mejna frekvenca
+zero-before-the-cut = Ničla pred rezom
+before-the-cut = pred rezom
+drift-by-a-time-behind-the-cut = Lezenje, po času za rezom
+behind-the-cut = za rezom
+turn-two-forces-into-the-machine-s-axes = Zavrti dve sili v osi stroja
+force-x-of-the-dynamometer = Sila x dinamometra
+force-y-of-the-dynamometer = Sila y dinamometra
+angle-to-x = Kot do X
+largest-force-across-the-tool-in-every-perio = Največja sila prečno na orodje v vsaki periodi
+force-along-x = Sila vzdolž x
+force-along-y = Sila vzdolž y
+period = Perioda
+from-time = Od, { $time }
+to-time = Do, { $time }
 
 ## src/app/panels/console/measured.rs
 
+name-is-not-shown-there-are-most-measured-ch = { $name } ni prikazana: nad grafi je že { $most } izmerjenih kanalov. Najprej enega odstranite.
+unfold = Razpri
+open-a-file = Odpri datoteko …
+leaves-a-line-of-it-and-the-plots-in-sight = Ostane vrstica, grafi pa so vidni
+fold-to-a-line = Zloži v vrstico
+text-of-any-layout-matlab-hdf5-tdms-or-parqu = Besedilo katerekoli oblike, MATLAB, HDF5, TDMS ali Parquet; datoteko lahko tudi spustite na grafe.
+no-part-of-the-scenario-neither-a-file-nor-a = Ni del scenarija: nima ga ne datoteka ne povezava. Spremembe reza ga pustijo, kjer je, dokler ga ne odstranite ali zaprete programa.
 remove = Odstrani
+channel-2 = Kanal
+laid-over = Leži na
+as-it-is-not-converted = kot je, brez pretvorbe
+its-unit = Enota
+show-it = Pokaži
+another-channel-of-this-file = Še en kanal te datoteke
+channel-over-signal-more = { $channel } na { $signal }{ $more }
 
 ## src/app/panels/console/mod.rs
 
@@ -658,6 +745,7 @@ as-fast-as-possible = kar se da hitro
 screen = zaslon
 search-formulas-in-a-table-of-one-s-own = Išči formule v lastni tabeli
 open-a-part-of-one-s-own-table-or-g-code = Odpri lasten obdelovanec: tabela ali koda G
+lay-measured-data-over-the-plots = Položi izmerjene podatke na grafe
 go-on-with-a-saved-search-for-a-formula = Nadaljuj shranjeno iskanje formule
 open-networks-of-unks = Odpri mreže UNKS
 save-the-networks-of-unks = Shrani mreže UNKS
@@ -674,6 +762,7 @@ save-table-data-results-measurements-downloa = shrani tabela podatki rezultati m
 qr-code-class-phone-digest-share-address-url = koda qr razred telefon digest deli naslov url ukazna vrstica terminal ponovi pošlji share link
 identify-own-data-measured-measurements-csv = identifikacija lastni podatki izmerjeno meritve csv naloži uvozi identify
 workpiece-cam-nc-gcode-program-csv-depths-im = obdelovanec cam nc gcode program csv globine uvoz lasten surovec
+own-data-measurements-csv-matlab-mat-tdms-la = lastni podatki meritve csv matlab mat tdms labview parquet hdf5 dinamometer kanal prekrivanje primerjava uvoz
 identify-resume-json = identifikacija nadaljuj json resume
 neural-learning-weights-json = nevronske učenje uteži json neural
 help-about-introduction-keyboard-shortcuts-h = pomoč o programu uvod bližnjice tipkovnica dotik poteg ščip prst help about shortcuts
@@ -1072,86 +1161,3 @@ iso-1302-grade-grade-ra-ra-um-m = ISO 1302, razred { $grade }: Ra { $ra_um } µm
 ## src/app/widgets/window.rs
 
 close-window = Zapri okno
-
-measured-data = Izmerjeni podatki
-text = Besedilo
-tabs-between-the-values = tabulatorji med vrednostmi
-semicolons-between-the-values = podpičja med vrednostmi
-commas-between-the-values = vejice med vrednostmi
-blanks-between-the-values = presledki med vrednostmi
-decimal-point = decimalna pika
-decimal-comma = decimalna vejica
-no-line-with-names = nobena vrstica z imeni
-names-in-line-line = imena v vrstici { $line }
-units-in-line-line = enote v vrstici { $line }
-values-from-line-line-on = vrednosti od vrstice { $line } naprej
-times-in-the-column-column = časi v stolpcu { $column }
-rate-samples-in-a-second = { $rate } vzorcev v sekundi
-no-times = brez časov
-measured-name = izmerjeno: { $name }
-a-measured-file-over-the-plots-text-matlab-h = Izmerjena datoteka nad grafi: besedilo, MATLAB, HDF5, TDMS ali Parquet. Lahko jo tudi spustite sem.
-measured-data-2 = Izmerjeni podatki …
-search-for-formulas-in-it = Išči v njej formule
-record = Zapis
-none-a-sample-rate = brez: pogostost vzorčenja
-time-column = Stolpec s časi
-sample-rate = Pogostost vzorčenja
-read-it-otherwise = Preberi drugače
-entries-of-the-layout-as-the-command-steadyc = Vnosi oblike, kot jih ima ukaz steadycut measured, s presledki vmes: encoding, separator, decimal, thousands, names_line, units_line, first_line, names, units. Enter prebere datoteko znova.
-allowed-is-key-value = dovoljeno je KEY=VALUE
-t-1-channel = 1 kanal
-n-channels = { $n ->
-    [one] { $n } kanal
-    [two] { $n } kanala
-    [few] { $n } kanali
-   *[other] { $n } kanalov
-}
-channel = kanal
-samples = vzorcev
-the-channel-is-being-worked-out = Kanal se pripravlja.
-finds-the-shift-at-which-both-go-together-mo = Poišče zamik, pri katerem se oba najbolj ujemata, in tam merilo in odmik, kot to naredi steadycut measured
-align = Poravnaj
-shift-0-s-scale-1-offset-0 = Zamik 0 s, merilo 1, odmik 0
-as-measured = Kot izmerjeno
-shift = Zamik
-by-so-much-the-measurement-is-later-than-the = Za toliko je meritev poznejša od simulacije: za toliko prej je narisana
-scale = Merilo
-the-run-times-this-is-what-was-measured-the = Simulacija, pomnožena s tem, je izmerjeno: črta je narisana deljena s tem
-scale-value-cannot-be-allowed-is-any-number = Merilo: { $value } ni mogoče: dovoljeno je vsako število razen 0, velikosti vsaj { $least }
-offset-2 = Odmik
-what-the-measurement-has-in-addition-after-t = Kar ima meritev še poleg, po merilu
-not-aligned-why-it-can-be-moved-by-hand = Ni poravnano: { $why }. Lahko ga premaknete ročno.
-it-is-aligned-as-soon-as-the-cut-is-worked-o = Poravna se, ko je rez izračunan.
-it-has-nothing-in-common-with-the-cut-here = Tu z rezom nima nič skupnega.
-by-hand = ročno
-aligned = poravnano
-how-what-is-left-rms-rest-over-samples-sampl = { $how }: kar ostane, efektivno { $rest } na { $samples } vzorcih; korelacija { $correlation }
-preparation = Priprava
-low-pass-filter-without-a-shift-in-time = Nizkoprepustni filter, brez zamika v času
-cut-off = Mejna frekvenca
-zero-before-the-cut = Ničla pred rezom
-before-the-cut = pred rezom
-drift-by-a-time-behind-the-cut = Lezenje, po času za rezom
-behind-the-cut = za rezom
-turn-two-forces-into-the-machine-s-axes = Zavrti dve sili v osi stroja
-force-x-of-the-dynamometer = Sila x dinamometra
-force-y-of-the-dynamometer = Sila y dinamometra
-angle-to-x = Kot do X
-largest-force-across-the-tool-in-every-perio = Največja sila prečno na orodje v vsaki periodi
-force-along-x = Sila vzdolž x
-force-along-y = Sila vzdolž y
-period = Perioda
-from-time = Od, { $time }
-to-time = Do, { $time }
-name-is-not-shown-there-are-most-measured-ch = { $name } ni prikazana: nad grafi je že { $most } izmerjenih kanalov. Najprej enega odstranite.
-open-a-file = Odpri datoteko …
-text-of-any-layout-matlab-hdf5-tdms-or-parqu = Besedilo katerekoli oblike, MATLAB, HDF5, TDMS ali Parquet; datoteko lahko tudi spustite na grafe.
-no-part-of-the-scenario-neither-a-file-nor-a = Ni del scenarija: nima ga ne datoteka ne povezava. Spremembe reza ga pustijo, kjer je, dokler ga ne odstranite ali zaprete programa.
-channel-2 = Kanal
-laid-over = Leži na
-as-it-is-not-converted = kot je, brez pretvorbe
-its-unit = Enota
-show-it = Pokaži
-another-channel-of-this-file = Še en kanal te datoteke
-lay-measured-data-over-the-plots = Položi izmerjene podatke na grafe
-own-data-measurements-csv-matlab-mat-tdms-la = lastni podatki meritve csv matlab mat tdms labview parquet hdf5 dinamometer kanal prekrivanje primerjava uvoz

@@ -281,7 +281,8 @@ impl Overlay {
             return;
         }
         let (file, asked) = (Arc::clone(read), wish.clone());
-        let work = SingleTask::new(move || prepared(&file, &asked));
+        let name = self.file.name.clone();
+        let work = SingleTask::new(move || prepared(&name, &file, &asked));
         self.asked = Some((Arc::clone(read), wish));
         self.preparing = Some(jobs.begin_brief(tr(WORK), work, 1));
     }

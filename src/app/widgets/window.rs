@@ -1,10 +1,14 @@
 //! A window over a screen: it can be moved on the desktop and takes the screen of a phone; Escape
 //! closes it.
 
-use egui::{Align, Context, Id, Key, Layout, Modifiers, Rect, ScrollArea, Ui, Vec2, vec2};
+use egui::{
+    Align, Button, Context, Id, Key, Label, Layout, Modifiers, Rect, RichText, ScrollArea, Ui,
+    Vec2, vec2,
+};
 
 use super::super::theme;
 use super::icon::{self, Icon};
+use super::touch;
 use crate::base::language::tr;
 
 /// Where a window may stand.
@@ -81,6 +85,37 @@ pub fn show(
             body(ui);
         }
     });
+}
+
+/// Shows no more of the window `title`, in English, than a line at the foot of the screen, while it is `open`: what it says, a
+/// button, and the one that closes it. Whether the button was pressed.
+pub fn line(
+    ctx: &Context,
+    title: &str,
+    place: WindowPlace,
+    open: &mut bool,
+    (said, button): (&str, &str),
+) -> bool {
+    /// Height of the line with its margins, points.
+    const LINE: f32 = 62.0;
+    let mut pressed = false;
+    if !*open {
+        return pressed;
+    }
+    let taken = place.screen.with_min_y(place.screen.bottom() - LINE);
+    let size = vec2(taken.width() - 14.0, LINE - 18.0);
+    let window = egui::Window::new(tr(title)).id(Id::unique(format!("line of {title}")));
+    let window = window.title_bar(false).collapsible(false).resizable(false);
+    window.fixed_pos(taken.min).fixed_size(size).show(ctx, |ui| {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let name = tr("Close window");
+            *open &= !icon::button(ui, Icon::Close, name, name, true).clicked();
+            pressed = ui.add(Button::new(button).min_size(touch::least(ui))).clicked();
+            let said = Label::new(RichText::new(said)).truncate();
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| ui.add(said));
+        });
+    });
+    pressed
 }
 
 /// Shows a window `width` points wide while it is `open`, with a button that closes it and is large enough

@@ -23,6 +23,8 @@ use prepare::PrepareFields;
 
 /// Width of the window, points: the plots beside it stay in sight.
 const WIDTH: f32 = 400.0;
+/// Its title.
+const TITLE: &str = text!("Measured data");
 /// Share of a phone's screen that it takes.
 const SHARE: f32 = 0.5;
 
@@ -31,6 +33,8 @@ const SHARE: f32 = 0.5;
 pub struct MeasuredWindow {
     /// Whether it is shown.
     pub open: bool,
+    /// Whether it is no more than a line where it would cover a phone's plots.
+    folded: bool,
     layout: LayoutFields,
     prepare: PrepareFields,
     /// What a field that was typed in has to say.
@@ -50,7 +54,7 @@ enum Wish {
 impl MeasuredWindow {
     /// Lays a file over the plots.
     pub fn take(&mut self, file: &MeasuredFile, overlays: &mut Overlays) {
-        self.open = true;
+        (self.open, self.folded) = (true, false);
         // One that could not be read is in the way of none.
         if overlays.chosen_mut().is_some_and(|overlay| overlay.file.contents().is_err()) {
             overlays.remove_chosen();
@@ -83,17 +87,23 @@ impl MeasuredWindow {
         let size = [WIDTH, theme::OVERLAY_HEIGHTS[0]];
         let place = WindowPlace { screen: ui.max_rect(), narrow: view.narrow, size, share: SHARE };
         let mut open = self.open;
-        window::show(ui.ctx(), text!("Measured data"), place, &mut open, |ui| {
-            self.content(ui, overlays, axes, commands);
-        });
+        if self.folded && view.narrow {
+            let line = told(overlays);
+            let unfold = tr("Unfold");
+            self.folded = !window::line(ui.ctx(), TITLE, place, &mut open, (&line, unfold));
+        } else {
+            window::show(ui.ctx(), TITLE, place, &mut open, |ui| {
+                self.content(ui, view.narrow, (overlays, axes), commands);
+            });
+        }
         self.open = open;
     }
 
     fn content(
         &mut self,
         ui: &mut Ui,
-        overlays: &mut Overlays,
-        axes: &mut Axes,
+        narrow: bool,
+        (overlays, axes): (&mut Overlays, &mut Axes),
         commands: &mut Vec<Command>,
     ) {
         let mut wish = None;
@@ -101,6 +111,11 @@ impl MeasuredWindow {
             let open = Button::new(tr("Open a file\u{2026}")).min_size(touch::least(ui));
             if ui.add(open).clicked() {
                 commands.push(Command::File(FileCommand::OpenMeasured));
+            }
+            if narrow {
+                let help = tr("Leaves a line of it, and the plots in sight");
+                let fold = Button::new(tr("Fold to a line")).min_size(touch::least(ui));
+                self.folded = ui.add(fold).on_hover_text(help).clicked();
             }
             let several = overlays.all().len() > 1;
             for (place, overlay) in overlays.all().iter().enumerate().filter(|_| several) {
@@ -222,6 +237,25 @@ impl MeasuredWindow {
             }
         });
         wish
+    }
+}
+
+/// What lies over the plots, in a line.
+fn told(overlays: &Overlays) -> String {
+    let all = overlays.all();
+    let Some(overlay) = all.get(overlays.place()) else { return tr(TITLE).to_owned() };
+    let more = if all.len() > 1 { format!(" (+{})", all.len() - 1) } else { String::new() };
+    match overlay.file.contents() {
+        Ok(_) => {
+            let over = signal(overlay.choice.signal).map_or("", |signal| tr(signal.label));
+            tr!(
+                "{channel} over {signal}{more}",
+                channel = &overlay.choice.channel,
+                signal = over,
+                more = more
+            )
+        }
+        Err(_) => format!("{}{more}", overlay.file.name),
     }
 }
 
