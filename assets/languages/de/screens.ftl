@@ -1151,6 +1151,21 @@ n-iterations-of-the-swarm =
 no-plan-can-be-made = Kein Plan möglich
 the-settings-are-beside-or-below = Die Einstellungen stehen daneben oder darunter.
 
+## src/app/panels/workpiece/blank.rs
+
+the-part-is-another-one-than-that-of-name-no = Das Werkstück ist jetzt ein anderes als das von { $name }: Sein Rohteil wird nicht gezeigt.
+the-blank-of-name-is-not-shown-why = Das Rohteil von { $name } wird nicht gezeigt: { $why }.
+name-was-cut-with-another-cutter-cut-it-from = { $name } wurde mit einem anderen Fräser geschnitten: Schneiden Sie es neu aus dem Rohteil, um es zu sehen.
+in-the-air-line-line = in der Luft, Zeile { $line }
+axial-deep-radial-wide-line-line = { $axial } tief, { $radial } breit, Zeile { $line }
+this-part-is-a-table-of-depths-along-its-way = Dieses Werkstück ist eine Tabelle von Tiefen entlang seines Wegs und hat keine Form im Raum: Gezeigt wird der Streifen entlang des Wegs. Ein Werkstück, das hier aus einem Programm entsteht, wird auch als Rohteil gezeigt.
+the-blank-in-space-as-it-is-cut-up-to-the-pl = Das Rohteil im Raum, geschnitten bis zur Abspielmarke
+blank = Rohteil
+the-way-made-straight-with-the-fine-surface = Der Weg geradegezogen, mit der feinen Oberfläche der fertigen Wand
+strip-along-the-way = Streifen entlang des Wegs
+blank-in-space-place = Rohteil im Raum, { $place }
+blank-x-y-z-mm = Rohteil { $x } × { $y } × { $z } mm
+
 ## src/app/panels/workpiece/judged.rs
 
 within = innerhalb
@@ -1163,11 +1178,11 @@ smaller-than-asked = kleiner als verlangt
 
 ## src/app/panels/workpiece/picture.rs
 
+heights = Höhen ×
 part-in-space-place-heights-drawn-times-time = Teil im Raum, { $place }, Höhen { $times }-fach vergrößert
 tool-length-before-the-part = Werkzeug { $length } vor dem Teil
 tool-at-place-of-length-mm = Werkzeug bei { $place } von { $length } mm
 cut-number-of-all-tool = Schnitt { $number } von { $all }, { $tool }
-heights = Höhen ×
 
 ## src/app/panels/workpiece/placed.rs
 
@@ -1253,10 +1268,10 @@ turns-the-picture-so-does-a-drag-over-it = Dreht das Bild; Ziehen darüber auch
 higher = Höher
 lower = Tiefer
 follow-the-tool = Dem Werkzeug folgen
-a-factor-of-your-own-otherwise-as-the-distan = Ein eigener Faktor; sonst, wie der Abstand es verlangt
-own-factor = Eigener Faktor
 fingers-on-the-picture-turn-the-part-otherwi = Finger auf dem Bild drehen das Teil; sonst blättern sie die Seite
 turn-by-touch = Mit Finger drehen
+a-factor-of-your-own-otherwise-as-the-distan = Ein eigener Faktor; sonst, wie der Abstand es verlangt
+own-factor = Eigener Faktor
 
 ## src/app/panels/workpiece.rs
 
@@ -1274,6 +1289,8 @@ disturbances-along-the-edges-of-the-part = Störungen, an den Kanten des Teils
 cutting-edges = Schneiden
 scrap-length-mm-at-a-cost-of-cost = Ausschuss: { $length } mm, Kosten { $cost }
 length-of-the-way-beyond-the-tolerance-on-th = Länge des Wegs jenseits der Toleranz auf der schlechten Seite, mal `economics.scrap_cost_per_mm`
+the-cutter-is-drawn-turning-times-times-slow-2 = Der Fräser ist { $times }-mal langsamer drehend gezeichnet.
+the-blank-has-its-true-size-what-is-cut-has = Das Rohteil hat seine wahre Größe; was geschnitten ist, hat die Farbe des Augenblicks, in dem der Fräser zuletzt dort war.
 too-rough-is-rework-or-scrap-smoother-than-a = Zu rau ist Nacharbeit oder Ausschuss; glatter als verlangt ist keines von beiden.
-the-cutter-is-drawn-turning-times-times-slow = Der Fräser ist { $times }-mal langsamer drehend gezeichnet. Was vor der Wand steht, hat ein früherer Schnitt weggenommen.
+what-stands-in-front-of-the-wall-was-taken-b = Was vor der Wand steht, hat ein früherer Schnitt weggenommen.
 simulated-tooth-by-tooth-k5-s-ra-does-not-ho = Zahn für Zahn simuliert, gilt das Ra von K5 nicht: Die Oberfläche zeigt Vorschubmarken und Rundlauffehler allein.

@@ -761,6 +761,11 @@ the-blank-s-size-along-axis-is-size-mm-allow = die Größe des Rohteils entlang 
 the-blank-s-corner-has-to-be-three-numbers-i = die Ecke des Rohteils müssen drei Zahlen in mm sein
 a-grid-of-cell-mm-over-the-blank-has-n-cells = ein Gitter von { $cell } mm über dem Rohteil hat { $n } Zellen: erlaubt sind { $most }; ein größerer Schritt hat weniger
 
+## crates/study/src/part/carved.rs
+
+the-program-has-no-feed-move-nothing-is-cut = das Programm hat keine Vorschubbewegung: nichts wird geschnitten
+the-way-has-n-pieces-at-most-most-are-drawn = der Weg hat { $n } Stücke: Höchstens { $most } werden gezeichnet
+
 ## crates/study/src/part/columns.rs
 
 column-name-the-unit-is-unit-allowed-is-all = Spalte `{ $name }`: die Einheit ist `{ $unit }`: erlaubt ist { $all }
@@ -804,10 +809,8 @@ letter-is-followed-by-number-allowed-is-a-nu = auf `{ $letter }` folgt `{ $numbe
 ## crates/study/src/part/milling.rs
 
 the-step-is-step-mm-allowed-is-least-to-most = der Schritt ist { $step } mm: erlaubt ist { $least } bis { $most } mm
-the-program-has-no-feed-move-nothing-is-cut = das Programm hat keine Vorschubbewegung: nichts wird geschnitten
 a-way-of-length-mm-in-steps-of-step-mm-allow = ein Weg von { $length } mm in Schritten von { $step } mm: erlaubt sind { $most } Schritte; ein größerer Schritt hat weniger
 mm-of-the-way = mm des Weges
-and-n-more = { " " }und { $n } weitere
 rapid-moves-through-material-lines-lines = Eilgänge durch Material: Zeilen { $lines }.
 straight-down-into-material-lines-lines = Gerade nach unten ins Material: Zeilen { $lines }.
 not-acted-on-word-lines-lines = Nicht befolgt: { $word }, Zeilen { $lines }.

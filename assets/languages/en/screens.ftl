@@ -1059,6 +1059,21 @@ n-iterations-of-the-swarm = { $n } iterations of the swarm
 no-plan-can-be-made = No plan can be made
 the-settings-are-beside-or-below = The settings are beside or below.
 
+## src/app/panels/workpiece/blank.rs
+
+the-part-is-another-one-than-that-of-name-no = The part is another one than that of { $name } now: its blank is not shown.
+the-blank-of-name-is-not-shown-why = The blank of { $name } is not shown: { $why }.
+name-was-cut-with-another-cutter-cut-it-from = { $name } was cut with another cutter: cut it from the blank again to see that.
+in-the-air-line-line = in the air, line { $line }
+axial-deep-radial-wide-line-line = { $axial } deep, { $radial } wide, line { $line }
+this-part-is-a-table-of-depths-along-its-way = This part is a table of depths along its way, which has no shape in space: shown is the strip along the way. A part that is made of a program here is shown as its blank, too.
+the-blank-in-space-as-it-is-cut-up-to-the-pl = The blank in space, as it is cut up to the playhead
+blank = Blank
+the-way-made-straight-with-the-fine-surface = The way made straight, with the fine surface of the finished wall
+strip-along-the-way = Strip along the way
+blank-in-space-place = Blank in space, { $place }
+blank-x-y-z-mm = blank { $x } × { $y } × { $z } mm
+
 ## src/app/panels/workpiece/judged.rs
 
 within = within
@@ -1071,11 +1086,11 @@ smaller-than-asked = smaller than asked
 
 ## src/app/panels/workpiece/picture.rs
 
+heights = heights ×
 part-in-space-place-heights-drawn-times-time = Part in space, { $place }, heights drawn { $times } times larger
 tool-length-before-the-part = tool { $length } before the part
 tool-at-place-of-length-mm = tool at { $place } of { $length } mm
 cut-number-of-all-tool = cut { $number } of { $all }, { $tool }
-heights = heights ×
 
 ## src/app/panels/workpiece/placed.rs
 
@@ -1153,10 +1168,10 @@ turns-the-picture-so-does-a-drag-over-it = Turns the picture; so does a drag ove
 higher = Higher
 lower = Lower
 follow-the-tool = Follow the tool
-a-factor-of-your-own-otherwise-as-the-distan = A factor of your own; otherwise as the distance wants it
-own-factor = Own factor
 fingers-on-the-picture-turn-the-part-otherwi = Fingers on the picture turn the part; otherwise they scroll the page
 turn-by-touch = Turn by touch
+a-factor-of-your-own-otherwise-as-the-distan = A factor of your own; otherwise as the distance wants it
+own-factor = Own factor
 
 ## src/app/panels/workpiece.rs
 
@@ -1174,6 +1189,8 @@ disturbances-along-the-edges-of-the-part = disturbances, along the edges of the 
 cutting-edges = cutting edges
 scrap-length-mm-at-a-cost-of-cost = Scrap: { $length } mm, at a cost of { $cost }
 length-of-the-way-beyond-the-tolerance-on-th = Length of the way beyond the tolerance on the bad side, by `economics.scrap_cost_per_mm`
+the-cutter-is-drawn-turning-times-times-slow-2 = The cutter is drawn turning { $times } times slower.
+the-blank-has-its-true-size-what-is-cut-has = The blank has its true size; what is cut has the colour of the moment in which the cutter was there last.
 too-rough-is-rework-or-scrap-smoother-than-a = Too rough is rework or scrap; smoother than asked is neither.
-the-cutter-is-drawn-turning-times-times-slow = The cutter is drawn turning { $times } times slower. What stands in front of the wall was taken by an earlier cut.
+what-stands-in-front-of-the-wall-was-taken-b = What stands in front of the wall was taken by an earlier cut.
 simulated-tooth-by-tooth-k5-s-ra-does-not-ho = Simulated tooth by tooth, K5's Ra does not hold: the surface shows feed marks and run-out alone.

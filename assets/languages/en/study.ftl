@@ -737,6 +737,11 @@ the-blank-s-size-along-axis-is-size-mm-allow = the blank's size along { $axis } 
 the-blank-s-corner-has-to-be-three-numbers-i = the blank's corner has to be three numbers in mm
 a-grid-of-cell-mm-over-the-blank-has-n-cells = a grid of { $cell } mm over the blank has { $n } cells: allowed are { $most }; a larger step has fewer
 
+## crates/study/src/part/carved.rs
+
+the-program-has-no-feed-move-nothing-is-cut = the program has no feed move: nothing is cut
+the-way-has-n-pieces-at-most-most-are-drawn = the way has { $n } pieces: at most { $most } are drawn
+
 ## crates/study/src/part/columns.rs
 
 column-name-the-unit-is-unit-allowed-is-all = column `{ $name }`: the unit is `{ $unit }`: allowed is { $all }
@@ -780,10 +785,8 @@ letter-is-followed-by-number-allowed-is-a-nu = `{ $letter }` is followed by `{ $
 ## crates/study/src/part/milling.rs
 
 the-step-is-step-mm-allowed-is-least-to-most = the step is { $step } mm: allowed is { $least } to { $most } mm
-the-program-has-no-feed-move-nothing-is-cut = the program has no feed move: nothing is cut
 a-way-of-length-mm-in-steps-of-step-mm-allow = a way of { $length } mm in steps of { $step } mm: allowed are { $most } steps; a larger step has fewer
 mm-of-the-way = mm of the way
-and-n-more = { " " }and { $n } more
 rapid-moves-through-material-lines-lines = Rapid moves through material: lines { $lines }.
 straight-down-into-material-lines-lines = Straight down into material: lines { $lines }.
 not-acted-on-word-lines-lines = Not acted on: { $word }, lines { $lines }.

@@ -1095,6 +1095,21 @@ n-iterations-of-the-swarm = iteracij roja: { $n }
 no-plan-can-be-made = Načrta ni mogoče narediti
 the-settings-are-beside-or-below = Nastavitve so ob strani ali spodaj.
 
+## src/app/panels/workpiece/blank.rs
+
+the-part-is-another-one-than-that-of-name-no = Obdelovanec zdaj ni več tisti iz { $name }: njegov surovec ni prikazan.
+the-blank-of-name-is-not-shown-why = Surovec iz { $name } ni prikazan: { $why }.
+name-was-cut-with-another-cutter-cut-it-from = { $name } je bil izrezan z drugim frezalom: za prikaz ga znova izrežite iz surovca.
+in-the-air-line-line = v zraku, vrstica { $line }
+axial-deep-radial-wide-line-line = globina { $axial }, širina { $radial }, vrstica { $line }
+this-part-is-a-table-of-depths-along-its-way = Ta obdelovanec je tabela globin vzdolž poti in nima oblike v prostoru: prikazan je trak vzdolž poti. Obdelovanec, ki tu nastane iz programa, je prikazan tudi kot surovec.
+the-blank-in-space-as-it-is-cut-up-to-the-pl = Surovec v prostoru, obdelan do časovnega kazalca
+blank = Surovec
+the-way-made-straight-with-the-fine-surface = Zravnana pot s fino površino obdelane stene
+strip-along-the-way = Trak vzdolž poti
+blank-in-space-place = Surovec v prostoru, { $place }
+blank-x-y-z-mm = surovec { $x } × { $y } × { $z } mm
+
 ## src/app/panels/workpiece/judged.rs
 
 within = znotraj
@@ -1107,11 +1122,11 @@ smaller-than-asked = manjša od zahtevane
 
 ## src/app/panels/workpiece/picture.rs
 
+heights = višine ×
 part-in-space-place-heights-drawn-times-time = Obdelovanec v prostoru, { $place }, višine narisane { $times }-krat večje
 tool-length-before-the-part = orodje { $length } pred obdelovancem
 tool-at-place-of-length-mm = orodje pri { $place } od { $length } mm
 cut-number-of-all-tool = rez { $number } od { $all }, { $tool }
-heights = višine ×
 
 ## src/app/panels/workpiece/placed.rs
 
@@ -1195,10 +1210,10 @@ turns-the-picture-so-does-a-drag-over-it = Zavrti sliko; tako kot poteg po njej
 higher = Više
 lower = Niže
 follow-the-tool = Sledi orodju
-a-factor-of-your-own-otherwise-as-the-distan = Lasten faktor; sicer tak, kot ga hoče razdalja
-own-factor = Lasten faktor
 fingers-on-the-picture-turn-the-part-otherwi = Prsti na sliki vrtijo obdelovanec; sicer premikajo stran
 turn-by-touch = Vrti z dotikom
+a-factor-of-your-own-otherwise-as-the-distan = Lasten faktor; sicer tak, kot ga hoče razdalja
+own-factor = Lasten faktor
 
 ## src/app/panels/workpiece.rs
 
@@ -1216,6 +1231,8 @@ disturbances-along-the-edges-of-the-part = motnje, vzdolž robov obdelovanca
 cutting-edges = rezalni robovi
 scrap-length-mm-at-a-cost-of-cost = Izmet: { $length } mm, cena { $cost }
 length-of-the-way-beyond-the-tolerance-on-th = Dolžina poti zunaj tolerance na slabi strani, po `economics.scrap_cost_per_mm`
+the-cutter-is-drawn-turning-times-times-slow-2 = Frezalo je narisano pri { $times }-krat počasnejšem vrtenju.
+the-blank-has-its-true-size-what-is-cut-has = Surovec ima pravo velikost; kar je odrezano, ima barvo trenutka, v katerem je bilo frezalo tam nazadnje.
 too-rough-is-rework-or-scrap-smoother-than-a = Prehrapavo pomeni dodelavo ali izmet; bolj gladko od zahtevanega nobenega.
-the-cutter-is-drawn-turning-times-times-slow = Frezalo je narisano pri { $times }-krat počasnejšem vrtenju. Kar stoji pred steno, je odvzel prejšnji rez.
+what-stands-in-front-of-the-wall-was-taken-b = Kar stoji pred steno, je odvzel prejšnji rez.
 simulated-tooth-by-tooth-k5-s-ra-does-not-ho = Pri simulaciji zob za zobom Ra iz K5 ne velja: površina kaže samo sledi podajanja in opletanje.

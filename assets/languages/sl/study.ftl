@@ -749,6 +749,11 @@ the-blank-s-size-along-axis-is-size-mm-allow = velikost surovca vzdolž { $axis 
 the-blank-s-corner-has-to-be-three-numbers-i = vogal surovca morajo biti tri števila v mm
 a-grid-of-cell-mm-over-the-blank-has-n-cells = mreža { $cell } mm čez surovec ima { $n } celic: dovoljenih je { $most }; večji korak jih ima manj
 
+## crates/study/src/part/carved.rs
+
+the-program-has-no-feed-move-nothing-is-cut = program nima podajalnega giba: nič se ne reže
+the-way-has-n-pieces-at-most-most-are-drawn = pot ima { $n } kosov: narisanih je največ { $most }
+
 ## crates/study/src/part/columns.rs
 
 column-name-the-unit-is-unit-allowed-is-all = stolpec `{ $name }`: enota je `{ $unit }`: dovoljeno je { $all }
@@ -792,10 +797,8 @@ letter-is-followed-by-number-allowed-is-a-nu = črki `{ $letter }` sledi `{ $num
 ## crates/study/src/part/milling.rs
 
 the-step-is-step-mm-allowed-is-least-to-most = korak je { $step } mm: dovoljeno je od { $least } do { $most } mm
-the-program-has-no-feed-move-nothing-is-cut = program nima podajalnega giba: nič se ne reže
 a-way-of-length-mm-in-steps-of-step-mm-allow = pot { $length } mm s koraki { $step } mm: dovoljenih korakov je { $most }; večji korak jih ima manj
 mm-of-the-way = mm poti
-and-n-more = { " " }in še { $n }
 rapid-moves-through-material-lines-lines = Hitri gibi skozi material: vrstice { $lines }.
 straight-down-into-material-lines-lines = Naravnost navzdol v material: vrstice { $lines }.
 not-acted-on-word-lines-lines = Neupoštevano: { $word }, vrstice { $lines }.

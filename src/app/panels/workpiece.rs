@@ -1,7 +1,9 @@
 //! The part in space, cut as the run goes: its surface true to the simulated profile, its heights
 //! drawn larger by a factor that is shown, its colour the local roughness against the tolerance; and
-//! a profilometer that measures the surface along a line.
+//! a profilometer that measures the surface along a line. A part that came from a program is shown as the blank that it is
+//! cut from, too.
 
+mod blank;
 mod cutter;
 mod judged;
 mod part;
@@ -29,6 +31,7 @@ use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::reference::Reference;
 use crate::models::disturbances::Disturbance;
 use crate::run::tooth_marks::MarkedPart;
+use blank::ShownBlank;
 use judged::Lengths;
 use picture::{Kept, SLOWER};
 use profilometer::{MeasuredLine, Profilometer};
@@ -51,6 +54,8 @@ pub struct WorkpiecePanel {
     kept: Kept,
     depths: WorkpieceWindow,
     program: ProgramWindow,
+    /// The blank of the program that became the part.
+    blank: Option<ShownBlank>,
     /// The disturbance that a press on the part places.
     placing: Option<Disturbance>,
 }
@@ -99,6 +104,11 @@ impl Panel for WorkpiecePanel {
         self.screen(ui, view, commands);
         self.depths.show(ui, view, commands);
         self.program.show(ui, view, commands);
+        if let Some(taken) = self.program.taken.take() {
+            self.blank = Some(ShownBlank::of(taken, view.session));
+            // It is drawn in the next frame.
+            ui.ctx().request_repaint();
+        }
     }
 
     fn take(&mut self, file: &BroughtFile) {
@@ -124,7 +134,7 @@ impl WorkpiecePanel {
             scaffold::column(ui, "workpiece").show(ui, |ui| {
                 margin.show(ui, |ui| {
                     let height = NARROW_FRACTION * ui.available_width();
-                    self.picture(ui, view.session, (height, true), commands);
+                    self.in_space(ui, view.session, (height, true), commands);
                     self.beside(ui, view, commands);
                 });
             });
@@ -142,8 +152,28 @@ impl WorkpiecePanel {
             });
         CentralPanel::no_frame().show(ui, |ui| {
             let height = ui.available_height();
-            self.picture(ui, view.session, (height, false), commands);
+            self.in_space(ui, view.session, (height, false), commands);
         });
+    }
+
+    /// The blank, or the strip along the way.
+    fn in_space(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        (height, pages): (f32, bool),
+        commands: &mut Vec<Command>,
+    ) {
+        match self.shows_blank(session) {
+            true => self.blank_picture(ui, session, (height, pages), commands),
+            false => self.picture(ui, session, (height, pages), commands),
+        }
+    }
+
+    /// Whether the blank is drawn: the part is that of its program, and it is asked for.
+    fn shows_blank(&self, session: &Session) -> bool {
+        let asked = |blank: &ShownBlank| blank.asked && blank.is_of(session).is_ok();
+        !self.profilometer.open && self.blank.as_ref().is_some_and(asked)
     }
 
     /// Brings the marks up to the playhead.
@@ -168,6 +198,7 @@ impl WorkpiecePanel {
     }
 
     fn beside(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+        let shows_blank = self.shows_blank(view.session);
         if ui.button(tr("Edit depths\u{2026}")).on_hover_text(tr(EDIT_HELP)).clicked() {
             self.depths.toggle(view);
         }
@@ -178,7 +209,11 @@ impl WorkpiecePanel {
         if ui.button(tr("Part from a file\u{2026}")).on_hover_text(help).clicked() {
             commands.push(Command::File(FileCommand::OpenPart));
         }
-        self.looking.controls(ui, view.narrow);
+        self.choose_picture(ui, view.session);
+        match self.blank.as_mut().filter(|_| shows_blank) {
+            Some(blank) => blank.looking.controls(ui, view.narrow),
+            None => self.looking.controls(ui, view.narrow),
+        }
         ui.add_space(4.0);
         placed::choose(ui, &mut self.placing);
         ui.add_space(4.0);
@@ -250,6 +285,15 @@ impl WorkpiecePanel {
         ui.label(RichText::new(scrap).strong()).on_hover_text(tr(
             "Length of the way beyond the tolerance on the bad side, by `economics.scrap_cost_per_mm`",
         ));
+        let turns = tr!("The cutter is drawn turning {times} times slower.", times = SLOWER);
+        if self.shows_blank(session) {
+            let note = tr(
+                "The blank has its true size; what is cut has the colour of the moment in which the cutter was there last.",
+            );
+            let text = format!("{note} {turns}");
+            ui.label(RichText::new(text).small().color(palette.weak));
+            return;
+        }
         let mut text = match held {
             Reference::Ra => {
                 let neither = tr("Too rough is rework or scrap; smoother than asked is neither.");
@@ -257,11 +301,9 @@ impl WorkpiecePanel {
             }
             Reference::Force => String::new(),
         };
-        text.push_str(&tr!(
-            "The cutter is drawn turning {times} times slower. What stands in front of the wall \
-             was taken by an earlier cut.",
-            times = SLOWER,
-        ));
+        text.push_str(&turns);
+        text.push(' ');
+        text.push_str(tr("What stands in front of the wall was taken by an earlier cut."));
         if scenario.plant.force_model.tooth_by_tooth() {
             text.push(' ');
             text.push_str(tr(

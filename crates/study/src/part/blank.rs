@@ -89,6 +89,17 @@ pub struct HeightMap {
     heights_mm: Vec<f64>,
 }
 
+/// A cell from which something was taken.
+pub(super) struct TakenCell {
+    /// Its place among all, row by row along x.
+    pub(super) index: usize,
+    /// Its height before and after, mm.
+    before_mm: f64,
+    after_mm: f64,
+    /// Where its middle lies from the end of the piece, mm.
+    from_end_mm: [f64; 2],
+}
+
 /// What a piece has taken.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CutAway {
@@ -137,6 +148,11 @@ impl HeightMap {
         (x < columns && y < rows).then(|| self.heights_mm[y * columns + x])
     }
 
+    /// Heights of all cells, row by row along x, mm.
+    pub(super) fn heights_mm(&self) -> &[f64] {
+        &self.heights_mm
+    }
+
     /// Volume that was taken from the blank so far, mm^3.
     #[must_use]
     pub fn removed_mm3(&self) -> f64 {
@@ -159,13 +175,36 @@ impl HeightMap {
     pub fn cut(
         &mut self,
         outline: &Outline,
-        [from, to]: [[f64; 3]; 2],
+        ends: [[f64; 3]; 2],
         along: [f64; 2],
         taken: &mut CutAway,
     ) {
         let radius = outline.edge_mm();
+        let (area, cell_mm) = (self.cell_mm[0] * self.cell_mm[1], self.cell_mm());
+        let tip = self.tip_mm(ends);
+        self.cut_each(outline, ends, |cell: TakenCell| {
+            taken.removed_mm3 += (cell.before_mm - cell.after_mm) * area;
+            taken.axial_mm = taken.axial_mm.max(cell.before_mm - tip);
+            let [ex, ey] = cell.from_end_mm;
+            taken.see(ey * along[0] - ex * along[1], radius, cell_mm);
+        });
+    }
+
+    /// The lowest height of the tip within the blank, mm.
+    fn tip_mm(&self, [from, to]: [[f64; 3]; 2]) -> f64 {
+        from[2].min(to[2]).max(self.blank.corner_mm[2])
+    }
+
+    /// Takes what [`Self::cut`] takes, and tells every cell of it.
+    pub(super) fn cut_each(
+        &mut self,
+        outline: &Outline,
+        [from, to]: [[f64; 3]; 2],
+        mut tell: impl FnMut(TakenCell),
+    ) {
+        let radius = outline.edge_mm();
         let bottom = self.blank.corner_mm[2];
-        let tip = from[2].min(to[2]).max(bottom);
+        let tip = self.tip_mm([from, to]);
         if tip >= self.blank.top_mm() {
             return;
         }
@@ -178,7 +217,6 @@ impl HeightMap {
         let per_square = if square > 0.0 { 1.0 / square } else { 0.0 };
         // A level ball leaves most cells below it as they are, which is seen without a root.
         let level_ball = outline.is_ball() && dz == 0.0;
-        let area = self.cell_mm[0] * self.cell_mm[1];
         let columns = self.range(0, from[0].min(to[0]) - radius, from[0].max(to[0]) + radius);
         for row in self.range(1, from[1].min(to[1]) - radius, from[1].max(to[1]) + radius) {
             let y = self.blank.corner_mm[1] + (row as f64 + 0.5) * self.cell_mm[1];
@@ -213,10 +251,14 @@ impl HeightMap {
                 if before - after <= TAKEN_MM {
                     continue;
                 }
-                self.heights_mm[row * self.cells[0] + column] = after;
-                taken.removed_mm3 += (before - after) * area;
-                taken.axial_mm = taken.axial_mm.max(before - tip);
-                taken.see(ey * along[0] - ex * along[1], radius, self.cell_mm());
+                let index = row * self.cells[0] + column;
+                self.heights_mm[index] = after;
+                tell(TakenCell {
+                    index,
+                    before_mm: before,
+                    after_mm: after,
+                    from_end_mm: [ex, ey],
+                });
             }
         }
     }

@@ -161,6 +161,18 @@ impl MillingJob {
         })
     }
 
+    /// The outline of the tool that cuts.
+    #[must_use]
+    pub fn outline(&self) -> Outline {
+        self.outline
+    }
+
+    /// The step along the way, mm.
+    #[must_use]
+    pub fn step_mm(&self) -> f64 {
+        self.step_mm
+    }
+
     /// What is left of the blank.
     #[must_use]
     pub fn map(&self) -> &HeightMap {

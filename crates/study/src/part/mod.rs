@@ -12,6 +12,7 @@
 //! gives the same part, to the bit, natively and in the page.
 
 pub mod blank;
+pub mod carved;
 mod columns;
 pub mod gcode;
 pub mod milling;

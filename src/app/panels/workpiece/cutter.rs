@@ -3,6 +3,7 @@
 
 use egui::Color32;
 
+use crate::app::scene::camera::Point;
 use crate::app::scene::mesh::Mesh;
 use crate::models::tool::Tool;
 
@@ -14,8 +15,9 @@ const RINGS: usize = 9;
 /// Turn of the stripes from the tip to the end of the shank, rad.
 const TWIST_RAD: f32 = 1.6;
 
-/// Adds the cutter at a place along the cut, turned by `turn_rad`.
-pub fn draw(mesh: &mut Mesh, tool: &Tool, x_mm: f32, turn_rad: f32, colors: [Color32; 2]) {
+/// Adds the cutter with its tip at a place, mm, turned by `turn_rad`.
+pub fn draw(mesh: &mut Mesh, tool: &Tool, tip: Point, turn_rad: f32, colors: [Color32; 2]) {
+    let [x0, y0, z0] = tip;
     let outline = tool.outline();
     let [radius, flat, corner] =
         [outline.edge_mm(), outline.flat_mm(), outline.corner_radius_mm].map(|x| x as f32);
@@ -41,7 +43,11 @@ pub fn draw(mesh: &mut Mesh, tool: &Tool, x_mm: f32, turn_rad: f32, colors: [Col
                 let phase = teeth * (angle - turn_rad - TWIST_RAD * z / SHANK_MM);
                 let flute = phase.cos() > 0.72;
                 let color = if flute { colors[1] } else { colors[0] };
-                mesh.corner([x_mm + r * cos, r * sin, z], [side * cos, side * sin, up], color)
+                mesh.corner(
+                    [x0 + r * cos, y0 + r * sin, z0 + z],
+                    [side * cos, side * sin, up],
+                    color,
+                )
             })
             .collect();
         if let Some(before) = before.replace(corners.clone()) {
@@ -51,7 +57,7 @@ pub fn draw(mesh: &mut Mesh, tool: &Tool, x_mm: f32, turn_rad: f32, colors: [Col
     let lid: Vec<u32> = (0..=AROUND)
         .map(|k| {
             let (sin, cos) = (std::f32::consts::TAU * k as f32 / AROUND as f32).sin_cos();
-            let place = [x_mm + radius * cos, radius * sin, SHANK_MM];
+            let place = [x0 + radius * cos, y0 + radius * sin, z0 + SHANK_MM];
             mesh.corner(place, [0.0, 0.0, 1.0], colors[0])
         })
         .collect();
@@ -68,7 +74,13 @@ mod tests {
     fn the_cutter_turns_about_its_axis_and_has_normals_of_length_one() {
         let mut meshes = [0.0, 0.7].map(|turn_rad| {
             let mut mesh = Mesh::default();
-            draw(&mut mesh, &Tool::default(), 12.0, turn_rad, [Color32::BLACK, Color32::WHITE]);
+            draw(
+                &mut mesh,
+                &Tool::default(),
+                [12.0, 0.0, 0.0],
+                turn_rad,
+                [Color32::BLACK, Color32::WHITE],
+            );
             mesh
         });
         let numbers = |mesh: &Mesh| -> Vec<[f32; 6]> {

@@ -70,7 +70,7 @@ impl WorkpiecePanel {
             return;
         }
         let bounds = part::bounds(under, cut.surface.outline());
-        self.looking.steer(ui, &response, !draws, x_mm as f32, bounds);
+        self.looking.steer(ui, &response, !draws, [x_mm as f32, 0.0, 0.0], bounds);
         let camera = self.looking.camera;
         if draws {
             self.profilometer.draw(&response, &camera, &marked.measured(&path));
@@ -125,7 +125,8 @@ impl WorkpiecePanel {
             if self.looking.cutter {
                 let turn = (marks.turns() / SLOWER).fract() * std::f64::consts::TAU;
                 let tool = &session.current().tool;
-                cutter::draw(&mut mesh, tool, x_mm as f32, turn as f32, theme::CUTTER);
+                let tip = [x_mm as f32, 0.0, 0.0];
+                cutter::draw(&mut mesh, tool, tip, turn as f32, theme::CUTTER);
             }
             (made, Arc::new(mesh))
         });
@@ -135,7 +136,8 @@ impl WorkpiecePanel {
         self.kept = Kept(Some((made, mesh)));
         let at = place(x_mm, under.length_mm(), [number, marks.cuts().len()]);
         let backdrop = ui.visuals().panel_fill.gamma_multiply(0.85);
-        captions(&painter, rect, [palette.text, backdrop], &at, times);
+        let heights = format!("{}{}", tr("heights ×"), decimal(times.to_string()));
+        captions(&painter, rect, [palette.text, backdrop], &at, &heights);
         if let Some(told) = told {
             let corner = rect.left_top() + vec2(10.0, 8.0);
             caption(&painter, Align2::LEFT_TOP, corner, &told, [palette.accent, backdrop]);
@@ -152,7 +154,7 @@ impl WorkpiecePanel {
 }
 
 /// Where the tool is, in words.
-fn place(x_mm: f64, length_mm: f64, [number, count]: [usize; 2]) -> String {
+pub(super) fn place(x_mm: f64, length_mm: f64, [number, count]: [usize; 2]) -> String {
     let tool = if x_mm < 0.0 {
         tr!("tool {length} before the part", length = format::quantity(-x_mm, "mm"))
     } else {
@@ -171,11 +173,10 @@ fn captions(
     rect: Rect,
     [ink, backdrop]: [Color32; 2],
     at: &str,
-    times: f32,
+    scale: &str,
 ) {
-    let heights = format!("{}{}", tr("heights ×"), decimal(times.to_string()));
     let sides = [
-        (Align2::LEFT_BOTTOM, rect.left_bottom() + vec2(10.0, -8.0), heights.as_str()),
+        (Align2::LEFT_BOTTOM, rect.left_bottom() + vec2(10.0, -8.0), scale),
         (Align2::RIGHT_BOTTOM, rect.right_bottom() + vec2(-10.0, -8.0), at),
     ];
     for (anchor, corner, text) in sides {
@@ -183,7 +184,7 @@ fn captions(
     }
 }
 
-fn caption(
+pub(super) fn caption(
     painter: &egui::Painter,
     anchor: Align2,
     corner: Pos2,

@@ -16,9 +16,11 @@ use crate::app::widgets::touch;
 use crate::app::widgets::window::{self, WindowPlace};
 use crate::base::language::{text, tr};
 use crate::models::tool::Outline;
+use crate::study::part::PartPath;
 use crate::study::part::blank::{Blank, SIZES_MM};
+use crate::study::part::carved::CarvedBlank;
 use crate::study::part::gcode::GCodeProgram;
-use crate::study::part::milling::{MilledPart, MillingJob, STEPS_MM};
+use crate::study::part::milling::{MilledPart, MilledRow, MillingJob, STEPS_MM};
 use picture::LeftPicture;
 
 /// Steps of the first slice of the work.
@@ -48,6 +50,20 @@ struct DoneProgram {
     part: MilledPart,
     outline: Outline,
     left: LeftPicture,
+    /// The same to be looked at as it is cut; none where the way is too long for that, with the reason.
+    carved: Result<CarvedBlank, String>,
+}
+
+/// A program that became the part.
+pub struct TakenProgram {
+    /// Its name.
+    pub name: String,
+    /// Its path.
+    pub path: PartPath,
+    /// What the tool meets, step by step.
+    pub rows: Vec<MilledRow>,
+    /// Its blank as it is cut; none where the way is too long for that, with the reason.
+    pub carved: Result<CarvedBlank, String>,
 }
 
 /// The window.
@@ -56,6 +72,8 @@ pub struct ProgramWindow {
     open: bool,
     brought: Option<BroughtProgram>,
     said: Option<String>,
+    /// What was made the part in this frame.
+    pub taken: Option<TakenProgram>,
 }
 
 /// A blank about the feed moves of a program, to begin with: size and corner, mm.
@@ -114,7 +132,8 @@ impl ProgramWindow {
         let mut open = self.open;
         window::show(ui.ctx(), text!("Part of a program"), place, &mut open, |ui| {
             if let Some(brought) = &mut self.brought {
-                brought.content(ui, view, &mut self.said, commands);
+                self.taken =
+                    brought.content(ui, view, &mut self.said, commands).or(self.taken.take());
             }
             if let Some(said) = &self.said {
                 Standing::Bad.label(ui, said, |text| text);
@@ -131,9 +150,9 @@ impl BroughtProgram {
         view: &View<'_>,
         said: &mut Option<String>,
         commands: &mut Vec<Command>,
-    ) {
+    ) -> Option<TakenProgram> {
         let outline = view.session.current().tool.outline();
-        self.follow(outline);
+        self.follow();
         let moves = tr!("{name}: {n} moves", name = self.name, n = self.program.moves.len());
         ui.label(RichText::new(moves).strong());
         let help = tr(
@@ -150,9 +169,7 @@ impl BroughtProgram {
         if let Some(work) = self.work.as_ref().filter(|work| work.is_running()) {
             ui.label(work.progress().to_string());
         }
-        if let Some(done) = &self.done {
-            done.show(ui, &self.name, outline, commands);
-        }
+        self.done.as_ref().and_then(|done| done.show(ui, &self.name, outline, commands))
     }
 
     /// The numbers of the blank, and the step.
@@ -215,18 +232,26 @@ impl BroughtProgram {
     }
 
     /// Takes what is done.
-    fn follow(&mut self, outline: Outline) {
+    fn follow(&mut self) {
         let Some(work) = self.work.take_if(|work| work.is_over()) else { return };
         let Some(job) = work.into_job() else { return };
         if let Some(part) = job.part().cloned() {
             let left = LeftPicture::of(job.map());
-            self.done = Some(DoneProgram { part, outline, left });
+            let (blank, outline) = (*job.map().blank(), job.outline());
+            let carved = CarvedBlank::new(&self.program, blank, outline, job.step_mm());
+            self.done = Some(DoneProgram { part, outline, left, carved });
         }
     }
 }
 
 impl DoneProgram {
-    fn show(&self, ui: &mut Ui, name: &str, outline: Outline, commands: &mut Vec<Command>) {
+    fn show(
+        &self,
+        ui: &mut Ui,
+        name: &str,
+        outline: Outline,
+        commands: &mut Vec<Command>,
+    ) -> Option<TakenProgram> {
         let path = self.part.path();
         let [axial_mm, radial_mm] = path.deepest_mm();
         let in_mm = |x: f64| format::quantity(x, "mm");
@@ -244,11 +269,14 @@ impl DoneProgram {
         let same = self.outline == outline;
         let take = ui.add_enabled(same, Button::new(tr("Make it the part")));
         let other = tr("It was cut with another cutter: cut it again");
-        if take.on_disabled_hover_text(other).clicked() {
-            let name = name.to_owned();
-            let path = Box::new(path);
-            commands.push(Command::Session(SessionCommand::TakePart { name, path }));
+        if !take.on_disabled_hover_text(other).clicked() {
+            return None;
         }
+        let (name, boxed) = (name.to_owned(), Box::new(path.clone()));
+        commands
+            .push(Command::Session(SessionCommand::TakePart { name: name.clone(), path: boxed }));
+        let (rows, carved) = (self.part.rows.clone(), self.carved.clone());
+        Some(TakenProgram { name, path, rows, carved })
     }
 }
 

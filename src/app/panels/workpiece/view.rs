@@ -53,6 +53,8 @@ pub struct Looking {
     chosen: Option<f64>,
     /// The factor that was shown last.
     shown: f64,
+    /// Whether it is a blank in its true size: no heights are drawn larger, and the tool goes anywhere.
+    blank: bool,
 }
 
 impl Default for Looking {
@@ -66,19 +68,26 @@ impl Default for Looking {
             by_touch: false,
             chosen: None,
             shown: TIMES_BY_ITSELF,
+            blank: false,
         }
     }
 }
 
 impl Looking {
+    /// At all of a blank, from above.
+    pub fn at_blank() -> Self {
+        let camera = Camera { turn_rad: -0.45, tilt_rad: 0.8, ..Self::default().camera };
+        Self { camera, follows: Follows::Part, blank: true, ..Self::default() }
+    }
+
     /// Takes in wheel, pinch and drags, those of the first button where it `turns`; follows the
-    /// tool, or the part with these bounds.
+    /// tool's tip, or the part with these bounds.
     pub fn steer(
         &mut self,
         ui: &Ui,
         response: &Response,
         turns: bool,
-        tool_mm: f32,
+        tip: Point,
         bounds: [Point; 2],
     ) {
         let other = [PointerButton::Secondary, PointerButton::Middle];
@@ -96,11 +105,12 @@ impl Looking {
             self.zoom(factor);
         }
         match self.follows {
-            Follows::Tool(behind) => self.camera.target[0] = tool_mm - behind,
+            Follows::Tool(_) if self.blank => self.camera.target = tip,
+            Follows::Tool(behind) => self.camera.target[0] = tip[0] - behind,
             Follows::Part => {
                 let [low, mut high] = bounds;
                 if self.cutter {
-                    high[2] = SHANK_MM;
+                    high[2] = if self.blank { high[2] + SHANK_MM } else { SHANK_MM };
                 }
                 let corner = |i: usize| [0, 1, 2].map(|k| [low, high][i >> k & 1][k]);
                 let points: Vec<Point> = (0..8).map(corner).collect();
@@ -159,7 +169,7 @@ impl Looking {
             }
             let help =
                 tr("The surface right behind the tool, near enough to see each tooth's mark");
-            if ui.button(tr("Close up")).on_hover_text(help).clicked() {
+            if !self.blank && ui.button(tr("Close up")).on_hover_text(help).clicked() {
                 self.at_tool(CLOSE_MM, HEIGHT_MM[1], false);
             }
             for (sign, name, help, factor) in [
@@ -194,17 +204,8 @@ impl Looking {
                 let behind = if self.cutter { AT_TOOL_MM[1] } else { CLOSE_MM[1] };
                 self.follows = if along { Follows::Tool(behind) } else { Follows::Nothing };
             }
-            let mut own = self.chosen.is_some();
-            let help = tr("A factor of your own; otherwise as the distance wants it");
-            let switch = ui.checkbox(&mut own, tr("Own factor")).on_hover_text(help);
-            if switch.changed() {
-                self.chosen = own.then_some(self.shown);
-            }
-            if let Some(times) = &mut self.chosen {
-                let before = *times;
-                let slider = Slider::new(times, TIMES[0]..=TIMES[1]).logarithmic(true);
-                let slider = ui.add(slider.prefix(tr("heights ×")).max_decimals(0));
-                touch::only_across(ui, &slider.labelled_by(switch.id), times, before);
+            if !self.blank {
+                self.factor(ui);
             }
             if pages {
                 let help =
@@ -212,5 +213,21 @@ impl Looking {
                 ui.checkbox(&mut self.by_touch, tr("Turn by touch")).on_hover_text(help);
             }
         });
+    }
+
+    /// By how much heights are drawn larger.
+    fn factor(&mut self, ui: &mut Ui) {
+        let mut own = self.chosen.is_some();
+        let help = tr("A factor of your own; otherwise as the distance wants it");
+        let switch = ui.checkbox(&mut own, tr("Own factor")).on_hover_text(help);
+        if switch.changed() {
+            self.chosen = own.then_some(self.shown);
+        }
+        if let Some(times) = &mut self.chosen {
+            let before = *times;
+            let slider = Slider::new(times, TIMES[0]..=TIMES[1]).logarithmic(true);
+            let slider = ui.add(slider.prefix(tr("heights ×")).max_decimals(0));
+            touch::only_across(ui, &slider.labelled_by(switch.id), times, before);
+        }
     }
 }
