@@ -218,6 +218,12 @@ impl Display for OutPath {
 pub struct InFolder(PathBuf);
 
 impl InFolder {
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+
     /// Its files.
     ///
     /// # Errors

@@ -1,5 +1,7 @@
 //! Files of one's own on the command line: `--tool`, `--structure`, `--material`, `--machine` where a scenario goes in,
-//! and `steadycut own`, which begins and checks them.
+//! and `steadycut own`, which begins and checks them, and lists the folder of one's own that the console lists, too.
+
+mod list;
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -9,7 +11,7 @@ use serde_json::json;
 
 use super::Outcome;
 use super::args::one_of;
-use super::files::{InPath, OutPath};
+use super::files::{InFolder, InPath, OutPath};
 use super::given;
 use crate::run::edits::Edits;
 use crate::run::scenario::Scenario;
@@ -146,6 +148,8 @@ pub enum OwnWhat {
     New(OwnNewArgs),
     /// Check a file: what it is, and the settings that it makes.
     Check(OwnCheckArgs),
+    /// List a folder of files of one's own: what each is, what it describes, or what is wrong with it.
+    List(OwnListArgs),
 }
 
 /// Arguments of `own new`.
@@ -170,6 +174,17 @@ pub struct OwnCheckArgs {
     pub json: bool,
 }
 
+/// Arguments of `own list`.
+#[derive(Debug, Args)]
+pub struct OwnListArgs {
+    /// The folder; without it, the one that the console lists under My files.
+    #[arg(value_name = "FOLDER")]
+    pub folder: Option<InFolder>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// Runs the command.
 pub fn execute(args: &OwnArgs) -> Outcome {
     match &args.what {
@@ -181,6 +196,7 @@ pub fn execute(args: &OwnArgs) -> Outcome {
             }
         }
         OwnWhat::Check(args) => check(args)?,
+        OwnWhat::List(args) => list::execute(args)?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -3,6 +3,7 @@
 
 mod growing;
 mod out_file;
+pub mod own_folder;
 mod place;
 
 use std::fs::File;
@@ -90,6 +91,17 @@ pub fn files_in(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
 /// It cannot be made.
 pub fn make_folder(path: &Path) -> std::io::Result<()> {
     std::fs::create_dir_all(path)
+}
+
+/// Removes a file; one that is not there is as good as removed.
+///
+/// # Errors
+/// It is still there.
+pub fn remove(path: &Path) -> std::io::Result<()> {
+    match std::fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
+        Ok(()) | Err(_) => Ok(()),
+    }
 }
 
 /// All that comes, but not without end: a device may never stop.

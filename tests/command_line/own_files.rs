@@ -107,3 +107,68 @@ fn a_measured_response_becomes_a_structure_that_the_chart_takes() {
         ["machine", "stability", "--structure", file, "--speeds", "1", "--from", "9000", "--json"];
     assert!(json(&chart)["points"][0]["interrupted_mm"].as_f64().unwrap() > 0.0);
 }
+
+/// A folder of this test's own.
+fn folder(name: &str) -> std::path::PathBuf {
+    let folder = temporary(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+#[test]
+fn a_folder_is_listed_by_kind_with_what_is_broken() {
+    let folder = folder("own-folder");
+    let tool = OwnFileKind::Tool.template();
+    std::fs::create_dir(folder.join("shop")).unwrap();
+    std::fs::write(folder.join("shop/mill.toml"), tool).unwrap();
+    std::fs::write(folder.join("bad.toml"), tool.replacen("teeth = 3", "teeth = 30", 1)).unwrap();
+    std::fs::write(folder.join("latin.toml"), b"title = \"Fr\xe4ser\"").unwrap();
+    std::fs::write(folder.join("c60.toml"), OwnFileKind::Material.template()).unwrap();
+    std::fs::write(folder.join("notes.pdf"), "x").unwrap();
+    let place = folder.to_str().unwrap();
+    let told = json(&["own", "list", place, "--json"]);
+    let files = told["files"].as_array().unwrap();
+    let named = |name: &str| files.iter().find(|file| file["name"] == name).unwrap();
+    assert_eq!((files.len(), &told["others"]), (4, &1.into()));
+    let mill = named("shop/mill.toml");
+    assert_eq!((&mill["kind"], &mill["fault"]), (&"tool".into(), &serde_json::Value::Null));
+    assert_eq!(mill["facts"], "Square end, 3 teeth, 10 mm");
+    assert_eq!(mill["settings"]["tool.teeth"], 3);
+    let fault = named("bad.toml")["fault"].as_str().unwrap();
+    assert!(fault.contains("line 9") && fault.contains("1 to 8"), "{fault}");
+    assert!(named("latin.toml")["fault"].as_str().unwrap().contains("Latin-1"));
+    let text = String::from_utf8(steadycut(&["own", "list", place]).stdout).unwrap();
+    for part in ["Cutters", "shop/mill.toml", "faulty: ", "Materials", "1 other file", place] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(text.find("Cutters") < text.find("Materials"), "{text}");
+    assert!(refused(&["own", "list", &format!("{place}/none")]).contains("no such folder"));
+    assert!(refused(&["own", "list", &format!("{place}/bad.toml")]).contains("no folder"));
+}
+
+#[test]
+fn without_a_folder_the_one_that_was_chosen_is_listed() {
+    let home = folder("own-home");
+    let list = || {
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_steadycut"))
+            .args(["own", "list", "--json"])
+            .env("XDG_DATA_HOME", &home)
+            .env("APPDATA", &home)
+            .env("HOME", &home)
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap()
+    };
+    let told = list();
+    assert!(told["folder"].as_str().unwrap().ends_with("files"), "{told}");
+    assert_eq!(told["files"].as_array().unwrap().len(), 0, "it need not be there");
+    let base = std::path::PathBuf::from(told["folder"].as_str().unwrap());
+    let base = base.parent().unwrap();
+    let other = folder("own-chosen");
+    std::fs::write(other.join("a.toml"), OwnFileKind::Tool.template()).unwrap();
+    std::fs::create_dir_all(base).unwrap();
+    steadycut::disk::own_folder::OwnFolder::with_home(base.to_owned()).choose(&other).unwrap();
+    assert_eq!(list()["files"][0]["name"], "a.toml");
+}

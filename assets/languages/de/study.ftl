@@ -525,6 +525,47 @@ the-life-does-not-fall-with-the-cutting-spee = die Standzeit fällt nicht mit de
 depth-2 = Schnitttiefe
 the-name-was-not-varied-its-exponent-stays-a = { $name } wurde nicht geändert: der Exponent bleibt, wie er im Szenario ist
 
+## crates/study/src/library/facts.rs
+
+names-and-more-more = { $names } und { $more } weitere
+length-mm-long-at-most-depth-mm-deep = { $length } mm lang, höchstens { $depth } mm tief
+n-moves = { $n } Bewegungen
+n-lines = { $n } Zeilen
+controller-length-mm = { $controller }, { $length } mm
+it-is-none-of-the-files-that-this-program-re = es ist keine der Dateien, die dieses Programm liest
+shape-1-tooth-d-mm = { $shape }, 1 Zahn, { $d } mm
+shape-n-teeth-d-mm = { $shape }, { $n } Zähne, { $d } mm
+t-1-mode-hz-hz = 1 Eigenschwingung, { $hz } Hz
+n-modes-low-to-high-hz = { $n } Eigenschwingungen, { $low } bis { $high } Hz
+k-c1-1-kc11-n-mm-m-c-mc-hb-hb = k_c1.1 { $kc11 } N/mm², m_c { $mc }, { $hb } HB
+feed-drive-of-order-n = Vorschubantrieb der Ordnung { $n }
+spindle-drive-of-order-n = Spindelantrieb der Ordnung { $n }
+dead-time-s-s = Totzeit { $s } s
+limits-at-most-feed-mm-min = Grenzen, höchstens { $feed } mm/min
+limits = Grenzen
+
+## crates/study/src/library/kind.rs
+
+cutters = Fräser
+materials = Werkstoffe
+machines = Maschinen
+structures-at-the-tool-s-tip = Strukturen an der Werkzeugspitze
+parts = Werkstücke
+programs-g-code = Programme (G-Code)
+scripts = Skripte
+scenarios = Szenarien
+formulas = Formeln
+tables = Tabellen
+networks-of-unks = Netze von UNKS
+saved-searches = Gespeicherte Suchen
+results-of-missions = Ergebnisse von Missionen
+not-readable = Nicht lesbar
+
+## crates/study/src/library/mod.rs
+
+size-mb-not-looked-into = { $size } MB, nicht angesehen
+size-mb-files-of-its-kind-have-at-most-most = { $size } MB: Dateien dieser Art haben höchstens { $most } MB
+
 ## crates/study/src/machine_life/adaptive.rs
 
 percent-of-the-life = Prozent der Standzeit

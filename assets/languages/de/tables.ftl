@@ -621,6 +621,24 @@ hyperbolic-tangent = Tangens hyperbolicus
 sine = Sinus
 sigmoid = Sigmoid
 
+## files of one's own
+
+cutter-2 = Fräser
+structure-at-the-tool-s-tip = Struktur an der Werkzeugspitze
+material-2 = Werkstoff
+machine-2 = Maschine
+
+## folder of one's own
+
+part-2 = Werkstück
+program-g-code = Programm (G-Code)
+script-2 = Skript
+formula = Formel
+measured-data-3 = Messdaten
+saved-search-2 = gespeicherte Suche
+result-of-a-mission = Ergebnis einer Mission
+not-readable-2 = nicht lesbar
+
 ## signals
 
 time-since-the-start-of-the-run = { " " }Zeit seit Beginn des Laufs.

@@ -509,6 +509,47 @@ the-life-does-not-fall-with-the-cutting-spee = the life does not fall with the c
 depth-2 = depth
 the-name-was-not-varied-its-exponent-stays-a = the { $name } was not varied: its exponent stays as it is in the scenario
 
+## crates/study/src/library/facts.rs
+
+names-and-more-more = { $names } and { $more } more
+length-mm-long-at-most-depth-mm-deep = { $length } mm long, at most { $depth } mm deep
+n-moves = { $n } moves
+n-lines = { $n } lines
+controller-length-mm = { $controller }, { $length } mm
+it-is-none-of-the-files-that-this-program-re = it is none of the files that this program reads
+shape-1-tooth-d-mm = { $shape }, 1 tooth, { $d } mm
+shape-n-teeth-d-mm = { $shape }, { $n } teeth, { $d } mm
+t-1-mode-hz-hz = 1 mode, { $hz } Hz
+n-modes-low-to-high-hz = { $n } modes, { $low } to { $high } Hz
+k-c1-1-kc11-n-mm-m-c-mc-hb-hb = k_c1.1 { $kc11 } N/mm², m_c { $mc }, { $hb } HB
+feed-drive-of-order-n = feed drive of order { $n }
+spindle-drive-of-order-n = spindle drive of order { $n }
+dead-time-s-s = dead time { $s } s
+limits-at-most-feed-mm-min = limits, at most { $feed } mm/min
+limits = limits
+
+## crates/study/src/library/kind.rs
+
+cutters = Cutters
+materials = Materials
+machines = Machines
+structures-at-the-tool-s-tip = Structures at the tool's tip
+parts = Parts
+programs-g-code = Programs (G-code)
+scripts = Scripts
+scenarios = Scenarios
+formulas = Formulas
+tables = Tables
+networks-of-unks = Networks of UNKS
+saved-searches = Saved searches
+results-of-missions = Results of missions
+not-readable = Not readable
+
+## crates/study/src/library/mod.rs
+
+size-mb-not-looked-into = { $size } MB, not looked into
+size-mb-files-of-its-kind-have-at-most-most = { $size } MB: files of its kind have at most { $most } MB
+
 ## crates/study/src/machine_life/adaptive.rs
 
 percent-of-the-life = percent of the life

@@ -621,6 +621,24 @@ hyperbolic-tangent = hyperbolic tangent
 sine = sine
 sigmoid = sigmoid
 
+## files of one's own
+
+cutter-2 = cutter
+structure-at-the-tool-s-tip = structure at the tool's tip
+material-2 = material
+machine-2 = machine
+
+## folder of one's own
+
+part-2 = part
+program-g-code = program (G-code)
+script-2 = script
+formula = formula
+measured-data-3 = measured data
+saved-search-2 = saved search
+result-of-a-mission = result of a mission
+not-readable-2 = not readable
+
 ## signals
 
 time-since-the-start-of-the-run = { " " }Time since the start of the run.

@@ -521,6 +521,47 @@ the-life-does-not-fall-with-the-cutting-spee = obstojnost z rezalno hitrostjo ne
 depth-2 = globina
 the-name-was-not-varied-its-exponent-stays-a = { $name } se ni spreminjala: eksponent ostane, kot je v scenariju
 
+## crates/study/src/library/facts.rs
+
+names-and-more-more = { $names } in še { $more }
+length-mm-long-at-most-depth-mm-deep = dolg { $length } mm, globok največ { $depth } mm
+n-moves = gibov: { $n }
+n-lines = vrstic: { $n }
+controller-length-mm = { $controller }, { $length } mm
+it-is-none-of-the-files-that-this-program-re = to ni nobena od datotek, ki jih ta program bere
+shape-1-tooth-d-mm = { $shape }, 1 zob, { $d } mm
+shape-n-teeth-d-mm = { $shape }, zob: { $n }, { $d } mm
+t-1-mode-hz-hz = 1 lastno nihanje, { $hz } Hz
+n-modes-low-to-high-hz = lastnih nihanj: { $n }, { $low } do { $high } Hz
+k-c1-1-kc11-n-mm-m-c-mc-hb-hb = k_c1.1 { $kc11 } N/mm², m_c { $mc }, { $hb } HB
+feed-drive-of-order-n = podajalni pogon reda { $n }
+spindle-drive-of-order-n = pogon vretena reda { $n }
+dead-time-s-s = mrtvi čas { $s } s
+limits-at-most-feed-mm-min = omejitve, največ { $feed } mm/min
+limits = omejitve
+
+## crates/study/src/library/kind.rs
+
+cutters = Frezala
+materials = Materiali
+machines = Stroji
+structures-at-the-tool-s-tip = Strukture na konici orodja
+parts = Obdelovanci
+programs-g-code = Programi (koda G)
+scripts = Skripti
+scenarios = Scenariji
+formulas = Formule
+tables = Tabele
+networks-of-unks = Mreže UNKS
+saved-searches = Shranjena iskanja
+results-of-missions = Rezultati nalog
+not-readable = Neberljivo
+
+## crates/study/src/library/mod.rs
+
+size-mb-not-looked-into = { $size } MB, vsebina ni pregledana
+size-mb-files-of-its-kind-have-at-most-most = { $size } MB: datoteke te vrste imajo največ { $most } MB
+
 ## crates/study/src/machine_life/adaptive.rs
 
 percent-of-the-life = odstotki obstojnosti

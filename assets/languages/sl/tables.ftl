@@ -621,6 +621,24 @@ hyperbolic-tangent = hiperbolični tangens
 sine = sinus
 sigmoid = sigmoida
 
+## files of one's own
+
+cutter-2 = frezalo
+structure-at-the-tool-s-tip = struktura na konici orodja
+material-2 = material
+machine-2 = stroj
+
+## folder of one's own
+
+part-2 = obdelovanec
+program-g-code = program (koda G)
+script-2 = skript
+formula = formula
+measured-data-3 = izmerjeni podatki
+saved-search-2 = shranjeno iskanje
+result-of-a-mission = rezultat naloge
+not-readable-2 = neberljivo
+
 ## signals
 
 time-since-the-start-of-the-run = { " " }Čas od začetka simulacije.

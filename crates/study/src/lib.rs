@@ -15,6 +15,7 @@
 //! | What does adaptive feed control learn from the first part, and what does it gain? | [`afc`] |
 //! | How rough is the machined surface? | [`profilometer`] |
 //! | How does a part of one's own get into a run, from a table or from G-code? | [`part`] |
+//! | What is in a folder of one's own? | [`library`] |
 //! | Has a learner reached the goal of a lesson? | [`mission`] |
 //! | What does a link open, and what of the program is shown then? | [`opening`] |
 //! | Are the bits the same here as elsewhere? | [`golden`] |
@@ -47,6 +48,7 @@ pub mod formula_place;
 pub mod formula_table;
 pub mod golden;
 pub mod identify;
+pub mod library;
 pub mod machine_life;
 pub mod mission;
 pub mod opening;

@@ -14,18 +14,7 @@ impl Folder {
     /// That of this user, if the system names one.
     #[must_use]
     pub fn of_user() -> Self {
-        let var = |name: &str| {
-            let value = std::env::var_os(name).map(PathBuf::from);
-            value.filter(|path| path.is_absolute())
-        };
-        let base = if cfg!(target_os = "windows") {
-            var("APPDATA")
-        } else if cfg!(target_os = "macos") {
-            var("HOME").map(|home| home.join("Library/Application Support"))
-        } else {
-            var("XDG_DATA_HOME").or_else(|| var("HOME").map(|home| home.join(".local/share")))
-        };
-        Self(base.map(|base| base.join("steadycut")))
+        Self(crate::disk::own_folder::user_folder())
     }
 }
 

@@ -12,7 +12,9 @@ use steadycut::study::compare::outcome::Measure;
 use steadycut::study::experiment::way::WayPlant;
 use steadycut::study::experiment::way::rows::ModelSource;
 use steadycut::study::formula_place::FormulaPlace;
+use steadycut::study::library::LibraryKind;
 use steadycut::study::mission::{Relation, Taken, shipped};
+use steadycut::study::own_file::OwnFileKind;
 use steadycut::study::papers::CellVerdict;
 use steadycut::study::papers_2019::MachineTableVerdict;
 use steadycut::study::plan::optimum::PlanVerdict;
@@ -53,10 +55,12 @@ pub fn texts() -> Found {
         }
     }
     // Choices that are no settings.
-    let choices: [(&str, &[Choice]); 3] = [
+    let choices: [(&str, &[Choice]); 5] = [
         ("ends", EndId::OPTIONS),
         ("disturbances", Disturbance::OPTIONS),
         ("activations", Activation::OPTIONS),
+        ("files of one's own", OwnFileKind::OPTIONS),
+        ("folder of one's own", LibraryKind::OPTIONS),
     ];
     for (place, options) in choices {
         options.iter().for_each(|option| add(place, option.label));

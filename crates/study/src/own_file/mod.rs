@@ -5,10 +5,12 @@ mod entry;
 mod limits;
 mod machine;
 mod material;
+mod present;
 
 pub use limits::OwnLimits;
-pub use machine::MachineFile;
+pub use machine::{MachineFile, OwnTransfer};
 pub use material::MaterialFile;
+pub use present::{structure_file, tool_file};
 
 use crate::base::language::tr;
 use crate::base::settings::{Group, SettingError, Structure, Value};

@@ -326,3 +326,23 @@ fn limits_of_a_machine_bind_in_the_plan() {
     given.feed_max_mm_min.source = Source::Given;
     assert_eq!(given.within(&far).feed_max_mm_min.value, 2000.0);
 }
+
+#[test]
+fn the_present_cutter_and_structure_are_written_and_read_back() {
+    use crate::models::tool::ShippedTool;
+    for shipped in ShippedTool::ALL {
+        let text = tool_file(shipped.tool(), "a \"b\"", "c");
+        let file = OwnFile::read(&text).unwrap();
+        assert_eq!((file.title.as_str(), file.source.as_str()), ("a \"b\"", "c"));
+        let mut scenario = Scenario::default();
+        scenario.set_all(&file.changes).unwrap();
+        assert_eq!(scenario.tool.shipped_alike(), Some(*shipped), "{text}");
+    }
+    let mut scenario = Scenario::default();
+    assert_eq!(structure_file(&scenario.machine.tip_modes, "a", "b"), None);
+    scenario.set_all(&OwnFile::read(OwnFileKind::Structure.template()).unwrap().changes).unwrap();
+    let text = structure_file(&scenario.machine.tip_modes, "a", "b").unwrap();
+    let mut again = Scenario::default();
+    again.set_all(&OwnFile::read(&text).unwrap().changes).unwrap();
+    assert_eq!(again.machine.tip_modes, scenario.machine.tip_modes);
+}
