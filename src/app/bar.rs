@@ -12,6 +12,7 @@ use super::shortcuts;
 use super::theme::Palette;
 use super::timeline;
 use super::widgets::icon::{self, Icon};
+use super::widgets::my_files::my_files;
 use super::widgets::touch;
 use crate::base::language::{self, Language, text, tr};
 use crate::study::opening::FramePart;
@@ -219,6 +220,7 @@ fn menu(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         ui.separator();
         if !view.frame.hides(FramePart::Files) {
             file_buttons(ui, view, commands);
+            my_files(ui, view, None, commands);
         }
         // Beside Restart where there is room.
         timeline::cut_again(ui, view, commands);

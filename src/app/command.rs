@@ -2,6 +2,9 @@
 //! alone carries them out, so buttons, keys, tests and scripts go the same way. Each kind of
 //! command is carried out in one place, by a `match` over all of it.
 
+use std::sync::Arc;
+
+use super::overlay::file::MeasuredFile;
 use super::panels::BroughtFile;
 use super::playback::Speed;
 use super::session::MissionLock;
@@ -11,6 +14,7 @@ use crate::base::settings::Value;
 use crate::models::disturbances::{Disturbance, Zone};
 use crate::run::edits::Edits;
 use crate::run::scenario::Scenario;
+use crate::study::library::LibraryKind;
 use crate::study::mission::MissionResult;
 use crate::study::part::PartPath;
 
@@ -25,6 +29,8 @@ pub enum Command {
     File(FileCommand),
     /// What surrounds the screens.
     Shell(ShellCommand),
+    /// Files of one's own.
+    Library(LibraryCommand),
 }
 
 impl Command {
@@ -117,6 +123,13 @@ pub enum SessionCommand {
     },
     /// Takes the settings of a file of one's own: cutter, structure, material or machine.
     LoadOwn {
+        /// Where it came from, for messages.
+        name: String,
+        /// The file's text.
+        text: String,
+    },
+    /// Controls the cut by the script of a file.
+    LoadScript {
         /// Where it came from, for messages.
         name: String,
         /// The file's text.
@@ -249,6 +262,8 @@ pub enum FileCommand {
     OpenPart,
     /// Asks for measured data, and lays them over the plots.
     OpenMeasured,
+    /// Remembers what was said of the layout of measured data, or forgets it where nothing is.
+    RememberLayout(Box<MeasuredFile>),
     /// Asks for a saved search for a formula, and goes on with it.
     OpenSearch,
     /// Hands a file to the screen that it is for, and shows that.
@@ -279,6 +294,56 @@ pub enum LinkText {
     Link,
     /// The command line that repeats its run.
     CommandLine,
+}
+
+/// What is done with files of one's own.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LibraryCommand {
+    /// Shows or closes the window on them, with the files of one kind unfolded, or as it was.
+    Show {
+        /// Whether it is shown.
+        open: bool,
+        /// The kind.
+        kind: Option<LibraryKind>,
+    },
+    /// Uses a file in the present cut, as if it were dropped.
+    Use(String),
+    /// Takes the formula of a file for the setting at a path.
+    UseFormula {
+        /// The file's name.
+        name: String,
+        /// The setting's path.
+        path: String,
+    },
+    /// A file was opened from elsewhere: it is offered to be kept.
+    Opened(OpenedFile),
+    /// Keeps one that was opened from elsewhere.
+    KeepOpened(String),
+    /// Keeps what the present cut has of a kind as a file.
+    KeepPresent(LibraryKind),
+    /// Begins a file of a kind.
+    Begin(LibraryKind),
+    /// A file is kept now: by the name that it was opened by, if it was.
+    Kept(String),
+    /// Removes a file that a browser keeps.
+    Remove(String),
+    /// Saves such a file elsewhere.
+    Download(String),
+    /// Asks for another folder.
+    AskFolder,
+    /// Takes the folder at this path.
+    Choose(String),
+    /// Reads them again.
+    LookAgain,
+}
+
+/// A file that was opened from elsewhere.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OpenedFile {
+    /// Its name.
+    pub name: String,
+    /// Its bytes.
+    pub bytes: Arc<[u8]>,
 }
 
 /// What concerns the window around the screens.

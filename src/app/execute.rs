@@ -1,7 +1,11 @@
 //! How the console carries commands out: what is not the session's is done here.
 
-use super::command::{Command, FileCommand, LinkText, SessionCommand, ShellCommand};
+use super::command::{
+    Command, FileCommand, LibraryCommand, LinkText, SessionCommand, ShellCommand,
+};
+use super::library::{begun, present};
 use super::link::{LinkWindow, RunTold};
+use super::overlay::file::MeasuredFile;
 use super::session::PREDICT_FIRST;
 #[cfg(target_arch = "wasm32")]
 use super::web;
@@ -33,6 +37,7 @@ impl Console {
                         | SessionCommand::Hand(_)
                         | SessionCommand::LoadFormula { .. }
                         | SessionCommand::LoadOwn { .. }
+                        | SessionCommand::LoadScript { .. }
                 ) {
                     self.since_change_s = 0.0;
                 }
@@ -47,6 +52,7 @@ impl Console {
             Command::Playback(command) => self.session.play(command),
             Command::File(command) => self.execute_file(command, ctx),
             Command::Shell(command) => self.execute_shell(command, ctx),
+            Command::Library(command) => self.execute_library(command, ctx),
         }
     }
 
@@ -81,6 +87,54 @@ impl Console {
             ShellCommand::Marked(result) => self.marked(*result),
             ShellCommand::ForgetStars => self.remembered.forget_stars(),
             ShellCommand::CloseTopmost => self.close_topmost(),
+        }
+    }
+
+    /// What is done with files of one's own; where that takes a disk, on a thread.
+    fn execute_library(&mut self, command: LibraryCommand, ctx: &egui::Context) {
+        let Some(shelf) = self.library.shelf() else {
+            if let LibraryCommand::Show { open, kind } = command {
+                self.library.show_it(open, kind);
+            }
+            return;
+        };
+        match command {
+            LibraryCommand::Show { open, kind } => self.library.show_it(open, kind),
+            LibraryCommand::Use(name) => self.files.take_kept(ctx, shelf, name),
+            LibraryCommand::UseFormula { name, path } => {
+                self.files.take_formula(ctx, shelf, name, path);
+            }
+            LibraryCommand::Opened(file) => self.library.was_opened(file),
+            LibraryCommand::KeepOpened(name) => {
+                if let Some(file) = self.library.opened(&name) {
+                    self.files.keep(ctx, shelf, name, file.bytes.to_vec());
+                }
+            }
+            LibraryCommand::KeepPresent(kind) => match present(kind, &self.session) {
+                Ok((name, text)) => self.files.keep(ctx, shelf, name, text.into_bytes()),
+                Err(why) => self.session.notify(why),
+            },
+            LibraryCommand::Begin(kind) => {
+                if let Some((name, text)) = begun(kind) {
+                    self.files.keep(ctx, shelf, name, text.as_bytes().to_vec());
+                }
+            }
+            LibraryCommand::Kept(name) => self.library.was_kept(&name),
+            LibraryCommand::Remove(name) => {
+                let gone = shelf.remove(&name);
+                self.session.notify(match gone {
+                    Ok(()) => tr!("{name} is deleted.", name = name),
+                    Err(why) => format!("{name}: {why}"),
+                });
+                self.library.look_again();
+            }
+            LibraryCommand::Download(name) => match shelf.read(&name) {
+                Ok(bytes) => self.files.save(ctx, &name, bytes),
+                Err(why) => self.session.notify(format!("{name}: {why}")),
+            },
+            LibraryCommand::AskFolder => self.files.ask_folder(ctx),
+            LibraryCommand::Choose(folder) => self.files.choose_folder(ctx, shelf, folder),
+            LibraryCommand::LookAgain => self.library.look_again(),
         }
     }
 
@@ -120,6 +174,7 @@ impl Console {
             FileCommand::OpenTable => self.files.open_table(ctx),
             FileCommand::OpenPart => self.files.open_part(ctx),
             FileCommand::OpenMeasured => self.files.open_measured(ctx),
+            FileCommand::RememberLayout(file) => self.remember_layout(ctx, &file),
             FileCommand::OpenSearch => self.files.open_search(ctx),
             FileCommand::Bring(file) => {
                 self.show_screen(file.screen());
@@ -140,6 +195,13 @@ impl Console {
         #[cfg(target_arch = "wasm32")]
         web::tell_page("steadycutResult", &result.write());
         self.result = Some(result);
+    }
+
+    /// Remembers what was said of a layout for files like it, and beside the file where it has a place.
+    fn remember_layout(&mut self, ctx: &egui::Context, file: &MeasuredFile) {
+        self.remembered.was_said(&file.alike(), file.said());
+        self.files.know(self.remembered.layouts().clone());
+        self.files.write_layout(ctx, file);
     }
 
     fn save(&self, ctx: &egui::Context, extension: &str, bytes: Vec<u8>) {

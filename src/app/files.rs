@@ -1,11 +1,17 @@
 //! Opening and saving files without stopping the window: answers come later, as commands.
 
+use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 #[cfg(target_arch = "wasm32")]
 use super::command::ShellCommand;
-use super::command::{Command, FileCommand, SessionCommand};
+use super::command::{Command, FileCommand, LibraryCommand, OpenedFile, SessionCommand};
+use super::library::{LONGEST_OPENED, Shelf};
 use super::overlay::file::MeasuredFile;
+#[cfg(not(target_arch = "wasm32"))]
+use super::overlay::layouts::beside;
+use super::overlay::layouts::{KnownLayouts, as_remembered};
 use super::panels::BroughtFile;
 use crate::base::language::{self, Catalogue, tr};
 use crate::base::text::decode;
@@ -13,9 +19,9 @@ use crate::measured::layout::DataLayout;
 use crate::run::edits::Edits;
 use crate::run::presets;
 use crate::run::scenario::Scenario;
-use crate::study::identify::gp::state::GpState;
-use crate::study::mission::{Mission, MissionResult};
-use crate::study::own_file::OwnFileKind;
+use crate::study::library::{
+    LibraryKind, MEASURED, PROGRAMS, SPREADSHEETS, TABLES, TEXTS, ends_with_one_of,
+};
 use crate::study::part::PartPath;
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -25,12 +31,14 @@ mod fallback;
 pub struct Files {
     sender: Sender<Command>,
     receiver: Receiver<Command>,
+    /// What was said of layouts of measured data.
+    layouts: Arc<KnownLayouts>,
 }
 
 impl Default for Files {
     fn default() -> Self {
         let (sender, receiver) = channel();
-        Self { sender, receiver }
+        Self { sender, receiver, layouts: Arc::default() }
     }
 }
 
@@ -40,6 +48,7 @@ struct Answer {
     ctx: egui::Context,
     /// Of what is said in it: threads that wait for a dialog have none of their own.
     language: Option<&'static Catalogue>,
+    layouts: Arc<KnownLayouts>,
 }
 
 impl Answer {
@@ -48,17 +57,76 @@ impl Answer {
         language::use_catalogue(self.language);
     }
 
-    fn send(self, command: Command) {
+    /// One command of several, or the only one.
+    fn tell(&self, command: Command) {
         // The window may be gone by now: then nobody waits for the answer.
         let _ = self.sender.send(command);
+    }
+
+    /// What a file that was read becomes, which can be kept from then on.
+    fn send_read(
+        self,
+        (name, path): (&str, Option<PathBuf>),
+        bytes: &[u8],
+        command: impl FnOnce(String) -> Command,
+    ) {
+        if bytes.len() <= LONGEST_OPENED
+            && LibraryKind::opened_as(name, bytes) != LibraryKind::Unreadable
+        {
+            let file = OpenedFile { name: name.to_owned(), bytes: bytes.into() };
+            self.tell(Command::Library(LibraryCommand::Opened(file)));
+        }
+        let command = remembering(command(name.to_owned()), path, &self.layouts);
+        self.send(command);
+    }
+
+    fn send(self, command: Command) {
+        self.tell(command);
         self.ctx.request_repaint();
     }
 }
 
 impl Files {
     fn answer(&self, ctx: &egui::Context) -> Answer {
-        Answer { sender: self.sender.clone(), ctx: ctx.clone(), language: language::catalogue() }
+        Answer {
+            sender: self.sender.clone(),
+            ctx: ctx.clone(),
+            language: language::catalogue(),
+            layouts: Arc::clone(&self.layouts),
+        }
     }
+
+    /// What was said of layouts of measured data, for files that are opened from now on.
+    pub fn know(&mut self, layouts: KnownLayouts) {
+        self.layouts = Arc::new(layouts);
+    }
+
+    /// Writes what was said of a layout beside the file, as the command does, or removes that where nothing is; a file
+    /// without a place has nothing beside it.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn write_layout(&self, ctx: &egui::Context, file: &MeasuredFile) {
+        let Some(place) = file.path().map(beside) else { return };
+        let answer = self.answer(ctx);
+        let said = file.said().clone();
+        spawn(async move {
+            answer.speak();
+            let done = match said == DataLayout::default() {
+                true => crate::disk::remove(&place).map_err(|error| error.to_string()),
+                false => crate::disk::write(&place, said.write().as_bytes())
+                    .map_err(|error| error.to_string()),
+            };
+            if let Err(why) = done {
+                answer.send(Command::notify(tr!(
+                    "The layout is remembered for files like it, but not beside this one: {why}",
+                    why = why
+                )));
+            }
+        });
+    }
+
+    /// A page has no files beside others.
+    #[cfg(target_arch = "wasm32")]
+    pub fn write_layout(&self, _: &egui::Context, _: &MeasuredFile) {}
 
     /// Answers with a command.
     pub fn push(&self, command: Command) {
@@ -130,15 +198,23 @@ impl Files {
                 Some(file) => {
                     let name = file.file_name();
                     #[cfg(target_arch = "wasm32")]
+                    let path = None;
+                    #[cfg(not(target_arch = "wasm32"))]
+                    let path = Some(file.path().to_owned());
+                    #[cfg(target_arch = "wasm32")]
                     let bytes = Ok::<_, std::io::Error>(file.read().await);
                     // The dialog's own reader panics where a file cannot be read.
                     #[cfg(not(target_arch = "wasm32"))]
                     let bytes = crate::disk::read(file.path());
                     answer.speak();
-                    answer.send(match bytes {
-                        Ok(bytes) => read(name, &bytes),
-                        Err(error) => Command::notify(unread(&name, &error.to_string())),
-                    });
+                    match bytes {
+                        Ok(bytes) => {
+                            answer.send_read((&name, path), &bytes, |name| read(name, &bytes));
+                        }
+                        Err(error) => {
+                            answer.send(Command::notify(unread(&name, &error.to_string())));
+                        }
+                    }
                 }
                 #[cfg(not(target_arch = "wasm32"))]
                 None if opened.was_never_shown() => {
@@ -156,18 +232,124 @@ impl Files {
         for file in ctx.input(|input| input.raw.dropped_files.clone()) {
             let answer = self.answer(ctx);
             let name = file.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let path = Some(file.path().to_owned()).filter(|path| path.is_absolute());
             spawn(async move {
                 #[cfg(target_arch = "wasm32")]
                 let bytes = file.bytes_async().await;
                 #[cfg(not(target_arch = "wasm32"))]
                 let bytes = file.bytes();
                 answer.speak();
-                answer.send(match bytes {
-                    Ok(bytes) => dropped(name, &bytes, shown),
-                    Err(error) => Command::notify(unread(&name, &error.to_string())),
-                });
+                match bytes {
+                    Ok(bytes) => {
+                        let of = |name| dropped(name, &bytes, shown);
+                        answer.send_read((&name, path), &bytes, of);
+                    }
+                    Err(error) => answer.send(Command::notify(unread(&name, &error.to_string()))),
+                }
             });
         }
+    }
+
+    /// Uses a file of one's own as if it were dropped onto the plots.
+    pub fn take_kept(&self, ctx: &egui::Context, shelf: Arc<dyn Shelf>, name: String) {
+        let answer = self.answer(ctx);
+        spawn(async move {
+            answer.speak();
+            match shelf.read(&name) {
+                Ok(bytes) => {
+                    let command = dropped(last_of(&name), &bytes, PLOTS);
+                    let command = remembering(command, shelf.path(&name), &answer.layouts);
+                    answer.send(command);
+                }
+                Err(error) => answer.send(Command::notify(unread(&name, &error))),
+            }
+        });
+    }
+
+    /// Takes the formula of a file of one's own for the setting at `path`.
+    pub fn take_formula(
+        &self,
+        ctx: &egui::Context,
+        shelf: Arc<dyn Shelf>,
+        name: String,
+        path: String,
+    ) {
+        let answer = self.answer(ctx);
+        spawn(async move {
+            answer.speak();
+            let text = shelf.read(&name).and_then(|bytes| decode(&bytes));
+            let name = last_of(&name);
+            answer.send(match text {
+                Ok(text) => Command::Session(SessionCommand::LoadFormula { path, name, text }),
+                Err(error) => Command::notify(unread(&name, &error)),
+            });
+        });
+    }
+
+    /// Keeps a file with one's own.
+    pub fn keep(&self, ctx: &egui::Context, shelf: Arc<dyn Shelf>, name: String, bytes: Vec<u8>) {
+        let answer = self.answer(ctx);
+        spawn(async move {
+            answer.speak();
+            match shelf.keep(&name, &bytes) {
+                Ok(kept) => {
+                    let place = shelf.path(&kept).map(|path| path.display().to_string());
+                    let text = match place {
+                        Some(place) => tr!("Kept: {place}", place = place),
+                        None => tr!("{name} is kept in this browser.", name = kept),
+                    };
+                    answer.tell(Command::Library(LibraryCommand::Kept(name)));
+                    answer.send(Command::notify(text));
+                }
+                Err(why) => answer.send(Command::notify(tr!(
+                    "{name} is not kept: {why}",
+                    name = name,
+                    why = why
+                ))),
+            }
+        });
+    }
+
+    /// Takes the folder at a path for one's own files.
+    pub fn choose_folder(&self, ctx: &egui::Context, shelf: Arc<dyn Shelf>, folder: String) {
+        let answer = self.answer(ctx);
+        spawn(async move {
+            answer.speak();
+            if let Err(why) = shelf.choose(&folder) {
+                answer.tell(Command::notify(why));
+            }
+            answer.send(Command::Library(LibraryCommand::LookAgain));
+        });
+    }
+
+    /// Asks for the folder of one's own files.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn ask_folder(&self, ctx: &egui::Context) {
+        let answer = self.answer(ctx);
+        let opened = fallback::Opened::now();
+        let picked = rfd::AsyncFileDialog::new().pick_folder();
+        spawn(async move {
+            match picked.await {
+                Some(folder) => {
+                    let folder = folder.path().to_string_lossy().into_owned();
+                    answer.send(Command::Library(LibraryCommand::Choose(folder)));
+                }
+                None if opened.was_never_shown() => {
+                    answer.speak();
+                    let text = tr("No file dialog is available: type the path of the folder.");
+                    answer.send(Command::notify(text.to_owned()));
+                }
+                // The user has thought better of it.
+                None => {}
+            }
+        });
+    }
+
+    /// A page has no folders, and no button that asks for one.
+    #[cfg(target_arch = "wasm32")]
+    pub fn ask_folder(&self, ctx: &egui::Context) {
+        let text = tr!("{folder}: a page has no folders", folder = tr("My files"));
+        self.answer(ctx).send(Command::notify(text));
     }
 
     /// Asks where to save, and saves.
@@ -244,26 +426,29 @@ impl Files {
     }
 }
 
-/// Extension of files of networks and of saved searches; all others are scenarios or tables.
+/// Extension of files of networks and of saved searches.
 const JSON: &str = "json";
 
-/// Endings of files that hold tables as text, and of those that only a spreadsheet reads.
-const TABLES: [&str; 2] = ["csv", "tsv"];
-/// Endings of programs of milling machines.
-const PROGRAMS: [&str; 6] = ["nc", "ngc", "gcode", "tap", "cnc", "mpf"];
-/// See [`TABLES`].
-const SPREADSHEETS: [&str; 3] = ["xlsx", "xls", "ods"];
-
-/// Endings of files of measured data, which are nothing else.
-const MEASURED: [&str; 8] = ["mat", "tdms", "parquet", "h5", "hdf5", "dat", "asc", "lvm"];
-/// Endings of texts that may be measured data.
-const TEXTS: [&str; 1] = ["txt"];
 /// Id of the screen that every table is for which is dropped onto it.
 const IDENTIFY: &str = "identify";
 
-fn ends_with_one_of(name: &str, endings: &[&str]) -> bool {
-    let ending = name.rsplit_once('.').map(|(_, ending)| ending);
-    ending.is_some_and(|ending| endings.iter().any(|known| ending.eq_ignore_ascii_case(known)))
+/// Id of the screen with the plots.
+const PLOTS: &str = "console";
+
+/// The last part of a name that is parted by `/`.
+fn last_of(name: &str) -> String {
+    name.rsplit('/').next().unwrap_or_default().to_owned()
+}
+
+/// A command that brings measured data, with what is remembered of their layout.
+fn remembering(command: Command, path: Option<PathBuf>, known: &KnownLayouts) -> Command {
+    match command {
+        Command::File(FileCommand::Bring(BroughtFile::Measured(file))) => {
+            let file = as_remembered(*file, path, known);
+            Command::File(FileCommand::Bring(BroughtFile::Measured(Box::new(file))))
+        }
+        other => other,
+    }
 }
 
 /// That a file could not be read.
@@ -301,37 +486,40 @@ pub fn dropped(name: String, bytes: &[u8], shown: &str) -> Command {
 /// The command for a file that was read.
 #[must_use]
 pub fn loaded(name: String, bytes: &[u8]) -> Command {
-    if ends_with_one_of(&name, &TABLES) || ends_with_one_of(&name, &SPREADSHEETS) {
-        return part_or_table(name, bytes);
+    let bring = |file| Command::File(FileCommand::Bring(file));
+    match LibraryKind::opened_as(&name, bytes) {
+        LibraryKind::Part | LibraryKind::Table => part_or_table(name, bytes),
+        LibraryKind::Measured => measured(name, bytes),
+        LibraryKind::Program => {
+            text_of(name, bytes, |name, text| bring(BroughtFile::Program { name, text }))
+        }
+        LibraryKind::Script => text_of(name, bytes, |name, text| {
+            Command::Session(SessionCommand::LoadScript { name, text })
+        }),
+        LibraryKind::Mission => {
+            text_of(name, bytes, |name, text| bring(BroughtFile::Mission { name, text }))
+        }
+        LibraryKind::Tool
+        | LibraryKind::Material
+        | LibraryKind::Machine
+        | LibraryKind::Structure => text_of(name, bytes, |name, text| {
+            Command::Session(SessionCommand::LoadOwn { name, text })
+        }),
+        LibraryKind::Result => Command::notify(tr!(
+            "{name} is the result of a mission: steadycut mission check {name} verifies it.",
+            name = name
+        )),
+        LibraryKind::Search => search(name, bytes),
+        LibraryKind::Networks => text_of(name, bytes, |name, text| {
+            Command::Session(SessionCommand::LoadNetworks { name, text })
+        }),
+        // What is none of them has its own faults to tell as a scenario.
+        LibraryKind::Scenario | LibraryKind::Formula | LibraryKind::Unreadable => {
+            text_of(name, bytes, |name, text| {
+                Command::Session(SessionCommand::LoadText { name, text })
+            })
+        }
     }
-    if ends_with_one_of(&name, &MEASURED) {
-        return measured(name, bytes);
-    }
-    if ends_with_one_of(&name, &PROGRAMS) {
-        let bring =
-            |name, text| Command::File(FileCommand::Bring(BroughtFile::Program { name, text }));
-        return text_of(name, bytes, bring);
-    }
-    text_of(name, bytes, |name, text| {
-        Command::Session(if !ends_with_one_of(&name, &[JSON]) {
-            if Mission::is_meant_by(&text) {
-                return Command::File(FileCommand::Bring(BroughtFile::Mission { name, text }));
-            }
-            if OwnFileKind::recognised(&text).is_some() {
-                return Command::Session(SessionCommand::LoadOwn { name, text });
-            }
-            SessionCommand::LoadText { name, text }
-        } else if MissionResult::is_meant_by(&text) {
-            return Command::notify(tr!(
-                "{name} is the result of a mission: steadycut mission check {name} verifies it.",
-                name = name
-            ));
-        } else if GpState::is_meant_by(&text) {
-            return Command::File(FileCommand::Bring(BroughtFile::Search { name, text }));
-        } else {
-            SessionCommand::LoadNetworks { name, text }
-        })
-    })
 }
 
 /// The command for a table that was dropped: the depths of a part, or a table that formulas are searched for in.
@@ -423,6 +611,7 @@ mod tests {
     use super::*;
     use crate::base::settings::Value;
     use crate::run::edits::Edit;
+    use crate::study::own_file::OwnFileKind;
 
     #[test]
     fn names_of_files_hold_nothing_but_plain_letters() {
@@ -459,6 +648,11 @@ mod tests {
         for bytes in [&b"x"[..], b"\xef\xbb\xbfx", b"\xff\xfex\0", b"\xfe\xff\0x"] {
             assert_eq!(loaded("x.toml".to_owned(), bytes), Command::Session(text.clone()));
         }
+        let script = loaded("x.rhai".to_owned(), b"x");
+        assert!(
+            matches!(script, Command::Session(SessionCommand::LoadScript { .. })),
+            "{script:?}"
+        );
         let plain = loaded("x.txt".to_owned(), b"x");
         assert!(matches!(plain, Command::Session(SessionCommand::LoadText { .. })), "{plain:?}");
         for kind in OwnFileKind::ALL {

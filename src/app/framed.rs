@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use egui::{Context, Id};
 
-use super::command::{Command, FileCommand, ShellCommand};
+use super::command::{Command, FileCommand, LibraryCommand, ShellCommand};
 use super::session::{LOCKED, MissionLock};
 use crate::base::language::tr;
 use crate::study::opening::{Frame, FramePart};
@@ -118,14 +118,33 @@ pub fn refused(frame: &Frame, shown: &str, command: &Command) -> Option<String> 
             | FileCommand::CopyLink
             | FileCommand::CopyLinkTo(_)
             | FileCommand::CopyText { .. },
+        )
+        | Command::Library(
+            LibraryCommand::Show { open: true, .. }
+            | LibraryCommand::Use(_)
+            | LibraryCommand::UseFormula { .. }
+            | LibraryCommand::KeepOpened(_)
+            | LibraryCommand::KeepPresent(_)
+            | LibraryCommand::Begin(_)
+            | LibraryCommand::Remove(_)
+            | LibraryCommand::Download(_)
+            | LibraryCommand::AskFolder
+            | LibraryCommand::Choose(_),
         ) => {
             let text =
                 tr("The address that this was opened with hides files and links (hide:files).");
             (FramePart::Files, text)
         }
-        Command::Session(_) | Command::Playback(_) | Command::File(_) | Command::Shell(_) => {
-            return None;
-        }
+        Command::Session(_)
+        | Command::Playback(_)
+        | Command::File(_)
+        | Command::Shell(_)
+        | Command::Library(
+            LibraryCommand::Show { open: false, .. }
+            | LibraryCommand::Opened(_)
+            | LibraryCommand::Kept(_)
+            | LibraryCommand::LookAgain,
+        ) => return None,
     };
     frame.hides(part).then(|| text.to_owned())
 }
@@ -140,13 +159,17 @@ mod tests {
         let link = Command::File(FileCommand::CopyLink);
         let screen = |id| Command::Shell(ShellCommand::ShowScreen(id));
         let find = |open| Command::Shell(ShellCommand::ShowSearch(open));
-        for command in [&link, &screen("plan"), &find(true)] {
+        let mine = Command::Library(LibraryCommand::Show { open: true, kind: None });
+        for command in [&link, &screen("plan"), &find(true), &mine] {
             assert_eq!(refused(&frame, "learn", command), None);
         }
         assert_eq!(frame.take("hide:screens,hide:files,hide:find"), [""; 0]);
-        for (command, word) in
-            [(&link, "hide:files"), (&screen("plan"), "hide:screens"), (&find(true), "hide:find")]
-        {
+        for (command, word) in [
+            (&link, "hide:files"),
+            (&mine, "hide:files"),
+            (&screen("plan"), "hide:screens"),
+            (&find(true), "hide:find"),
+        ] {
             assert!(refused(&frame, "learn", command).is_some_and(|said| said.contains(word)));
         }
         for command in [&screen("learn"), &find(false)] {

@@ -14,6 +14,7 @@ mod framed;
 mod glossary;
 pub mod history;
 pub mod jobs;
+pub mod library;
 mod link;
 mod messages;
 pub mod mirror;
@@ -36,6 +37,7 @@ pub mod web;
 pub mod widgets;
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use egui::{CentralPanel, Frame, Margin, Panel as SidePanel, Ui};
 
@@ -48,6 +50,7 @@ use bar::{LEARN, Tab};
 use command::{Command, FileCommand, ShellCommand};
 use files::Files;
 use jobs::Jobs;
+use library::{Library, Shelf};
 use link::{Address, Due, LinkWindow};
 use messages::Messages;
 use panels::{BroughtFile, Panel, View, panels};
@@ -67,6 +70,7 @@ pub struct Console {
     panels: Vec<Box<dyn Panel>>,
     shown: usize,
     files: Files,
+    library: Library,
     place: Host,
     messages: Messages,
     /// Whether the sheet of keys is shown.
@@ -130,6 +134,7 @@ impl Console {
             panels,
             shown: 0,
             files: Files::default(),
+            library: Library::default(),
             place: Host::HERE,
             messages: Messages::default(),
             shortcuts: false,
@@ -181,7 +186,19 @@ impl Console {
 
     /// Keeps what is remembered from one start to the next; without this it is forgotten.
     pub fn remember(&mut self, remembered: Remembered) {
+        self.files.know(remembered.layouts().clone());
         self.remembered = remembered;
+    }
+
+    /// Keeps files of one's own here; without this there is no place for them.
+    pub fn keep_files(&mut self, shelf: Arc<dyn Shelf>) {
+        self.library.keep_on(shelf);
+    }
+
+    /// Files of one's own.
+    #[must_use]
+    pub fn library(&self) -> &Library {
+        &self.library
     }
 
     /// Speaks the language that a link names, else the one chosen at an earlier start, else the first of these tags
@@ -204,6 +221,7 @@ impl Console {
     /// Makes the texts anew that are kept from frame to frame, in the language of the thread.
     pub fn tell_anew(&mut self) {
         self.session.tell_anew();
+        self.library.tell_anew();
         self.panels.iter_mut().for_each(|panel| panel.tell_anew());
     }
 
@@ -289,6 +307,7 @@ impl Console {
             let open = link.show(&ctx, stand, || self.told(), &mut commands);
             self.link = open.then_some(link);
         }
+        self.library.ui(&ctx, (&self.session, &self.jobs), &mut commands);
         glossary::explain(&ctx);
         let acted = !commands.is_empty();
         for command in commands {
@@ -442,7 +461,7 @@ impl Console {
     /// What tests in a browser read: frames drawn, playhead, target and produced Ra, the screen
     /// that is shown and the list of all with their keys (alone in a page, with Ctrl in a window; null where
     /// there is none), the last message, a link that is put up, the mission under way as links have it, the result
-    /// of the last one that was marked with the stars remembered of it, whether the address holds the last change,
+    /// of the last one that was marked with the stars remembered of it, the files of one's own that were read last, whether the address holds the last change,
     /// and where the slider of the target and the buttons of a mission are, in points.
     #[must_use]
     pub fn state_json(&self) -> String {
@@ -469,6 +488,7 @@ impl Console {
             "mission": self.session.mission().map(|lock| &lock.link),
             "result": self.result,
             "stars": result.as_ref().and_then(|id| self.remembered.stars(id)),
+            "files": self.library.read().files.iter().map(|file| &file.name).collect::<Vec<_>>(),
             "address_is_current": self.address.is_current(self.addressed()),
             "error": self.session.notices().last().map(|notice| notice.text.as_str()),
             "rects": { "target_ra_slider": rect, "lesson": self.lesson_rects },

@@ -1,5 +1,8 @@
 //! The window on the desktop.
 
+use std::sync::Arc;
+
+use super::library::FolderShelf;
 use super::remembered::{Folder, Remembered};
 use super::{Console, theme};
 use crate::base::language::tr;
@@ -25,6 +28,9 @@ pub fn run(opening: Opening) -> Result<(), String> {
         super::scene::prepare(cc);
         let mut console = Console::opened(&cc.egui_ctx, opening);
         console.remember(Remembered::of(Box::new(Folder::of_user())));
+        if let Some(folder) = FolderShelf::of_user() {
+            console.keep_files(Arc::new(folder));
+        }
         console.speak_as_asked(sys_locale::get_locales());
         Ok(Box::new(console))
     });

@@ -1,11 +1,14 @@
-//! What is kept from one start to the next: stars won in missions, the language, and the address of a page for links. Where the
+//! What is kept from one start to the next: stars won in missions, the language, the address of a page for links, and what was
+//! said of the layouts of measured data. Where the
 //! place for it is refused the program works as well, and says that it forgets.
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::overlay::layouts::KnownLayouts;
 use crate::base::language::Language;
+use crate::measured::layout::DataLayout;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
@@ -37,6 +40,8 @@ struct Kept {
     page: String,
     #[serde(default)]
     language: String,
+    #[serde(default)]
+    layouts: Vec<[String; 2]>,
 }
 
 /// See the head of the module.
@@ -45,6 +50,7 @@ pub struct Remembered {
     stars: BTreeMap<String, u8>,
     page: String,
     language: Option<Language>,
+    layouts: KnownLayouts,
     keeper: Option<Box<dyn Keeper>>,
     refused: bool,
 }
@@ -59,9 +65,10 @@ impl Remembered {
             return Self { refused: true, ..Self::default() };
         }
         let kept = kept.filter(|kept| kept.version == KEPT_VERSION);
-        let Kept { stars, page, language, .. } = kept.unwrap_or_default();
+        let Kept { stars, page, language, layouts, .. } = kept.unwrap_or_default();
+        let layouts = KnownLayouts::of(&layouts);
         let language = Language::ALL.iter().copied().find(|known| known.id() == language);
-        Self { stars, page, language, keeper: Some(keeper), refused: false }
+        Self { stars, page, language, layouts, keeper: Some(keeper), refused: false }
     }
 
     /// The most stars that were won in a mission, 0 where it was handed in and not passed; none if it never was.
@@ -123,6 +130,21 @@ impl Remembered {
         }
     }
 
+    /// What was said of the layouts of measured data.
+    #[must_use]
+    pub fn layouts(&self) -> &KnownLayouts {
+        &self.layouts
+    }
+
+    /// Notes what was said of the layout of files with a signature; nothing forgets it.
+    pub fn was_said(&mut self, signature: &str, layout: &DataLayout) {
+        let before = self.layouts.clone();
+        self.layouts.put(signature, layout);
+        if self.layouts != before {
+            self.keep();
+        }
+    }
+
     fn keep(&mut self) {
         let Some(keeper) = &self.keeper else { return };
         let text = serde_json::to_string(&Kept {
@@ -130,6 +152,7 @@ impl Remembered {
             stars: self.stars.clone(),
             page: self.page.clone(),
             language: self.language.map_or_else(String::new, |language| language.id().to_owned()),
+            layouts: self.layouts.kept(),
         });
         self.refused = !text.is_ok_and(|text| keeper.keep(&text));
     }
@@ -174,6 +197,21 @@ mod tests {
         second.forget_stars();
         assert!(!again().has_stars());
         assert_eq!(again().page(), "https://example.org/");
+    }
+
+    #[test]
+    fn what_was_said_of_a_layout_is_there_at_the_next_start() {
+        let shelf = Shelf::default();
+        let again = || Remembered::of(Box::new(shelf.clone()));
+        let layout = DataLayout { rate_hz: Some(200.0), ..DataLayout::default() };
+        let mut first = again();
+        first.won("quiet-speed", 1);
+        first.was_said("a", &layout);
+        let mut second = again();
+        assert_eq!(second.layouts().get("a"), Some(&layout));
+        assert_eq!(second.stars("quiet-speed"), Some(1));
+        second.was_said("a", &DataLayout::default());
+        assert_eq!(again().layouts().get("a"), None);
     }
 
     #[test]

@@ -9,7 +9,8 @@ use egui::{
 
 use super::bar::Tab;
 use super::command::{
-    Command, FileCommand, HandCommand, PlaybackCommand, SessionCommand, ShellCommand,
+    Command, FileCommand, HandCommand, LibraryCommand, PlaybackCommand, SessionCommand,
+    ShellCommand,
 };
 use super::panels::View;
 use super::panels::console::{CUT_BY_HAND, group_title};
@@ -98,6 +99,10 @@ fn without_key() -> Vec<(&'static str, Command)> {
         (text!("Search formulas in a table of one's own"), file(FileCommand::OpenTable)),
         (text!("Open a part of one's own: table or G-code"), file(FileCommand::OpenPart)),
         (text!("Lay measured data over the plots"), file(FileCommand::OpenMeasured)),
+        (
+            text!("My files: cutters, materials, machines, parts and more of one's own"),
+            Command::Library(LibraryCommand::Show { open: true, kind: None }),
+        ),
         (text!("Go on with a saved search for a formula"), file(FileCommand::OpenSearch)),
         (text!("Open networks of UNKS"), file(FileCommand::OpenNetworks)),
         (text!("Save the networks of UNKS"), file(FileCommand::SaveNetworks)),
@@ -152,6 +157,7 @@ fn words(command: &Command) -> &'static str {
             | FileCommand::CopyLinkTo(_)
             | FileCommand::CopyText { .. }
             | FileCommand::Bring(_)
+            | FileCommand::RememberLayout(_)
             | FileCommand::OpenFormula(_) => "",
         },
         Command::Shell(ShellCommand::ShowShortcuts(_)) => {
@@ -180,6 +186,11 @@ fn words(command: &Command) -> &'static str {
         Command::Session(SessionCommand::Hand(_)) => {
             text!(
                 "operator override manual hand knob panel handwheel wheel drive myself score beat"
+            )
+        }
+        Command::Library(_) => {
+            text!(
+                "library folder tool material machine structure part script own keep catalogue kept"
             )
         }
         Command::Session(_) | Command::Shell(_) => "",

@@ -305,7 +305,9 @@ pub fn read(ctx: &Context, reach: &Reach<'_>, commands: &mut Vec<Command>) {
             Command::Playback(_) | Command::Session(SessionCommand::Disturb(_)) => {
                 reach.timeline && !menu
             }
-            Command::Session(_) | Command::File(_) | Command::Shell(_) => true,
+            Command::Session(_) | Command::File(_) | Command::Shell(_) | Command::Library(_) => {
+                true
+            }
         };
         let pressed = pressed_by_space && shortcut.keys.logical_key == Key::Space;
         there && !pressed && (!focused || shortcut.acts_anywhere())

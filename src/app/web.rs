@@ -2,10 +2,12 @@
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
+use std::sync::Arc;
 
 use wasm_bindgen::{JsCast, JsValue};
 
 use super::Console;
+use super::library::{LocalSlots, PageShelf};
 use super::mirror::{Changes, Mirror};
 use super::remembered::{PageStorage, Remembered};
 use crate::base::language::Language;
@@ -95,6 +97,7 @@ pub async fn start(canvas: web_sys::HtmlCanvasElement) -> Result<(), JsValue> {
                 None => {
                     let mut console = Console::opened(&ctx, Opening::of_link(&href()));
                     console.remember(Remembered::of(Box::new(PageStorage)));
+                    console.keep_files(Arc::new(PageShelf(LocalSlots)));
                     console.speak_as_asked(sys_locale::get_locales());
                     Rc::new(RefCell::new(console))
                 }

@@ -167,7 +167,9 @@ fn options(tokens: TokenStream, place: &str, found: &mut Vec<Text>) {
 /// All texts of the program, by the files of the catalogue, each text once.
 fn wanted() -> (BTreeMap<&'static str, Vec<Text>>, Vec<String>) {
     let (mut files, mut wrong) = (Vec::new(), Vec::new());
-    for folder in ["src/app", "crates/core/src", "crates/measured/src", "crates/study/src"] {
+    for folder in
+        ["src/app", "src/disk", "crates/core/src", "crates/measured/src", "crates/study/src"]
+    {
         sources(&root().join(folder), &mut files);
     }
     let mut all: Vec<(&'static str, Text)> = Vec::new();

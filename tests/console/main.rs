@@ -20,6 +20,7 @@ mod machine;
 mod measured;
 mod mirror;
 mod operator;
+mod own_files;
 mod panels;
 mod parts;
 mod plan;

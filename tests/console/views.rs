@@ -5,13 +5,14 @@ use egui::{Event, Key, Modifiers, Rect, Shape, Theme, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use steadycut::app::Console;
-use steadycut::app::command::{Command, FileCommand, ShellCommand};
+use steadycut::app::command::{Command, FileCommand, LibraryCommand, ShellCommand};
 use steadycut::app::overlay::file::MeasuredFile;
 use steadycut::app::panels::{BroughtFile, panels};
 use steadycut::measured::layout::DataLayout;
 use steadycut::run::edits::Edits;
 use steadycut::run::{Start, presets};
 
+use crate::own_files::kept_by_a_browser;
 use crate::screen::{self, Screen, sliced};
 
 /// A window of the desktop and the screen of a phone.
@@ -37,7 +38,9 @@ fn window<'a>(preset: &'static str, size: Vec2, pixels: Option<f32>) -> Screen<'
             let console = console.get_or_insert_with(|| {
                 let scenario = presets::load(preset).expect("shipped");
                 let start = Start { scenario, edits: Edits::none(), notice: None };
-                sliced(Console::new(ui.ctx(), start))
+                let mut console = sliced(Console::new(ui.ctx(), start));
+                console.keep_files(kept_by_a_browser());
+                console
             });
             console.ui(ui);
         },
@@ -204,6 +207,8 @@ fn overlays(size: Vec2, pixels: Option<f32>, look: Look<'_>) {
     let push = |screen: &Screen<'_>, command| screen.state().as_ref().unwrap().push(command);
     push(&screen, Command::Shell(ShellCommand::ShowLink { link, copied: false }));
     over(&mut screen, "link", look);
+    push(&screen, Command::Library(LibraryCommand::Show { open: true, kind: None }));
+    over(&mut screen, "my files", look);
     push(&screen, Command::notify("The scenario file was not read: it is empty.".to_owned()));
     screen.run_steps(2);
     settle(&mut screen);

@@ -377,6 +377,42 @@ async function reader(page, context) {
   return { tree, find, press };
 }
 
+test("the page keeps files of one's own: they are used, downloaded and deleted", async () => {
+  const { page, context, wrong } = await open();
+  await page.goto(server.url);
+  await firstFrame(page);
+  const text = [
+    'version = 1\ntitle = "Mill of this test"\nsource = "none"\nshape = "square"\ndiameter_mm = 10.0\nteeth = 3\nhelix_deg = 35.0',
+    "rake_deg = 10.0\noverhang_mm = 32.0\nelastic_modulus_n_mm2 = 5.8e5\ncompliance_um_n = 0.025\nrunout_um = 5.0\n",
+  ].join("\n");
+  await page.evaluate((text) => {
+    localStorage.setItem("steadycut.file/mill.toml", `t${text}`);
+    localStorage.setItem("steadycut.file/broken.toml", `t${text.replace("teeth = 3", "teeth = 30")}`);
+  }, text);
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Shift+Tab");
+  await page.keyboard.press("Enter");
+  const { find, press } = await reader(page, context);
+  await press("button", "More settings");
+  await press("button", "My files\u2026");
+  await untilState(page, (now) => now.files.join() === "broken.toml,mill.toml");
+  await find("StaticText", /`teeth` cannot be 30/);
+  await press("button", "mill.toml");
+  await untilState(page, (now) => now.error?.includes("Mill of this test is taken as the cutter"));
+  await find("button", "mill.toml, in use");
+  const [download] = await Promise.all([page.waitForEvent("download", PATIENCE), press("button", "Download: mill.toml")]);
+  assert.equal(download.suggestedFilename(), "mill.toml");
+  await press("button", "Delete\u2026: mill.toml");
+  await press("button", "Delete it: mill.toml");
+  await untilState(page, (now) => now.files.join() === "broken.toml");
+  assert.deepEqual(await page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith("steadycut.file/"))), [
+    "steadycut.file/broken.toml",
+  ]);
+  await picture(page, "own-files");
+  assert.deepEqual(wrong, []);
+  await context.close();
+});
+
 test("a mission is done with keyboard and screen reader alone", async () => {
   const { page, context, wrong } = await open();
   await page.goto(server.url);

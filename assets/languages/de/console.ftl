@@ -41,6 +41,7 @@ do-it-again = Noch einmal tun
 
 ## src/app/execute.rs
 
+name-is-deleted = { $name } ist gelöscht.
 the-signals-are-those-up-to-until-the-cut-is = Die Signale reichen bis { $until }: Der Schnitt wird noch gerechnet. Der Name der Datei sagt es.
 the-chosen-controller-has-no-networks-that-l = Der gewählte Regler hat keine lernenden Netze.
 
@@ -50,6 +51,7 @@ no-file-dialog-is-available-drag-a-scenario = Kein Dateidialog verfügbar: eine 
 
 ## src/app/files.rs
 
+the-layout-is-remembered-for-files-like-it-b = Das Layout ist für ähnliche Dateien gemerkt, aber nicht neben dieser: { $why }
 steadycut-scenario = SteadyCut-Szenario
 unks-networks = UNKS-Netze
 table = Tabelle
@@ -57,6 +59,12 @@ part-table-or-g-code = Werkstück: Tabelle oder G-Code
 measured-data = Messdaten
 saved-search = Gespeicherte Suche
 model-of-a-formula = Modell einer Formel
+kept-place = Behalten: { $place }
+name-is-kept-in-this-browser = { $name } wird in diesem Browser behalten.
+name-is-not-kept-why = { $name } wird nicht behalten: { $why }
+no-file-dialog-is-available-type-the-path-of = Kein Dateidialog verfügbar: den Pfad des Ordners eintippen.
+folder-a-page-has-no-folders = { $folder }: Eine Seite hat keine Ordner
+my-files = Eigene Dateien
 saved-as-name = gespeichert als { $name }
 not-saved-error = nicht gespeichert: { $error }
 no-file-dialog-is-available-and-name-could-n = Kein Dateidialog verfügbar, und { $name } ließ sich nicht schreiben: { $error }
@@ -110,6 +118,68 @@ stop-job = Anhalten: { $job }
 stands-still-what-is-found-stays-and-it-can = Hält an; Gefundenes bleibt, und es kann von hier weitergehen
 stopped-at-progress-what-is-found-stays = angehalten bei { $progress }: Gefundenes bleibt
 progress-time-left = { $progress }, noch { $time }
+
+## src/app/library/folder.rs
+
+name-remove-it-from-its-folder-as-any-other = { $name }: Sie ist aus ihrem Ordner zu entfernen wie jede andere Datei
+
+## src/app/library/page.rs
+
+the-browser-refuses-this-page-its-storage-no = der Browser verweigert dieser Seite seinen Speicher: Hier wird keine Datei behalten
+what-the-browser-has-kept-of-it-is-spoilt = was der Browser davon behalten hat, ist verdorben
+taken-kb-of-most-kb-are-taken-whoever-clears = { $taken } kB von { $most } kB sind belegt. Wer die Daten dieser Seite im Browser löscht, entfernt diese Dateien: Wichtiges herunterladen.
+it-is-not-kept-any-more = sie wird nicht mehr behalten
+it-has-size-kb-at-most-most-kb-of-a-file-are = sie hat { $size } kB: in einem Browser werden höchstens { $most } kB je Datei behalten
+n-files-are-kept-already-and-no-more-can-be = { $n } Dateien werden schon behalten, und mehr können es nicht sein: zuerst einige löschen
+taken-kb-of-most-kb-are-taken-and-it-has-siz = { $taken } kB von { $most } kB sind belegt, und sie hat { $size } kB: zuerst einige löschen
+the-browser-has-no-room-for-it-or-refuses-it = der Browser hat keinen Platz dafür oder verweigert ihn; was schon behalten wird, ist, wie es war
+
+## src/app/library/present.rs
+
+the-machine-has-the-papers-five-masses = die Maschine hat die fünf Massen der Veröffentlichungen
+it-is-not-kept-from-here = von hier aus wird es nicht behalten
+no-script-controls-this-cut = kein Skript regelt diesen Schnitt
+
+## src/app/library/window.rs
+
+no-place-in-a-run-has-the-units-of-its-input = Keine Stelle eines Laufs hat die Einheiten ihrer Eingänge und ihres Ergebnisses.
+the-result-of-a-mission-is-verified-by-stead = Das Ergebnis einer Mission prüft steadycut mission check.
+take-it-for-a-model-of-plant-and-controller = Für ein Modell von Strecke und Regler übernehmen
+open-it-and-cut-it-from-its-start = Öffnen und von Anfang an fräsen
+begin-it-on-the-screen-learn = Beginnen, auf dem Bildschirm Lernen
+lay-it-over-the-plots = Über die Diagramme legen
+cut-it-from-a-blank-on-the-screen-workpiece = Aus einem Rohteil fräsen, auf dem Bildschirm Werkstück
+search-for-formulas-on-the-screen-identify = Nach Formeln suchen, auf dem Bildschirm Formeln
+use-it-in-the-present-cut-undo-takes-it-back = In diesem Schnitt verwenden; Rückgängig nimmt es zurück
+there-is-no-place-for-files-here-the-system = Hier ist kein Platz für Dateien: Das System nennt keinen.
+files-that-this-browser-keeps-for-this-page = Dateien, die dieser Browser für diese Seite behält. Eine Datei ablegen oder öffnen, dann hier behalten.
+t-1-other-file-is-of-no-use-here-and-not-liste = 1 andere Datei ist hier nicht zu gebrauchen und nicht aufgeführt.
+n-other-files-are-of-no-use-here-and-not-lis = { $n } andere Dateien sind hier nicht zu gebrauchen und nicht aufgeführt.
+cutters-materials-machines-parts-and-more-in = Fräser, Werkstoffe, Maschinen, Werkstücke und mehr in einem eigenen Ordner:
+another-folder = Anderer Ordner…
+it-is-read-every-two-seconds-while-this-wind = Er wird alle zwei Sekunden gelesen, solange dieses Fenster offen ist
+read-again = Neu lesen
+its-path = Sein Pfad
+a-folder-that-is-there-enter-takes-it = ein vorhandener Ordner; Enter nimmt ihn
+being-read = Wird gelesen…
+none-of-these-here-yet-kinds = Davon ist hier noch nichts: { $kinds }.
+no-files-here-yet-begin-one-below-or-keep-on = Noch keine Dateien hier: unten eine beginnen oder eine geöffnete behalten.
+name-in-use = { $name }, in Gebrauch
+in-use = in Gebrauch
+delete-it-for-good = Endgültig löschen?
+delete-it = Löschen
+keep-it = Behalten
+download = Herunterladen
+delete = Löschen…
+take-it-for = Übernehmen für
+opened-from-elsewhere = Von anderswo geöffnet
+begin-a-new-one = Eine neue beginnen
+a-file-in-which-every-entry-is-explained-not = Eine Datei, in der jeder Eintrag erklärt ist; nichts wird überschrieben
+keep-of-the-present-cut = Von diesem Schnitt behalten
+
+## src/app/library/work.rs
+
+files = Dateien
 
 ## src/app/link/code.rs
 
@@ -185,6 +255,10 @@ values-from-line-line-on = Werte ab Zeile { $line }
 times-in-the-column-column = Zeiten in der Spalte { $column }
 rate-samples-in-a-second = { $rate } Werte in einer Sekunde
 no-times = keine Zeiten
+
+## src/app/overlay/layouts.rs
+
+what-was-said-for-a-file-with-the-same-colum = Was für eine Datei mit denselben Spalten gesagt wurde, passt nicht zu dieser: { $why }
 
 ## src/app/overlay/mod.rs
 
@@ -438,6 +512,12 @@ sample-rate = Abtastrate
 read-it-otherwise = Anders lesen
 entries-of-the-layout-as-the-command-steadyc = Einträge des Aufbaus, wie sie der Befehl steadycut measured hat, mit Leerzeichen dazwischen: encoding, separator, decimal, thousands, names_line, units_line, first_line, names, units. Enter liest die Datei neu.
 allowed-is-key-value = erlaubt ist KEY=VALUE
+as-you-said-for-a-file-with-the-same-columns = Wie für eine Datei mit denselben Spalten gesagt: { $keys }.
+as-the-file-name-beside-it-says-keys = Wie die Datei { $name } daneben sagt: { $keys }.
+remembered-in-name-and-for-files-with-the-sa = Gemerkt in { $name } und für Dateien mit denselben Spalten: { $keys }.
+remembered-for-files-with-the-same-columns-k = Gemerkt für Dateien mit denselben Spalten: { $keys }.
+read-it-as-it-is-guessed-and-forget-what-is = So lesen, wie es geraten wird, und das Gemerkte vergessen, auch neben der Datei
+guess-again = Neu raten
 t-1-channel = 1 Kanal
 n-channels = { $n } Kanäle
 channel = Kanal
@@ -493,6 +573,7 @@ unfold = Aufklappen
 open-a-file = Datei öffnen …
 leaves-a-line-of-it-and-the-plots-in-sight = Lässt eine Zeile davon übrig und die Diagramme sichtbar
 fold-to-a-line = Einklappen
+open-a-file = Datei öffnen …
 text-of-any-layout-matlab-hdf5-tdms-or-parqu = Text in beliebigem Aufbau, MATLAB, HDF5, TDMS oder Parquet; eine Datei kann auch auf die Diagramme gezogen werden.
 no-part-of-the-scenario-neither-a-file-nor-a = Kein Teil des Szenarios: Weder eine Datei noch ein Link enthält es. Änderungen des Schnitts lassen es, wo es ist, bis es entfernt oder das Programm geschlossen wird.
 remove = Entfernen
@@ -744,6 +825,7 @@ screen = Ansicht
 search-formulas-in-a-table-of-one-s-own = Formeln in einer eigenen Tabelle suchen
 open-a-part-of-one-s-own-table-or-g-code = Ein eigenes Werkstück öffnen: Tabelle oder G-Code
 lay-measured-data-over-the-plots = Messdaten über die Diagramme legen
+my-files-cutters-materials-machines-parts-an = Eigene Dateien: Fräser, Werkstoffe, Maschinen, Werkstücke und mehr
 go-on-with-a-saved-search-for-a-formula = Eine gespeicherte Formelsuche fortsetzen
 open-networks-of-unks = Netze von UNKS öffnen
 save-the-networks-of-unks = Netze von UNKS speichern
@@ -773,6 +855,7 @@ playback-transport = abspielen transport wiedergabe
 restart-repeat-from-the-start-rerun-begin-an = neustart wiederholen von anfang an neu beginnen einstellungen behalten
 disturb-disturbance-fault-trouble-error-hurt = stören störung fehler panne unfall schaden
 operator-override-manual-hand-knob-panel-han = bediener override von hand manuell knopf bedienfeld handrad rad selbst fahren wertung schlagen
+library-folder-tool-material-machine-structu = bibliothek ordner werkzeug fräser werkstoff maschine struktur werkstück skript eigene behalten katalog
 setting-scenario-screen-command-or-word = Einstellung, Szenario, Ansicht, Befehl oder Wort
 type-a-word-dead-time-kp-chatter-noise-csv = Ein Wort eintippen: Totzeit, Kp, Rattern, Rauschen, CSV …
 nothing-has-these-words-fewer-or-shorter-one = Kein Treffer. Weniger oder kürzere Wörter finden mehr.
@@ -788,6 +871,7 @@ locked-by-the-address-that-this-was-opened-w = gesperrt durch die Adresse, mit d
 no-other-scenario-is-opened-here-settings-ar = Kein anderes Szenario wird hier geöffnet: Einstellungen sind durch die Adresse gesperrt, mit der dies geöffnet wurde.
 predict-first-the-cut-begins-as-soon-as-you = Zuerst vorhersagen: Der Schnitt beginnt, sobald Sie gesagt haben, was Sie erwarten, oder ohne Vorhersage weitergegangen sind.
 name-is-open-it-is-cut-from-its-start = { $name } ist offen: Es wird von Anfang an gefräst.
+name-controls-this-cut-now = { $name } regelt jetzt diesen Schnitt.
 set-for-the-whole-cut-now-first-second-third = { " " }Jetzt für den ganzen Schnitt gesetzt: { $first }, { $second }, { $third }, { $more } weitere.
 set-for-the-whole-cut-now-list = { " " }Jetzt für den ganzen Schnitt gesetzt: { $list }.
 the-change-made-during-the-cut-is-not-repeat = Die Änderung während des Schnitts wird nicht wiederholt; Rückgängig bringt sie zurück.
@@ -1057,6 +1141,11 @@ lines-of-title = Linien von { $title }
 show-this-line = Diese Linie zeigen
 hide-this-line = Diese Linie ausblenden
 
+## src/app/widgets/my_files.rs
+
+cutters-materials-machines-structures-parts = Eigene Fräser, Werkstoffe, Maschinen, Strukturen, Werkstücke, Skripte und mehr: verwenden, behalten, beginnen
+my-files-2 = Eigene Dateien…
+
 ## src/app/widgets/number.rs
 
 allowed-is-a-number-from-min-to-max-unit = zulässig ist eine Zahl von { $min } bis { $max } { $unit }
@@ -1151,3 +1240,17 @@ iso-1302-grade-grade-ra-ra-um-m = Rauheitsklasse { $grade } nach ISO 1302: Ra { 
 ## src/app/widgets/window.rs
 
 close-window = Fenster schließen
+
+## src/disk/own_folder.rs
+
+folder-the-path-is-no-plain-text = { $folder }: Der Pfad ist kein einfacher Text
+folder-allowed-is-a-path-from-the-root-on-as = { $folder }: erlaubt ist ein Pfad von der Wurzel an, wie { $root }…
+folder-there-is-no-such-folder = { $folder }: Diesen Ordner gibt es nicht
+the-choice-of-the-folder-is-not-kept-why = die Wahl des Ordners wurde nicht behalten: { $why }
+folder-it-is-no-folder = { $folder }: Das ist kein Ordner
+there-are-more-than-n-entries-in-this-folder = In diesem Ordner sind mehr als { $n } Einträge: Die anderen werden nicht angesehen.
+its-name-is-no-text = ihr Name ist kein Text
+name-is-a-link-to-a-folder-which-is-not-foll = { $name } ist eine Verknüpfung zu einem Ordner; ihr wird nicht gefolgt.
+name-lies-more-than-n-folders-deep-and-is-no = { $name } liegt tiefer als { $n } Ordner und wird nicht angesehen.
+there-are-n-files-in-this-folder-the-first-m = In diesem Ordner sind { $n } Dateien: Die ersten { $most } nach Namen sind aufgeführt.
+it-is-a-pipe-or-a-device-no-file = es ist eine Pipe oder ein Gerät, keine Datei

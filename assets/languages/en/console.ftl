@@ -41,6 +41,7 @@ do-it-again = Do it again
 
 ## src/app/execute.rs
 
+name-is-deleted = { $name } is deleted.
 the-signals-are-those-up-to-until-the-cut-is = The signals are those up to { $until }: the cut is still being computed. The name of the file says so.
 the-chosen-controller-has-no-networks-that-l = The chosen controller has no networks that learn.
 
@@ -50,6 +51,7 @@ no-file-dialog-is-available-drag-a-scenario = No file dialog is available: drag 
 
 ## src/app/files.rs
 
+the-layout-is-remembered-for-files-like-it-b = The layout is remembered for files like it, but not beside this one: { $why }
 steadycut-scenario = SteadyCut scenario
 unks-networks = UNKS networks
 table = Table
@@ -57,6 +59,12 @@ part-table-or-g-code = Part: table or G-code
 measured-data = Measured data
 saved-search = Saved search
 model-of-a-formula = Model of a formula
+kept-place = Kept: { $place }
+name-is-kept-in-this-browser = { $name } is kept in this browser.
+name-is-not-kept-why = { $name } is not kept: { $why }
+no-file-dialog-is-available-type-the-path-of = No file dialog is available: type the path of the folder.
+folder-a-page-has-no-folders = { $folder }: a page has no folders
+my-files = My files
 saved-as-name = saved as { $name }
 not-saved-error = not saved: { $error }
 no-file-dialog-is-available-and-name-could-n = No file dialog is available, and { $name } could not be written: { $error }
@@ -98,6 +106,68 @@ stop-job = Stop { $job }
 stands-still-what-is-found-stays-and-it-can = Stands still; what is found stays, and it can go on from here
 stopped-at-progress-what-is-found-stays = stopped at { $progress }: what is found stays
 progress-time-left = { $progress }, { $time } left
+
+## src/app/library/folder.rs
+
+name-remove-it-from-its-folder-as-any-other = { $name }: remove it from its folder, as any other file
+
+## src/app/library/page.rs
+
+the-browser-refuses-this-page-its-storage-no = the browser refuses this page its storage: no file is kept here
+what-the-browser-has-kept-of-it-is-spoilt = what the browser has kept of it is spoilt
+taken-kb-of-most-kb-are-taken-whoever-clears = { $taken } kB of { $most } kB are taken. Whoever clears the browser's data of this page removes these files: download what matters.
+it-is-not-kept-any-more = it is not kept any more
+it-has-size-kb-at-most-most-kb-of-a-file-are = it has { $size } kB: at most { $most } kB of a file are kept in a browser
+n-files-are-kept-already-and-no-more-can-be = { $n } files are kept already, and no more can be: delete some first
+taken-kb-of-most-kb-are-taken-and-it-has-siz = { $taken } kB of { $most } kB are taken, and it has { $size } kB: delete some first
+the-browser-has-no-room-for-it-or-refuses-it = the browser has no room for it or refuses it; what is kept already is as it was
+
+## src/app/library/present.rs
+
+the-machine-has-the-papers-five-masses = the machine has the papers' five masses
+it-is-not-kept-from-here = it is not kept from here
+no-script-controls-this-cut = no script controls this cut
+
+## src/app/library/window.rs
+
+no-place-in-a-run-has-the-units-of-its-input = No place in a run has the units of its inputs and of its result.
+the-result-of-a-mission-is-verified-by-stead = The result of a mission is verified by steadycut mission check.
+take-it-for-a-model-of-plant-and-controller = Take it for a model of plant and controller
+open-it-and-cut-it-from-its-start = Open it and cut it from its start
+begin-it-on-the-screen-learn = Begin it, on the screen Learn
+lay-it-over-the-plots = Lay it over the plots
+cut-it-from-a-blank-on-the-screen-workpiece = Cut it from a blank, on the screen Workpiece
+search-for-formulas-on-the-screen-identify = Search for formulas, on the screen Identify
+use-it-in-the-present-cut-undo-takes-it-back = Use it in the present cut; Undo takes it back
+there-is-no-place-for-files-here-the-system = There is no place for files here: the system names none.
+files-that-this-browser-keeps-for-this-page = Files that this browser keeps for this page. Drop or open a file, then keep it here.
+t-1-other-file-is-of-no-use-here-and-not-liste = 1 other file is of no use here and not listed.
+n-other-files-are-of-no-use-here-and-not-lis = { $n } other files are of no use here and not listed.
+cutters-materials-machines-parts-and-more-in = Cutters, materials, machines, parts and more in a folder of your own:
+another-folder = Another folder…
+it-is-read-every-two-seconds-while-this-wind = It is read every two seconds while this window is open
+read-again = Read again
+its-path = Its path
+a-folder-that-is-there-enter-takes-it = a folder that is there; Enter takes it
+being-read = Being read…
+none-of-these-here-yet-kinds = None of these here yet: { $kinds }.
+no-files-here-yet-begin-one-below-or-keep-on = No files here yet: begin one below, or keep one that you opened.
+name-in-use = { $name }, in use
+in-use = in use
+delete-it-for-good = Delete it for good?
+delete-it = Delete it
+keep-it = Keep it
+download = Download
+delete = Delete…
+take-it-for = Take it for
+opened-from-elsewhere = Opened from elsewhere
+begin-a-new-one = Begin a new one
+a-file-in-which-every-entry-is-explained-not = A file in which every entry is explained; nothing is overwritten
+keep-of-the-present-cut = Keep of the present cut
+
+## src/app/library/work.rs
+
+files = files
 
 ## src/app/link/code.rs
 
@@ -173,6 +243,10 @@ values-from-line-line-on = values from line { $line } on
 times-in-the-column-column = times in the column { $column }
 rate-samples-in-a-second = { $rate } samples in a second
 no-times = no times
+
+## src/app/overlay/layouts.rs
+
+what-was-said-for-a-file-with-the-same-colum = What was said for a file with the same columns does not go with this one: { $why }
 
 ## src/app/overlay/mod.rs
 
@@ -426,6 +500,12 @@ sample-rate = Sample rate
 read-it-otherwise = Read it otherwise
 entries-of-the-layout-as-the-command-steadyc = Entries of the layout as the command steadycut measured has them, with blanks between: encoding, separator, decimal, thousands, names_line, units_line, first_line, names, units. Enter reads the file again.
 allowed-is-key-value = allowed is KEY=VALUE
+as-you-said-for-a-file-with-the-same-columns = As you said for a file with the same columns: { $keys }.
+as-the-file-name-beside-it-says-keys = As the file { $name } beside it says: { $keys }.
+remembered-in-name-and-for-files-with-the-sa = Remembered in { $name }, and for files with the same columns: { $keys }.
+remembered-for-files-with-the-same-columns-k = Remembered for files with the same columns: { $keys }.
+read-it-as-it-is-guessed-and-forget-what-is = Read it as it is guessed, and forget what is remembered, beside the file as well
+guess-again = Guess again
 t-1-channel = 1 channel
 n-channels = { $n } channels
 channel = channel
@@ -716,6 +796,7 @@ screen = screen
 search-formulas-in-a-table-of-one-s-own = Search formulas in a table of one's own
 open-a-part-of-one-s-own-table-or-g-code = Open a part of one's own: table or G-code
 lay-measured-data-over-the-plots = Lay measured data over the plots
+my-files-cutters-materials-machines-parts-an = My files: cutters, materials, machines, parts and more of one's own
 go-on-with-a-saved-search-for-a-formula = Go on with a saved search for a formula
 open-networks-of-unks = Open networks of UNKS
 save-the-networks-of-unks = Save the networks of UNKS
@@ -745,6 +826,7 @@ playback-transport = playback transport
 restart-repeat-from-the-start-rerun-begin-an = restart repeat from the start rerun begin anew keep settings
 disturb-disturbance-fault-trouble-error-hurt = disturb disturbance fault trouble error hurt accident upset damage
 operator-override-manual-hand-knob-panel-han = operator override manual hand knob panel handwheel wheel drive myself score beat
+library-folder-tool-material-machine-structu = library folder tool material machine structure part script own keep catalogue kept
 setting-scenario-screen-command-or-word = Setting, scenario, screen, command or word
 type-a-word-dead-time-kp-chatter-noise-csv = Type a word: dead time, Kp, chatter, noise, CSV …
 nothing-has-these-words-fewer-or-shorter-one = Nothing has these words. Fewer or shorter ones find more.
@@ -760,6 +842,7 @@ locked-by-the-address-that-this-was-opened-w = locked by the address that this w
 no-other-scenario-is-opened-here-settings-ar = No other scenario is opened here: settings are locked by the address that this was opened with.
 predict-first-the-cut-begins-as-soon-as-you = Predict first: the cut begins as soon as you have said what you expect, or gone on without a prediction.
 name-is-open-it-is-cut-from-its-start = { $name } is open: it is cut from its start.
+name-controls-this-cut-now = { $name } controls this cut now.
 set-for-the-whole-cut-now-first-second-third = { " " }Set for the whole cut now: { $first }, { $second }, { $third }, { $more } more.
 set-for-the-whole-cut-now-list = { " " }Set for the whole cut now: { $list }.
 the-change-made-during-the-cut-is-not-repeat = The change made during the cut is not repeated; Undo brings it back.
@@ -1017,6 +1100,11 @@ lines-of-title = Lines of { $title }
 show-this-line = Show this line
 hide-this-line = Hide this line
 
+## src/app/widgets/my_files.rs
+
+cutters-materials-machines-structures-parts = Cutters, materials, machines, structures, parts, scripts and more of your own: used, kept, begun
+my-files-2 = My files…
+
 ## src/app/widgets/number.rs
 
 allowed-is-a-number-from-min-to-max-unit = allowed is a number from { $min } to { $max } { $unit }
@@ -1107,3 +1195,17 @@ iso-1302-grade-grade-ra-ra-um-m = ISO 1302 grade { $grade }: Ra { $ra_um } µm
 ## src/app/widgets/window.rs
 
 close-window = Close window
+
+## src/disk/own_folder.rs
+
+folder-the-path-is-no-plain-text = { $folder }: the path is no plain text
+folder-allowed-is-a-path-from-the-root-on-as = { $folder }: allowed is a path from the root on, as { $root }…
+folder-there-is-no-such-folder = { $folder }: there is no such folder
+the-choice-of-the-folder-is-not-kept-why = the choice of the folder is not kept: { $why }
+folder-it-is-no-folder = { $folder }: it is no folder
+there-are-more-than-n-entries-in-this-folder = There are more than { $n } entries in this folder: the others are not looked at.
+its-name-is-no-text = its name is no text
+name-is-a-link-to-a-folder-which-is-not-foll = { $name } is a link to a folder, which is not followed.
+name-lies-more-than-n-folders-deep-and-is-no = { $name } lies more than { $n } folders deep and is not looked into.
+there-are-n-files-in-this-folder-the-first-m = There are { $n } files in this folder: the first { $most } by name are listed.
+it-is-a-pipe-or-a-device-no-file = it is a pipe or a device, no file

@@ -41,6 +41,7 @@ do-it-again = Uveljavi jo spet
 
 ## src/app/execute.rs
 
+name-is-deleted = { $name } je izbrisano.
 the-signals-are-those-up-to-until-the-cut-is = Signali so tisti do { $until }: rez se še računa. Tako pove tudi ime datoteke.
 the-chosen-controller-has-no-networks-that-l = Izbrani regulator nima mrež, ki se učijo.
 
@@ -50,6 +51,7 @@ no-file-dialog-is-available-drag-a-scenario = Pogovorno okno za datoteke ni na v
 
 ## src/app/files.rs
 
+the-layout-is-remembered-for-files-like-it-b = Ureditev je zapomnjena za podobne datoteke, ne pa ob tej: { $why }
 steadycut-scenario = Scenarij SteadyCut
 unks-networks = Mreže UNKS
 table = Tabela
@@ -57,6 +59,12 @@ part-table-or-g-code = Obdelovanec: tabela ali koda G
 measured-data = Izmerjeni podatki
 saved-search = Shranjeno iskanje
 model-of-a-formula = Model formule
+kept-place = Shranjeno: { $place }
+name-is-kept-in-this-browser = { $name } je shranjeno v tem brskalniku.
+name-is-not-kept-why = { $name } ni shranjeno: { $why }
+no-file-dialog-is-available-type-the-path-of = Pogovorno okno za datoteke ni na voljo: vtipkajte pot do mape.
+folder-a-page-has-no-folders = { $folder }: stran nima map
+my-files = Moje datoteke
 saved-as-name = shranjeno kot { $name }
 not-saved-error = ni shranjeno: { $error }
 no-file-dialog-is-available-and-name-could-n = Pogovorno okno za datoteke ni na voljo, { $name } pa ni bilo mogoče zapisati: { $error }
@@ -122,6 +130,68 @@ stop-job = Ustavi: { $job }
 stands-still-what-is-found-stays-and-it-can = Miruje; kar je najdeno, ostane, in od tod lahko nadaljuje
 stopped-at-progress-what-is-found-stays = ustavljeno ({ $progress }): kar je najdeno, ostane
 progress-time-left = { $progress }, še { $time }
+
+## src/app/library/folder.rs
+
+name-remove-it-from-its-folder-as-any-other = { $name }: odstranite jo iz njene mape kot vsako drugo datoteko
+
+## src/app/library/page.rs
+
+the-browser-refuses-this-page-its-storage-no = brskalnik tej strani ne dovoli shrambe: datoteke se tu ne hranijo
+what-the-browser-has-kept-of-it-is-spoilt = kar je brskalnik od nje shranil, je pokvarjeno
+taken-kb-of-most-kb-are-taken-whoever-clears = Zasedenih je { $taken } kB od { $most } kB. Kdor v brskalniku počisti podatke te strani, odstrani te datoteke: pomembno prenesite.
+it-is-not-kept-any-more = ni več shranjena
+it-has-size-kb-at-most-most-kb-of-a-file-are = ima { $size } kB: v brskalniku se hrani največ { $most } kB na datoteko
+n-files-are-kept-already-and-no-more-can-be = Shranjenih datotek je že { $n } in več jih ne more biti: najprej katero izbrišite
+taken-kb-of-most-kb-are-taken-and-it-has-siz = zasedenih je { $taken } kB od { $most } kB, ta pa ima { $size } kB: najprej katero izbrišite
+the-browser-has-no-room-for-it-or-refuses-it = brskalnik zanjo nima prostora ali jo zavrača; že shranjeno je, kot je bilo
+
+## src/app/library/present.rs
+
+the-machine-has-the-papers-five-masses = stroj ima pet mas iz člankov
+it-is-not-kept-from-here = od tu se ne shrani
+no-script-controls-this-cut = tega reza ne vodi noben skript
+
+## src/app/library/window.rs
+
+no-place-in-a-run-has-the-units-of-its-input = Nobeno mesto v poteku nima enot njenih vhodov in rezultata.
+the-result-of-a-mission-is-verified-by-stead = Rezultat naloge preveri steadycut mission check.
+take-it-for-a-model-of-plant-and-controller = Prevzemi za model procesa in regulatorja
+open-it-and-cut-it-from-its-start = Odpri ga in reži od začetka
+begin-it-on-the-screen-learn = Začni jo na zaslonu Vadnica
+lay-it-over-the-plots = Položi na grafe
+cut-it-from-a-blank-on-the-screen-workpiece = Izreži ga iz surovca na zaslonu Obdelovanec
+search-for-formulas-on-the-screen-identify = Išči formule na zaslonu Formule
+use-it-in-the-present-cut-undo-takes-it-back = Uporabi v tem rezu; Razveljavi vzame nazaj
+there-is-no-place-for-files-here-the-system = Tu ni prostora za datoteke: sistem ga ne navaja.
+files-that-this-browser-keeps-for-this-page = Datoteke, ki jih ta brskalnik hrani za to stran. Spustite ali odprite datoteko in jo nato tu obdržite.
+t-1-other-file-is-of-no-use-here-and-not-liste = 1 druga datoteka tu ni uporabna in ni našteta.
+n-other-files-are-of-no-use-here-and-not-lis = Drugih datotek, ki tu niso uporabne in niso naštete: { $n }.
+cutters-materials-machines-parts-and-more-in = Frezala, materiali, stroji, obdelovanci in drugo v lastni mapi:
+another-folder = Druga mapa…
+it-is-read-every-two-seconds-while-this-wind = Bere se vsaki dve sekundi, dokler je to okno odprto
+read-again = Preberi znova
+its-path = Njena pot
+a-folder-that-is-there-enter-takes-it = obstoječa mapa; Enter jo prevzame
+being-read = Branje…
+none-of-these-here-yet-kinds = Teh tu še ni: { $kinds }.
+no-files-here-yet-begin-one-below-or-keep-on = Tu še ni datotek: spodaj začnite novo ali obdržite odprto.
+name-in-use = { $name }, v uporabi
+in-use = v uporabi
+delete-it-for-good = Dokončno izbrisati?
+delete-it = Izbriši
+keep-it = Obdrži
+download = Prenesi
+delete = Izbriši…
+take-it-for = Prevzemi za
+opened-from-elsewhere = Odprto od drugod
+begin-a-new-one = Začni novo
+a-file-in-which-every-entry-is-explained-not = Datoteka, v kateri je vsak vnos razložen; nič se ne prepiše
+keep-of-the-present-cut = Obdrži iz tega reza
+
+## src/app/library/work.rs
+
+files = datotek
 
 ## src/app/link/code.rs
 
@@ -197,6 +267,10 @@ values-from-line-line-on = vrednosti od vrstice { $line } naprej
 times-in-the-column-column = časi v stolpcu { $column }
 rate-samples-in-a-second = { $rate } vzorcev v sekundi
 no-times = brez časov
+
+## src/app/overlay/layouts.rs
+
+what-was-said-for-a-file-with-the-same-colum = Kar je bilo povedano za datoteko z istimi stolpci, za to ne velja: { $why }
 
 ## src/app/overlay/mod.rs
 
@@ -450,6 +524,12 @@ sample-rate = Pogostost vzorčenja
 read-it-otherwise = Preberi drugače
 entries-of-the-layout-as-the-command-steadyc = Vnosi oblike, kot jih ima ukaz steadycut measured, s presledki vmes: encoding, separator, decimal, thousands, names_line, units_line, first_line, names, units. Enter prebere datoteko znova.
 allowed-is-key-value = dovoljeno je KEY=VALUE
+as-you-said-for-a-file-with-the-same-columns = Kot ste povedali za datoteko z istimi stolpci: { $keys }.
+as-the-file-name-beside-it-says-keys = Kot pove datoteka { $name } ob njej: { $keys }.
+remembered-in-name-and-for-files-with-the-sa = Zapomnjeno v { $name } in za datoteke z istimi stolpci: { $keys }.
+remembered-for-files-with-the-same-columns-k = Zapomnjeno za datoteke z istimi stolpci: { $keys }.
+read-it-as-it-is-guessed-and-forget-what-is = Preberi po ugibanju in pozabi zapomnjeno, tudi ob datoteki
+guess-again = Ugani znova
 t-1-channel = 1 kanal
 n-channels =
     { $n ->
@@ -511,6 +591,7 @@ unfold = Razpri
 open-a-file = Odpri datoteko …
 leaves-a-line-of-it-and-the-plots-in-sight = Ostane vrstica, grafi pa so vidni
 fold-to-a-line = Zloži v vrstico
+open-a-file = Odpri datoteko …
 text-of-any-layout-matlab-hdf5-tdms-or-parqu = Besedilo katerekoli oblike, MATLAB, HDF5, TDMS ali Parquet; datoteko lahko tudi spustite na grafe.
 no-part-of-the-scenario-neither-a-file-nor-a = Ni del scenarija: nima ga ne datoteka ne povezava. Spremembe reza ga pustijo, kjer je, dokler ga ne odstranite ali zaprete programa.
 remove = Odstrani
@@ -746,6 +827,7 @@ screen = zaslon
 search-formulas-in-a-table-of-one-s-own = Išči formule v lastni tabeli
 open-a-part-of-one-s-own-table-or-g-code = Odpri lasten obdelovanec: tabela ali koda G
 lay-measured-data-over-the-plots = Položi izmerjene podatke na grafe
+my-files-cutters-materials-machines-parts-an = Moje datoteke: lastna frezala, materiali, stroji, obdelovanci in drugo
 go-on-with-a-saved-search-for-a-formula = Nadaljuj shranjeno iskanje formule
 open-networks-of-unks = Odpri mreže UNKS
 save-the-networks-of-unks = Shrani mreže UNKS
@@ -775,6 +857,7 @@ playback-transport = predvajanje prenos playback
 restart-repeat-from-the-start-rerun-begin-an = začni znova ponovi od začetka ohrani nastavitve restart rerun
 disturb-disturbance-fault-trouble-error-hurt = moti motnja napaka težava nezgoda okvara disturb fault
 operator-override-manual-hand-knob-panel-han = operater korekcija ročno roka gumb pult kolo kolesce vodi sam premagaj override manual knob
+library-folder-tool-material-machine-structu = knjižnica mapa orodje frezalo material stroj struktura obdelovanec skript lastno hrani katalog
 setting-scenario-screen-command-or-word = Nastavitev, scenarij, zaslon, ukaz ali beseda
 type-a-word-dead-time-kp-chatter-noise-csv = Vtipkajte besedo: mrtvi čas, Kp, drdranje, šum, CSV …
 nothing-has-these-words-fewer-or-shorter-one = Ni zadetkov. Manj ali krajše besede najdejo več.
@@ -790,6 +873,7 @@ locked-by-the-address-that-this-was-opened-w = zaklenjeno z naslovom, s katerim 
 no-other-scenario-is-opened-here-settings-ar = Drug scenarij se tu ne odpre: nastavitve je zaklenil naslov, s katerim je bilo to odprto.
 predict-first-the-cut-begins-as-soon-as-you = Najprej napovejte: rez se začne, ko poveste, kaj pričakujete, ali nadaljujete brez napovedi.
 name-is-open-it-is-cut-from-its-start = { $name } je odprt: reže se od začetka.
+name-controls-this-cut-now = { $name } zdaj vodi ta rez.
 set-for-the-whole-cut-now-first-second-third = { " " }Zdaj nastavljeno za ves rez: { $first }, { $second }, { $third } in še { $more }.
 set-for-the-whole-cut-now-list = { " " }Zdaj nastavljeno za ves rez: { $list }.
 the-change-made-during-the-cut-is-not-repeat = Sprememba med rezom se ne ponovi; Razveljavi jo vrne.
@@ -1065,6 +1149,11 @@ lines-of-title = Črte: { $title }
 show-this-line = Pokaži to črto
 hide-this-line = Skrij to črto
 
+## src/app/widgets/my_files.rs
+
+cutters-materials-machines-structures-parts = Lastna frezala, materiali, stroji, strukture, obdelovanci, skripti in drugo: uporaba, hranjenje, nove datoteke
+my-files-2 = Moje datoteke…
+
 ## src/app/widgets/number.rs
 
 allowed-is-a-number-from-min-to-max-unit = dovoljeno je število od { $min } do { $max } { $unit }
@@ -1161,3 +1250,17 @@ iso-1302-grade-grade-ra-ra-um-m = ISO 1302, razred { $grade }: Ra { $ra_um } µm
 ## src/app/widgets/window.rs
 
 close-window = Zapri okno
+
+## src/disk/own_folder.rs
+
+folder-the-path-is-no-plain-text = { $folder }: pot ni navadno besedilo
+folder-allowed-is-a-path-from-the-root-on-as = { $folder }: dovoljena je pot od korena naprej, kot { $root }…
+folder-there-is-no-such-folder = { $folder }: take mape ni
+the-choice-of-the-folder-is-not-kept-why = izbira mape se ni shranila: { $why }
+folder-it-is-no-folder = { $folder }: to ni mapa
+there-are-more-than-n-entries-in-this-folder = V tej mapi je več kot { $n } vnosov: drugi niso pregledani.
+its-name-is-no-text = njeno ime ni besedilo
+name-is-a-link-to-a-folder-which-is-not-foll = { $name } je povezava na mapo, ki ji program ne sledi.
+name-lies-more-than-n-folders-deep-and-is-no = { $name } leži globlje kot { $n } map in ni pregledano.
+there-are-n-files-in-this-folder-the-first-m = Datotek v tej mapi: { $n }; po imenu je naštetih prvih { $most }.
+it-is-a-pipe-or-a-device-no-file = to je cev ali naprava, ne datoteka

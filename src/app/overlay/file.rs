@@ -1,7 +1,9 @@
 //! A file of measured data as it was read, with what a person says of its layout.
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::layouts::{LayoutMemory, signature};
 use crate::base::language::tr;
 use crate::measured::channel::{ChannelSummary, MeasuredChannel};
 use crate::measured::layout::{DataLayout, DecimalMark, FieldSeparator};
@@ -18,6 +20,12 @@ pub struct MeasuredFile {
     bytes: Arc<[u8]>,
     said: DataLayout,
     read: Result<Arc<ReadFile>, String>,
+    /// Where it is in the file system, where it is in one.
+    path: Option<PathBuf>,
+    /// Where its layout comes from.
+    memory: LayoutMemory,
+    /// What files like it have in common with it, once that was worked out.
+    alike: Option<Arc<str>>,
 }
 
 /// What was read of it.
@@ -37,7 +45,8 @@ impl MeasuredFile {
             let summaries = data.channels.iter().map(MeasuredChannel::summary).collect();
             Arc::new(ReadFile { data, summaries })
         });
-        Self { name, bytes, said, read }
+        let (path, memory, alike) = (None, LayoutMemory::Guessed, None);
+        Self { name, bytes, said, read, path, memory, alike }
     }
 
     /// The same file read again with these entries of its layout said.
@@ -49,7 +58,7 @@ impl MeasuredFile {
         for (key, value) in entries {
             said.set(key, value)?;
         }
-        Ok(Self::read(self.name.clone(), Arc::clone(&self.bytes), said))
+        Ok(self.read_as(said, LayoutMemory::Said))
     }
 
     /// The same file read again with its times in this column, or in none and at a sample rate in Hz.
@@ -57,13 +66,65 @@ impl MeasuredFile {
     pub fn with_times(&self, column: &str, rate_hz: Option<f64>) -> Self {
         let (time, rate_hz) = (Some(column.to_owned()), rate_hz.filter(|_| column == NO_TIMES));
         let said = DataLayout { time, rate_hz, ..self.said.clone() };
-        Self::read(self.name.clone(), Arc::clone(&self.bytes), said)
+        self.read_as(said, LayoutMemory::Said)
     }
 
     /// The same file read again as before.
     #[must_use]
     pub fn again(&self) -> Self {
-        Self::read(self.name.clone(), Arc::clone(&self.bytes), self.said.clone())
+        self.read_as(self.said.clone(), self.memory.clone())
+    }
+
+    /// The same file with nothing said of its layout.
+    #[must_use]
+    pub fn guessed_again(&self) -> Self {
+        self.read_as(DataLayout::default(), LayoutMemory::Guessed)
+    }
+
+    /// The same file read again by a layout that comes from somewhere.
+    pub(super) fn read_as(&self, said: DataLayout, memory: LayoutMemory) -> Self {
+        let (path, alike) = (self.path.clone(), self.alike.clone());
+        let read = Self::read(self.name.clone(), Arc::clone(&self.bytes), said);
+        Self { path, memory, alike, ..read }
+    }
+
+    /// The same file, which stands there, with what files like it have in common with it.
+    pub(super) fn at(self, path: Option<PathBuf>, alike: Arc<str>) -> Self {
+        Self { path, alike: Some(alike), ..self }
+    }
+
+    /// The same file, whose layout comes from there.
+    pub(super) fn known_by(self, memory: LayoutMemory) -> Self {
+        Self { memory, ..self }
+    }
+
+    /// The same file, whose layout beside it cannot be read.
+    pub(super) fn refused(self, why: String) -> Self {
+        Self { read: Err(why), memory: LayoutMemory::Beside, ..self }
+    }
+
+    /// What a person has said of its layout.
+    #[must_use]
+    pub fn said(&self) -> &DataLayout {
+        &self.said
+    }
+
+    /// Where its layout comes from.
+    #[must_use]
+    pub fn memory(&self) -> &LayoutMemory {
+        &self.memory
+    }
+
+    /// What files like it have in common with it: see [`signature`].
+    #[must_use]
+    pub fn alike(&self) -> Arc<str> {
+        self.alike.clone().unwrap_or_else(|| signature(&self.guessed_again()).into())
+    }
+
+    /// Where it is in the file system, where it is in one.
+    #[must_use]
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
     }
 
     /// What was read of it, or what is wrong with it: the place, what stands there, and what was expected.

@@ -2,6 +2,7 @@
 //! and where. It is no part of the scenario: no file and no link holds it, and no change of the run touches it.
 
 pub mod file;
+pub mod layouts;
 pub mod trace;
 pub mod unit;
 pub mod work;

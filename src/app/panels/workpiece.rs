@@ -24,6 +24,7 @@ use crate::app::format;
 use crate::app::session::Session;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::legend;
+use crate::app::widgets::my_files::my_files;
 use crate::app::widgets::scaffold;
 use crate::app::widgets::standing::Standing;
 use crate::base::language::{text, tr};
@@ -31,6 +32,7 @@ use crate::blocks::cutting::tool_path::ToolPath;
 use crate::blocks::reference::Reference;
 use crate::models::disturbances::Disturbance;
 use crate::run::tooth_marks::MarkedPart;
+use crate::study::library::LibraryKind;
 use blank::ShownBlank;
 use judged::Lengths;
 use picture::{Kept, SLOWER};
@@ -206,9 +208,12 @@ impl WorkpiecePanel {
             "A table of depths along a path (CSV), or a program (G-code) that is cut from a blank; both can be dropped \
              onto the window, too",
         );
-        if ui.button(tr("Part from a file\u{2026}")).on_hover_text(help).clicked() {
-            commands.push(Command::File(FileCommand::OpenPart));
-        }
+        ui.horizontal_wrapped(|ui| {
+            if ui.button(tr("Part from a file\u{2026}")).on_hover_text(help).clicked() {
+                commands.push(Command::File(FileCommand::OpenPart));
+            }
+            my_files(ui, view, Some(LibraryKind::Part), commands);
+        });
         self.choose_picture(ui, view.session);
         match self.blank.as_mut().filter(|_| shows_blank) {
             Some(blank) => blank.looking.controls(ui, view.narrow),

@@ -11,6 +11,7 @@ use crate::app::playback::Speed;
 use crate::base::language::{text, tr};
 use crate::base::settings::{Kind, SettingError, Value};
 use crate::blocks::control::ControllerKind;
+use crate::blocks::control::script::ScriptProgram;
 use crate::models::formula_model::FormulaModel;
 use crate::models::genetic::{Calibration, FormulaSettings};
 use crate::models::unks::Stored;
@@ -19,6 +20,7 @@ use crate::run::edits::{Edit, Edits, Unfit};
 use crate::run::scenario::{Scenario, param};
 use crate::run::story::ONE_DRAG_S;
 use crate::run::{presets, scenario_file};
+use crate::study::library::script_changes;
 use crate::study::own_file::OwnFile;
 use crate::study::part::PartPath;
 use crate::study::unks_passes::beginning_with;
@@ -164,6 +166,10 @@ impl Session {
             }
             SessionCommand::LoadOwn { name, text } => match self.load_own(&text) {
                 Ok(told) => self.notify(format!("{name}: {told}")),
+                Err(error) => self.notify(format!("{name}: {error}")),
+            },
+            SessionCommand::LoadScript { name, text } => match self.load_script(&text) {
+                Ok(()) => self.notify(tr!("{name} controls this cut now.", name = name)),
                 Err(error) => self.notify(format!("{name}: {error}")),
             },
             SessionCommand::LoadNetworks { name, text } => {
@@ -546,6 +552,13 @@ impl Session {
             title = &file.title,
             kind = tr(file.kind.label())
         ))
+    }
+
+    /// Controls the cut by the script of a file.
+    fn load_script(&mut self, text: &str) -> Result<(), String> {
+        // Its own words name the line.
+        ScriptProgram::read(text).map_err(|problem| problem.to_string())?;
+        self.set_up(&script_changes(text)).map_err(|error| error.to_string())
     }
 
     /// Begins with the networks of a file, with the controller that has networks.

@@ -7,6 +7,7 @@ pub mod focus;
 pub mod icon;
 pub mod knob;
 pub mod legend;
+pub mod my_files;
 pub mod number;
 pub mod plot;
 pub mod save_table;

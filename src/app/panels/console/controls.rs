@@ -13,12 +13,14 @@ use crate::app::panels::machine::STABILITY;
 use crate::app::session::NO_OTHER_SCENARIO;
 use crate::app::theme::Palette;
 use crate::app::widgets::beside::help_beside;
+use crate::app::widgets::my_files::my_files;
 use crate::app::widgets::setting::{Size, setting};
 use crate::app::widgets::target::target as target_of;
 use crate::base::language::{text, tr};
 use crate::blocks::control::ControllerKind;
 use crate::run::presets::{self, PresetGroup};
 use crate::run::scenario::table;
+use crate::study::library::LibraryKind;
 use crate::study::uses::Screen;
 
 /// Largest height of the list of scenarios, points.
@@ -118,9 +120,12 @@ pub fn more(ui: &mut Ui, view: &View<'_>, windows: &mut Windows, commands: &mut 
     ui.add_space(6.0);
     CollapsingHeader::new(tr("More settings")).id_salt("more").show_unindented(ui, |ui| {
         let help = tr("A measured file over the plots: text, MATLAB, HDF5, TDMS or Parquet. It can also be dropped here.");
-        if ui.button(tr("Measured data\u{2026}")).on_hover_text(help).clicked() {
-            windows.measured.open = !windows.measured.open;
-        }
+        ui.horizontal_wrapped(|ui| {
+            if ui.button(tr("Measured data\u{2026}")).on_hover_text(help).clicked() {
+                windows.measured.open = !windows.measured.open;
+            }
+            my_files(ui, view, None, commands);
+        });
         let scenario = view.session.current();
         for (group, title) in groups() {
             if !concerns(group, scenario.controller.kind) {
@@ -135,9 +140,25 @@ pub fn more(ui: &mut Ui, view: &View<'_>, windows: &mut Windows, commands: &mut 
                 for param in rest {
                     setting(ui, Screen::Console, &param.path, scenario, Size::Small, commands);
                 }
+                if let Some(kind) = kind_of(group) {
+                    my_files(ui, view, Some(kind), commands);
+                }
             });
         }
     });
+}
+
+/// The kind of one's own files that brings the settings of a group.
+fn kind_of(group: &str) -> Option<LibraryKind> {
+    match group {
+        "tool" => Some(LibraryKind::Tool),
+        "plant" | "formula" => Some(LibraryKind::Material),
+        "cnc" | "feed_drive" | "spindle_drive" => Some(LibraryKind::Machine),
+        "machine" => Some(LibraryKind::Structure),
+        "workpiece" => Some(LibraryKind::Part),
+        "controller.script" => Some(LibraryKind::Script),
+        _ => None,
+    }
 }
 
 /// The choice of a shipped scenario, and what the present one is about.

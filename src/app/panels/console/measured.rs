@@ -9,6 +9,7 @@ use egui::{Button, Color32, ComboBox, RichText, Role, Ui, WidgetInfo};
 use super::super::View;
 use crate::app::command::{Command, FileCommand};
 use crate::app::overlay::file::MeasuredFile;
+use crate::app::overlay::layouts::LayoutMemory;
 use crate::app::overlay::unit::{SIGNALS_OVER, units};
 use crate::app::overlay::{MOST_OVERLAYS, Overlay, Overlays};
 use crate::app::theme::{self, Palette};
@@ -184,6 +185,11 @@ impl MeasuredWindow {
             }
         }
         if let Some(again) = self.layout.show(ui, &overlay.file, &mut self.said, commands) {
+            // What does not go with the file is no help for the next one.
+            if again.contents().is_ok() || *again.memory() == LayoutMemory::Guessed {
+                let remember = FileCommand::RememberLayout(Box::new(again.clone()));
+                commands.push(Command::File(remember));
+            }
             overlay.read_again(again);
         }
         wish

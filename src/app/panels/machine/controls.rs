@@ -3,10 +3,13 @@
 use egui::{CollapsingHeader, RichText, Ui};
 
 use crate::app::command::Command;
+use crate::app::panels::View;
 use crate::app::theme::Palette;
+use crate::app::widgets::my_files::my_files;
 use crate::app::widgets::setting::{Size, setting};
 use crate::base::language::{text, tr};
-use crate::run::scenario::{Scenario, table};
+use crate::run::scenario::table;
+use crate::study::library::LibraryKind;
 use crate::study::uses::Screen;
 
 /// Settings that are always in sight.
@@ -26,7 +29,8 @@ const FOLDS: [(&str, &str); 3] = [
 ];
 
 /// All of them.
-pub fn show(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
+pub fn show(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
+    let scenario = view.session.current();
     for path in FIRST {
         setting(ui, Screen::Machine, path, scenario, Size::Large, commands);
     }
@@ -39,6 +43,7 @@ pub fn show(ui: &mut Ui, scenario: &Scenario, commands: &mut Vec<Command>) {
             }
         });
     }
+    my_files(ui, view, Some(LibraryKind::Structure), commands);
     ui.add_space(4.0);
     let note = tr("The programmed feed, speed and depth of cut are those of the Console.");
     ui.label(RichText::new(note).small().color(Palette::at(ui).weak));

@@ -141,7 +141,7 @@ impl MachinePanel {
 
     fn wide(&mut self, ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         scaffold::controls(ui, "machine controls", |ui| {
-            controls::show(ui, view.session.current(), commands);
+            controls::show(ui, view, commands);
         });
         scaffold::middle(ui, |ui| {
             self.head(ui, view);
@@ -168,7 +168,7 @@ impl MachinePanel {
                 CollapsingHeader::new(tr("Settings of the machine"))
                     .id_salt("Settings of the machine")
                     .show_unindented(ui, |ui| {
-                        controls::show(ui, view.session.current(), commands);
+                        controls::show(ui, view, commands);
                     });
             });
         });

@@ -1,11 +1,12 @@
 //! What was guessed of a file's layout, and what a person says of it.
 
-use egui::{CollapsingHeader, RichText, ScrollArea, TextEdit, Ui, WidgetInfo};
+use egui::{Button, CollapsingHeader, RichText, ScrollArea, TextEdit, Ui, WidgetInfo};
 
 use super::choice;
 use crate::app::command::{Command, FileCommand};
 use crate::app::format;
 use crate::app::overlay::file::{MeasuredFile, NO_TIMES, ReadFile, sentence};
+use crate::app::overlay::layouts::{LayoutMemory, beside};
 use crate::app::panels::BroughtFile;
 use crate::app::theme::Palette;
 use crate::app::widgets::number::NumberField;
@@ -49,6 +50,7 @@ impl LayoutFields {
             again = self.times(ui, file, read, said).or(again);
         }
         again = self.otherwise(ui, file, said).or(again);
+        again = remembered(ui, file).or(again);
         let is_text = file.contents().map_or(true, |read| read.data.format == DataFormat::Text);
         if is_text
             && let Ok(text) = decode(file.bytes())
@@ -170,6 +172,42 @@ impl LayoutFields {
         })
         .inner
     }
+}
+
+/// Where the layout comes from, and the way back to what is guessed.
+fn remembered(ui: &mut Ui, file: &MeasuredFile) -> Option<MeasuredFile> {
+    let keys: Vec<&str> = file.said().entries().iter().map(|(key, _)| *key).collect();
+    let keys = keys.join(", ");
+    let beside =
+        file.path().map(|path| beside(path).file_name().map(|x| x.to_string_lossy().into_owned()));
+    let text = match file.memory() {
+        LayoutMemory::Guessed => return None,
+        LayoutMemory::NotAlike(why) => why.clone(),
+        LayoutMemory::Alike => {
+            tr!("As you said for a file with the same columns: {keys}.", keys = keys)
+        }
+        LayoutMemory::Beside => tr!(
+            "As the file {name} beside it says: {keys}.",
+            name = beside.flatten().unwrap_or_default(),
+            keys = keys
+        ),
+        LayoutMemory::Said => match beside.flatten() {
+            Some(name) => tr!(
+                "Remembered in {name}, and for files with the same columns: {keys}.",
+                name = name,
+                keys = keys
+            ),
+            None => tr!("Remembered for files with the same columns: {keys}.", keys = keys),
+        },
+    };
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new(format::typeset(&text)).small().color(Palette::at(ui).weak));
+        let help =
+            tr("Read it as it is guessed, and forget what is remembered, beside the file as well");
+        let button = Button::new(tr("Guess again")).min_size(touch::least(ui));
+        ui.add(button).on_hover_text(help).clicked().then(|| file.guessed_again())
+    })
+    .inner
 }
 
 /// The file, or what there is to say.
