@@ -1,4 +1,4 @@
-//! The measured data of `steadycut identify ...`: channels by name, even in time; and how values are told.
+//! The measured data of `steadycut identify ...`, and how values are told.
 
 use std::io::Write;
 
@@ -9,10 +9,10 @@ use super::files::{InPath, OutPath};
 use super::measured;
 use super::measured::args::{layout_entry, span};
 use crate::base::settings;
-use crate::measured::channel::{MeasuredChannel, SampleTimes};
-use crate::measured::reader::MeasuredData;
-use crate::measured::signal::filled;
+use crate::run::edits::Edits;
+use crate::run::scenario::Scenario;
 use crate::study::identify::EstimatedValue;
+use crate::study::identify::fits::{FitFault, FitRequest, FitValue, WITHIN};
 
 /// Which data.
 #[derive(Debug, Args)]
@@ -28,112 +28,25 @@ pub struct DataArgs {
     pub within: Option<[f64; 2]>,
 }
 
-/// A channel whose samples are even in time and all there.
-pub struct EvenChannel {
-    pub name: String,
-    pub unit: String,
-    pub rate_hz: f64,
-    pub values: Vec<f64>,
-    times: SampleTimes,
-}
-
-impl EvenChannel {
-    /// The time of a sample, s.
-    pub fn time_s(&self, i: usize) -> f64 {
-        self.times.at(i).unwrap_or(0.0)
-    }
-
-    /// Whether another one was sampled at the same times.
-    pub fn goes_with(&self, other: &Self) -> Result<(), String> {
-        if self.times != other.times || self.values.len() != other.values.len() {
-            return Err(format!("`{}` and `{}` have different times", self.name, other.name));
-        }
-        Ok(())
-    }
-}
-
 impl DataArgs {
-    pub fn read(&self) -> Result<MeasuredData, String> {
-        measured::data(&self.data, &self.layout)
-    }
-
-    /// The channel that an option names.
-    ///
-    /// # Errors
-    /// There is none of that name, its samples are not even, or some are missing.
-    pub fn even(
-        &self,
-        data: &MeasuredData,
-        option: &str,
-        name: &str,
-    ) -> Result<EvenChannel, String> {
-        let channel = named(data, option, name)?;
-        let rate_hz = channel.times.rate_hz().ok_or_else(|| {
-            format!(
-                "{}: the samples of `{name}` are not even in time, or their times are not known: give --layout rate_hz=",
-                self.data
-            )
-        })?;
-        let (values, missing) =
-            filled(channel).map_err(|fault| format!("{}: {fault}", self.data))?;
-        if missing > 0 {
-            return Err(format!(
-                "{}: {missing} samples of `{name}` are missing or no numbers; expected are whole records",
-                self.data
-            ));
-        }
-        Ok(EvenChannel {
-            name: channel.name.clone(),
-            unit: channel.unit.clone(),
-            rate_hz,
-            values,
-            times: channel.times.clone(),
-        })
-    }
-
-    /// The values within the times that are taken.
-    pub fn taken(&self, channel: &EvenChannel, values: &[f64]) -> Vec<f64> {
-        let [from_s, to_s] = self.within.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
-        let taken = |i: &usize| (from_s..=to_s).contains(&channel.time_s(*i));
-        (0..values.len()).filter(taken).map(|i| values[i]).collect()
-    }
-
-    /// The force in a channel, N, within the times that are taken.
-    ///
-    /// # Errors
-    /// As [`Self::even`]; its unit is none of force.
-    pub fn force_n(
-        &self,
-        data: &MeasuredData,
-        option: &str,
-        name: &str,
-    ) -> Result<(EvenChannel, Vec<f64>), String> {
-        let channel = self.even(data, option, name)?;
-        let factor = match channel.unit.as_str() {
-            "" | "N" => 1.0,
-            "kN" => 1000.0,
-            other => {
-                return Err(format!(
-                    "{option}: `{name}` is in {other}; expected is a force in N or kN"
-                ));
-            }
+    /// What a fit is asked of these data, its channels yet without roles.
+    pub fn request(&self, scenario: Scenario, edits: Edits) -> Result<FitRequest, String> {
+        let channels = measured::data(&self.data, &self.layout)?.channels;
+        let request = FitRequest {
+            file: self.data.to_string(),
+            channels,
+            roles: Vec::new(),
+            values: Vec::new(),
+            scenario,
+            edits,
         };
-        let values: Vec<f64> = channel.values.iter().map(|x| factor * x).collect();
-        let taken = self.taken(&channel, &values);
-        Ok((channel, taken))
+        Ok(request.with_value(&WITHIN, self.within.map(FitValue::Span)))
     }
-}
 
-/// The channel of a name.
-pub fn named<'a>(
-    data: &'a MeasuredData,
-    option: &str,
-    name: &str,
-) -> Result<&'a MeasuredChannel, String> {
-    data.channels.iter().find(|channel| channel.name == name).ok_or_else(|| {
-        let names: Vec<&str> = data.channels.iter().map(|channel| channel.name.as_str()).collect();
-        format!("{option}: there is no channel `{name}`; there are {}", names.join(", "))
-    })
+    /// A fault as the command tells it.
+    pub fn told(&self, fault: &FitFault) -> String {
+        fault.of_file(&self.data.to_string())
+    }
 }
 
 /// A value with its interval, and its unit.

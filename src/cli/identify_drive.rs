@@ -9,7 +9,11 @@ use serde_json::{Value, json};
 use super::Outcome;
 use super::files::{OutPath, report};
 use super::identify_data::{DataArgs, told, value_json};
+use crate::run::edits::Edits;
+use crate::run::scenario::Scenario;
 use crate::study::identify::drive::{DriveFit, DriveRecording, drive_file, identify_drive};
+use crate::study::identify::fits::FitValue;
+use crate::study::identify::fits::drive::{COMMAND, FEED, STEP_AT, STEP_FROM, STEP_TO, recorded};
 
 /// Arguments of `identify drive`.
 #[derive(Debug, Args)]
@@ -48,25 +52,15 @@ fn step(text: &str) -> Result<[f64; 3], String> {
 
 /// The recording, and the unit of its feed.
 fn recording(args: &IdentifyDriveArgs) -> Result<(DriveRecording, String), String> {
-    let data = args.data.read()?;
-    let feed = args.data.even(&data, "--feed", &args.feed)?;
-    let commands: Vec<f64> = match (&args.command, args.step) {
-        (Some(name), _) => {
-            let command = args.data.even(&data, "--command", name)?;
-            command.goes_with(&feed)?;
-            command.values
-        }
-        (None, Some([at_s, from, to])) => {
-            (0..feed.values.len()).map(|i| if feed.time_s(i) <= at_s { from } else { to }).collect()
-        }
-        (None, None) => return Err("give --command or --step".to_owned()),
-    };
-    let recording = DriveRecording {
-        period_s: 1.0 / feed.rate_hz,
-        command: args.data.taken(&feed, &commands),
-        feed: args.data.taken(&feed, &feed.values),
-    };
-    Ok((recording, feed.unit))
+    let request = args.data.request(Scenario::default(), Edits::none())?;
+    let number = |i: usize| args.step.map(|step| FitValue::Number(step[i]));
+    let request = request
+        .with_channel(&FEED, Some(&args.feed))
+        .with_channel(&COMMAND, args.command.as_ref())
+        .with_value(&STEP_AT, number(0))
+        .with_value(&STEP_FROM, number(1))
+        .with_value(&STEP_TO, number(2));
+    recorded(&request).map_err(|fault| args.data.told(&fault))
 }
 
 pub fn execute(args: &IdentifyDriveArgs) -> Outcome {

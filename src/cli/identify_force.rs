@@ -11,11 +11,14 @@ use super::args::one_of;
 use super::files::{OutPath, ScenarioPath, report};
 use super::identify_data::{DataArgs, settings_json, tell_settings, told, value_json};
 use super::scenarios::load;
-use crate::base::settings;
 use crate::models::tool::ShippedTool;
-use crate::run::scenario::Scenario;
+use crate::study::identify::fits::force::{
+    ACROSS, AXIAL_DEPTH, FX, FY, FZ, HOLD, ON_WORKPIECE, OTHER_FEED, OTHER_SPEED, RADIAL_DEPTH,
+    TOOL, cut_of, recorded,
+};
+use crate::study::identify::fits::{FitFault, FitRequest, FitValue};
 use crate::study::identify::force::{
-    ForceAxis, ForceFit, ForceRecording, RecordedCut, identified_scenario, identify_force,
+    ForceFit, ForceRecording, identified_scenario, identify_force,
 };
 
 /// Arguments of `identify force`.
@@ -74,72 +77,38 @@ pub struct IdentifyForceArgs {
     pub json: bool,
 }
 
-/// The scenario as the options have it.
-fn scenario_of(args: &IdentifyForceArgs, scenario: &Scenario) -> Result<Scenario, String> {
-    let mut scenario = scenario.clone();
-    if let Some(tool) = args.tool {
-        let name = settings::Value::Text(tool.id().to_owned());
-        scenario.set("tool.name", name).map_err(|error| format!("--tool: {error}"))?;
+/// What is asked.
+fn request(args: &IdentifyForceArgs) -> Result<FitRequest, Box<dyn std::error::Error>> {
+    let (scenario, edits) = load(&args.scenario)?;
+    let mut request = args.data.request(scenario, edits)?;
+    for (role, name) in [(FX, &args.fx), (FY, &args.fy), (FZ, &args.fz), (ACROSS, &args.across)] {
+        request = request.with_channel(&role, name.as_ref());
     }
-    for (option, path, value) in [
-        ("--feed", "program.feed_mm_min", args.feed),
-        ("--speed", "program.spindle_rpm", args.speed),
-        ("--axial-depth", "workpiece.axial_depth_mm", args.axial_depth),
-        ("--radial-depth", "workpiece.radial_depth_mm", args.radial_depth),
+    for (option, value) in [
+        (OTHER_FEED, args.feed),
+        (OTHER_SPEED, args.speed),
+        (AXIAL_DEPTH, args.axial_depth),
+        (RADIAL_DEPTH, args.radial_depth),
     ] {
-        if let Some(value) = value {
-            let set = scenario.set(path, settings::Value::Float(value));
-            set.map_err(|error| format!("{option}: {error}"))?;
-        }
+        request = request.with_value(&option, value.map(FitValue::Number));
     }
-    if !scenario.workpiece.cuts.is_empty() {
-        if args.axial_depth.is_none() || args.radial_depth.is_none() {
-            return Err(format!(
-                "{}: `workpiece.cuts` has several sections: give --axial-depth and --radial-depth of the one that was recorded",
-                scenario.info.name
-            ));
-        }
-        let none = settings::Value::List(Vec::new());
-        scenario.set("workpiece.cuts", none).map_err(|error| error.to_string())?;
+    for (option, letter) in HOLD.iter().zip(["c", "r", "a"]) {
+        let held = args.hold.iter().any(|name| name == letter);
+        request = request.with_value(option, held.then_some(FitValue::On));
     }
-    Ok(scenario)
-}
-
-fn recording(args: &IdentifyForceArgs) -> Result<ForceRecording, String> {
-    let data = args.data.read()?;
-    let sign = if args.on_workpiece { -1.0 } else { 1.0 };
-    let asked = [
-        ("--fx", ForceAxis::X, &args.fx, sign),
-        ("--fy", ForceAxis::Y, &args.fy, sign),
-        ("--fz", ForceAxis::Z, &args.fz, sign),
-        ("--across", ForceAxis::Across, &args.across, 1.0),
-    ];
-    let mut first = None;
-    let mut forces = Vec::new();
-    for (option, axis, name, sign) in asked {
-        let Some(name) = name else { continue };
-        let (channel, values) = args.data.force_n(&data, option, name)?;
-        forces.push((axis, values.iter().map(|x| sign * x).collect()));
-        match &first {
-            None => first = Some(channel),
-            Some(first) => channel.goes_with(first)?,
-        }
-    }
-    let period_s = first.map_or(0.0, |channel| 1.0 / channel.rate_hz);
-    Ok(ForceRecording { period_s, forces })
+    let tool = args.tool.map(|tool| FitValue::Id(tool.id().to_owned()));
+    let on_workpiece = args.on_workpiece.then_some(FitValue::On);
+    Ok(request.with_value(&TOOL, tool).with_value(&ON_WORKPIECE, on_workpiece))
 }
 
 pub fn execute(args: &IdentifyForceArgs) -> Outcome {
     let mut out = report(args.json, args.out.as_ref())?;
     let file = &args.data.data;
-    let (scenario, edits) = load(&args.scenario)?;
-    let scenario = scenario_of(args, &scenario)?;
-    let named = |problem: String| format!("{}: {problem}", scenario.info.name);
-    let mut cut = RecordedCut::of(&scenario).map_err(named)?;
-    for (held, letter) in cut.held_exponents.iter_mut().zip(["c", "r", "a"]) {
-        *held = args.hold.iter().any(|name| name == letter);
-    }
-    let recording = recording(args)?;
+    let request = request(args)?;
+    let told_fault = |fault: FitFault| args.data.told(&fault);
+    let scenario = cut_of(&request).map_err(told_fault)?;
+    let edits = request.edits.clone();
+    let (recording, cut) = recorded(&request, &scenario).map_err(told_fault)?;
     let fit = identify_force(&recording, &cut).map_err(|problem| format!("{file}: {problem}"))?;
     let source = format!("from {file}");
     let (settings, text) = identified_scenario(&scenario, &edits, &fit, &source)?;

@@ -10,7 +10,8 @@ use super::Outcome;
 use super::files::{OutPath, ScenarioPath, report};
 use super::identify_data::{DataArgs, settings_json, tell_settings, told, value_json};
 use super::scenarios::load;
-use crate::study::identify::material::{CutSamples, identify_material, scenario_of_material};
+use crate::study::identify::fits::material::{FEED, PEAK, POSITION, SPEED, recorded};
+use crate::study::identify::material::{identify_material, scenario_of_material};
 
 /// Arguments of `identify material`.
 #[derive(Debug, Args)]
@@ -49,25 +50,14 @@ pub fn execute(args: &IdentifyMaterialArgs) -> Outcome {
     let mut out = report(args.json, args.out.as_ref())?;
     let file = &args.data.data;
     let (scenario, edits) = load(&args.scenario)?;
-    let data = args.data.read()?;
-    let (force, force_n) = args.data.force_n(&data, "--force", &args.force)?;
-    let values = |option: &str, name: Option<&String>, programmed: f64| match name {
-        Some(name) => {
-            let channel = args.data.even(&data, option, name)?;
-            channel.goes_with(&force)?;
-            Ok::<Vec<f64>, String>(args.data.taken(&channel, &channel.values))
-        }
-        None => Ok(vec![programmed; force_n.len()]),
-    };
-    let samples = CutSamples {
-        feed_mm_min: values("--feed", args.feed.as_ref(), scenario.program.feed_mm_min)?,
-        speed_rpm: values("--speed", args.speed.as_ref(), scenario.program.spindle_rpm)?,
-        position_mm: match &args.position {
-            Some(name) => values("--position", Some(name), 0.0)?,
-            None => Vec::new(),
-        },
-        force_n: force_n.clone(),
-    };
+    let request = args
+        .data
+        .request(scenario.clone(), edits.clone())?
+        .with_channel(&PEAK, Some(&args.force))
+        .with_channel(&FEED, args.feed.as_ref())
+        .with_channel(&SPEED, args.speed.as_ref())
+        .with_channel(&POSITION, args.position.as_ref());
+    let (samples, _) = recorded(&request).map_err(|fault| args.data.told(&fault))?;
     let fit =
         identify_material(&scenario, &samples).map_err(|problem| format!("{file}: {problem}"))?;
     let (settings, text) = scenario_of_material(&scenario, &edits, &fit, &format!("from {file}"))?;

@@ -11,7 +11,10 @@ use super::files::{OutPath, ScenarioPath, report};
 use super::identify_data::{DataArgs, settings_json, tell_settings, told, value_json};
 use super::measured::args::span;
 use super::scenarios::load;
-use crate::study::identify::noise::{NoiseRecording, NoisyCut, identify_noise, noisy_scenario};
+use crate::study::identify::fits::FitValue;
+use crate::study::identify::fits::force::{OTHER_FEED, OTHER_SPEED};
+use crate::study::identify::fits::noise::{FORCE, REST, recorded};
+use crate::study::identify::noise::{identify_noise, noisy_scenario};
 
 /// Arguments of `identify noise`.
 #[derive(Debug, Args)]
@@ -51,28 +54,14 @@ pub fn execute(args: &IdentifyNoiseArgs) -> Outcome {
     let mut out = report(args.json, args.out.as_ref())?;
     let file = &args.data.data;
     let (scenario, edits) = load(&args.scenario)?;
-    let data = args.data.read()?;
-    let (channel, cut_n) = args.data.force_n(&data, "--force", &args.force)?;
-    let rest_n = match args.rest {
-        Some(rest) => {
-            let at_rest = DataArgs {
-                data: file.clone(),
-                layout: args.data.layout.clone(),
-                within: Some(rest),
-            };
-            at_rest.force_n(&data, "--force", &args.force)?.1
-        }
-        None => Vec::new(),
-    };
-    let recording = NoiseRecording { period_s: 1.0 / channel.rate_hz, cut_n, rest_n };
-    let noise = &scenario.noise;
-    let cut = NoisyCut {
-        speed_rpm: args.speed.unwrap_or(scenario.program.spindle_rpm),
-        teeth: scenario.tool.teeth,
-        feed_mm_min: args.feed.unwrap_or(scenario.program.feed_mm_min),
-        band_hz: [noise.band_low_hz, noise.band_high_hz],
-        correlation_mm: noise.correlation_mm,
-    };
+    let request = args
+        .data
+        .request(scenario.clone(), edits.clone())?
+        .with_channel(&FORCE, Some(&args.force))
+        .with_value(&REST, args.rest.map(FitValue::Span))
+        .with_value(&OTHER_FEED, args.feed.map(FitValue::Number))
+        .with_value(&OTHER_SPEED, args.speed.map(FitValue::Number));
+    let (recording, cut) = recorded(&request).map_err(|fault| args.data.told(&fault))?;
     let fit = identify_noise(&recording, &cut).map_err(|problem| format!("{file}: {problem}"))?;
     let (settings, text) = noisy_scenario(&scenario, &edits, &fit, &format!("from {file}"))?;
     if let Some(path) = &args.out {

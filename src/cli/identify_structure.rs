@@ -8,6 +8,7 @@ use serde_json::json;
 
 use super::Outcome;
 use super::files::{InPath, OutPath, report};
+use super::identify_data::told;
 use crate::models::tip_modes::{TipAxis, TipModes, TipModesFile};
 use crate::study::identify::response::{MeasuredResponse, identify_structure};
 
@@ -57,10 +58,15 @@ pub fn execute(args: &IdentifyStructureArgs) -> Outcome {
                 let modes: Vec<_> = fit
                     .modes
                     .iter()
-                    .map(|mode| {
+                    .zip(&fit.estimated)
+                    .map(|(mode, [frequency, damping, mass])| {
                         json!({
                             "frequency_hz": mode.frequency_hz, "damping_ratio": mode.damping_ratio,
                             "mass_kg": mode.mass_kg, "stiffness_n_m": mode.stiffness_n_m(),
+                            "half_95": {
+                                "frequency_hz": frequency.half, "damping_ratio": damping.half,
+                                "mass_kg": mass.half,
+                            },
                         })
                     })
                     .collect();
@@ -74,14 +80,19 @@ pub fn execute(args: &IdentifyStructureArgs) -> Outcome {
         return Ok(ExitCode::SUCCESS);
     }
     for (axis, path, fit) in &fits {
-        writeln!(out, "{}, {path}: {:.2} % of it is left", axis.label(), 100.0 * fit.rest)?;
-        for mode in &fit.modes {
+        writeln!(
+            out,
+            "{}, {path}: {:.2} % of it is left; +- is half a 95 % interval",
+            axis.label(),
+            100.0 * fit.rest
+        )?;
+        for (mode, [frequency, damping, mass]) in fit.modes.iter().zip(&fit.estimated) {
             writeln!(
                 out,
-                "  {:>9.2} Hz  damping {:.5}  {:>11.5e} kg  {:.4e} N/m",
-                mode.frequency_hz,
-                mode.damping_ratio,
-                mode.mass_kg,
+                "  {:>24}  damping {}  {} kg  {:.4e} N/m",
+                told(*frequency, 2, "Hz"),
+                told(*damping, 5, ""),
+                told(*mass, 6, ""),
                 mode.stiffness_n_m()
             )?;
         }

@@ -23,7 +23,7 @@
 //! | How does a run get into a spreadsheet, and a table out of one? | [`export`], [`csv_table`] |
 //! | What does a formula make of a table? | [`formula_table`] |
 //! | Where in a run can a formula stand? | [`formula_place`] |
-//! | How does a measured channel lie over a signal of a run? | [`over_run`] |
+//! | How does a measured channel lie over a signal of a run? | [`over_run`], [`channel_unit`] |
 //!
 //! One run is `steadycut_core`: dead time, controllers and plant are there, in `blocks`.
 
@@ -37,6 +37,7 @@ pub use steadycut_core::{base, blocks, models, run};
 pub use steadycut_measured as measured;
 
 pub mod afc;
+pub mod channel_unit;
 pub mod combined;
 pub mod compare;
 pub mod csv_table;

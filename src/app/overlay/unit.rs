@@ -1,5 +1,7 @@
 //! Units that a measured channel may have where it is laid over a signal of the run, and over which one it is first.
 
+pub use crate::study::channel_unit::{place_of, units};
+
 /// Signals of the run that a channel is laid over, those that are asked for most first.
 pub const SIGNALS_OVER: [&str; 9] = [
     "force_n",
@@ -12,50 +14,6 @@ pub const SIGNALS_OVER: [&str; 9] = [
     "feed_override_percent",
     "axial_depth_mm",
 ];
-
-/// A unit of a channel.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ChannelUnit {
-    /// Its names, the first as the tables write it.
-    pub names: &'static [&'static str],
-    /// One of it in the signal's unit.
-    pub size: f64,
-}
-
-const fn unit(names: &'static [&'static str], size: f64) -> ChannelUnit {
-    ChannelUnit { names, size }
-}
-
-const FORCES: &[ChannelUnit] = &[unit(&["N"], 1.0), unit(&["kN"], 1e3)];
-const ROUGHNESSES: &[ChannelUnit] = &[unit(&["um"], 1.0), unit(&["nm"], 1e-3), unit(&["mm"], 1e3)];
-const FEEDS: &[ChannelUnit] =
-    &[unit(&["mm/min"], 1.0), unit(&["mm/s"], 60.0), unit(&["m/min"], 1e3)];
-const SPEEDS: &[ChannelUnit] =
-    &[unit(&["1/min", "rpm", "min-1", "U/min", "/min"], 1.0), unit(&["1/s", "Hz"], 60.0)];
-const DEPTHS: &[ChannelUnit] = &[unit(&["mm"], 1.0), unit(&["um"], 1e-3), unit(&["m"], 1e3)];
-const SHARES: &[ChannelUnit] = &[unit(&["%"], 1.0), unit(&["-"], 100.0)];
-
-/// The units of channels that are laid over a signal with this unit, its own first.
-#[must_use]
-pub fn units(signal_unit: &str) -> &'static [ChannelUnit] {
-    match signal_unit {
-        "N" => FORCES,
-        "um" => ROUGHNESSES,
-        "mm/min" => FEEDS,
-        "1/min" => SPEEDS,
-        "mm" => DEPTHS,
-        "%" => SHARES,
-        _ => &[],
-    }
-}
-
-/// The place of a file's unit among those of a signal; none where it is not one of them.
-#[must_use]
-pub fn place_of(file_unit: &str, signal_unit: &str) -> Option<usize> {
-    let plain = file_unit.trim().replace(['µ', 'μ'], "u");
-    let is = |unit: &ChannelUnit| unit.names.iter().any(|name| name.eq_ignore_ascii_case(&plain));
-    units(signal_unit).iter().position(is)
-}
 
 /// Beginnings of words in the names of channels, by the signal that they speak of.
 const NAMES: [(&str, &[&str]); 5] = [

@@ -3,6 +3,7 @@
 use steadycut::base::network::Activation;
 use steadycut::base::settings::{Choice, Editor, Kind};
 use steadycut::models::disturbances::Disturbance;
+use steadycut::models::tip_modes::TipAxis;
 use steadycut::run::end::EndId;
 use steadycut::run::glossary::GLOSSARY;
 use steadycut::run::presets::{self, PRESETS, PresetGroup};
@@ -12,6 +13,7 @@ use steadycut::study::compare::outcome::Measure;
 use steadycut::study::experiment::way::WayPlant;
 use steadycut::study::experiment::way::rows::ModelSource;
 use steadycut::study::formula_place::FormulaPlace;
+use steadycut::study::identify::drive::DriveStructure;
 use steadycut::study::library::LibraryKind;
 use steadycut::study::mission::{Relation, Taken, shipped};
 use steadycut::study::own_file::OwnFileKind;
@@ -98,8 +100,9 @@ pub fn texts() -> Found {
 
 /// Labels of choices of the studies that screens show.
 fn study_choices() -> Vec<&'static str> {
-    let all: [&[Choice]; 12] = [
+    let all: [&[Choice]; 14] = [
         CellVerdict::OPTIONS,
+        DriveStructure::OPTIONS,
         EngagementCode::OPTIONS,
         FormulaPlace::OPTIONS,
         MachineTableVerdict::OPTIONS,
@@ -109,6 +112,7 @@ fn study_choices() -> Vec<&'static str> {
         PlanVerdict::OPTIONS,
         Relation::OPTIONS,
         Taken::OPTIONS,
+        TipAxis::OPTIONS,
         Verdict::OPTIONS,
         WayPlant::OPTIONS,
     ];

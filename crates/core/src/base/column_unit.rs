@@ -3,13 +3,15 @@
 use super::formula::Unit;
 
 /// Endings of column names that tell a unit, the longer ones first.
-pub const ENDINGS: [(&str, &str); 20] = [
+pub const ENDINGS: [(&str, &str); 22] = [
     ("_mm3_min", "mm^3/min"),
     ("_cm3_min", "cm^3/min"),
     ("_n_mm2", "N/mm^2"),
     ("_mm_min", "mm/min"),
     ("_mm_rev", "mm"),
     ("_m_min", "m/min"),
+    ("_um_n", "um/N"),
+    ("_m_n", "m/N"),
     ("_mm_s", "mm/s"),
     ("_m_s", "m/s"),
     ("_rpm", "1/min"),

@@ -31,6 +31,13 @@ impl EstimatedValue {
     }
 }
 
+/// Share of the variation of samples about their mean that is not left: R^2.
+pub(super) fn explained(samples: &[f64], left: &[f64]) -> f64 {
+    let mean = samples.iter().sum::<f64>() / samples.len().max(1) as f64;
+    let all: f64 = samples.iter().map(|x| (x - mean) * (x - mean)).sum();
+    1.0 - dot(left, left) / all.max(f64::MIN_POSITIVE)
+}
+
 /// A fit, linearised where it was found.
 #[derive(Clone, Debug)]
 pub(super) struct LinearisedFit {

@@ -12,6 +12,7 @@
 //! effects in the analysis of simulation output, Operations Research 30, 1982).
 
 use super::EstimatedValue;
+use super::estimate::explained;
 use super::gp::constants::t_quantile;
 use crate::base::language::tr;
 use crate::base::math;
@@ -49,7 +50,7 @@ pub struct CutSamples {
 }
 
 /// What was identified.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MaterialFit {
     /// Force over that of Ck45 at 200 HB.
     pub factor: EstimatedValue,
@@ -63,6 +64,10 @@ pub struct MaterialFit {
     pub samples: usize,
     /// Share of them in which the model was used outside its range.
     pub outside: f64,
+    /// Share of the force's variation that the model explains.
+    pub r2: f64,
+    /// The number of each used sample, the force there and the model's, N.
+    pub forces: Vec<(usize, [f64; 2])>,
 }
 
 /// The model's force at every sample in Ck45 at 200 HB with a sharp tool, N, and whether it is within its range.
@@ -137,18 +142,13 @@ fn checked(samples: &CutSamples) -> Result<(), String> {
 pub fn identify_material(scenario: &Scenario, samples: &CutSamples) -> Result<MaterialFit, String> {
     checked(samples)?;
     let model = modelled(scenario, samples)?;
-    let pairs: Vec<([f64; 2], bool)> = samples
-        .force_n
-        .iter()
-        .zip(&model)
-        .zip(samples.feed_mm_min.iter().zip(&samples.speed_rpm))
-        // A tool that stands cuts nothing, whatever its model says.
-        .filter(|((_, (model_n, _)), (feed, speed))| {
-            *model_n > 0.0 && **feed > 0.0 && **speed > 0.0
-        })
-        .map(|(pair, _)| pair)
-        .map(|(force_n, (model_n, valid))| ([*force_n, *model_n], *valid))
-        .collect();
+    // A tool that stands cuts nothing, whatever its model says.
+    let cuts = |i: &usize| {
+        model[*i].0 > 0.0 && samples.feed_mm_min[*i] > 0.0 && samples.speed_rpm[*i] > 0.0
+    };
+    let used: Vec<usize> = (0..model.len()).filter(cuts).collect();
+    let pairs: Vec<([f64; 2], bool)> =
+        used.iter().map(|i| ([samples.force_n[*i], model[*i].0], model[*i].1)).collect();
     if pairs.len() < LEAST_SAMPLES {
         return Err(tr!(
             "the model has a force in {count} samples: expected are at least {least} in the cut, with feed in mm/min and speed in 1/min",
@@ -173,7 +173,10 @@ pub fn identify_material(scenario: &Scenario, samples: &CutSamples) -> Result<Ma
     let reference_hb = material.hardness_hb();
     let at_reference = material.force_factor(reference_hb);
     let hardness_hb = reference_hb * math::pow(factor / at_reference, 1.0 / HARDNESS_EXPONENT);
-    let left = pairs.iter().map(|([force, model], _)| force - factor * model);
+    let left: Vec<f64> = pairs.iter().map(|([force, model], _)| force - factor * model).collect();
+    let forces_n: Vec<f64> = pairs.iter().map(|([force, _], _)| *force).collect();
+    let fitted =
+        |(i, ([force, model], _)): (&usize, &([f64; 2], bool))| (*i, [*force, factor * model]);
     Ok(MaterialFit {
         factor: EstimatedValue { value: factor, half: Some(half) },
         hardness_hb: EstimatedValue {
@@ -181,9 +184,11 @@ pub fn identify_material(scenario: &Scenario, samples: &CutSamples) -> Result<Ma
             half: Some(hardness_hb / HARDNESS_EXPONENT * half / factor),
         },
         at_hb: scenario.plant.hardness_hb,
-        rest_n: stats::rms(left).unwrap_or(0.0),
+        rest_n: stats::rms(left.iter().copied()).unwrap_or(0.0),
         samples: pairs.len(),
         outside: pairs.iter().filter(|(_, valid)| !valid).count() as f64 / pairs.len() as f64,
+        r2: explained(&forces_n, &left),
+        forces: used.iter().zip(&pairs).map(fitted).collect(),
     })
 }
 

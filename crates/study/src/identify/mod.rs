@@ -2,10 +2,12 @@
 //! tables`) and by genetic programming (`steadycut identify genetic`), and from the mechanistic force model
 //! (`steadycut identify milling`). From recordings: a feed drive by a step ([`drive`]), the cutting force tooth by tooth
 //! ([`force`]), Taylor's constants by readings of the wear land ([`wear`]), noise and ripple ([`noise`]),
-//! the material by its force ([`material`]); modes by a frequency response ([`response`]).
+//! the material by its force ([`material`]); modes by a frequency response ([`response`]); all of them as front ends ask for
+//! them ([`fits`]).
 
 pub mod drive;
 mod estimate;
+pub mod fits;
 pub mod force;
 pub mod genetic;
 pub mod gp;

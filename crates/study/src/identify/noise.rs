@@ -14,10 +14,12 @@
 use nalgebra::{Complex, Matrix3, SMatrix, SVector, Vector3};
 
 use super::EstimatedValue;
+use super::estimate::explained;
 use crate::base::fft::synthesise;
 use crate::base::language::tr;
 use crate::base::math;
 use crate::base::settings::{SettingError, Value};
+use crate::base::stats;
 use crate::base::units::rev_s_from_rpm;
 use crate::run::edits::Edits;
 use crate::run::scenario::Scenario;
@@ -82,6 +84,12 @@ pub struct NoiseFit {
     pub spindle_percent: Option<EstimatedValue>,
     /// Samples in the cut.
     pub samples: usize,
+    /// Root mean square of what mean, drift and sines leave, N, and the share of the force's variation that they explain.
+    pub rest_n: f64,
+    /// See `rest_n`.
+    pub r2: f64,
+    /// Density of the rest over frequency: Hz, as measured, by the fit; N^2/Hz, each the mean of neighbouring lines.
+    pub spectrum: Vec<[f64; 3]>,
 }
 
 /// Mean, slope and sines of given frequencies in Hz, and the rest.
@@ -149,12 +157,17 @@ fn shapes(cut: &NoisyCut, frequency_hz: f64, period_s: f64) -> [f64; 3] {
     [1.0, band, slow]
 }
 
+/// Most places of the spectrum that is told.
+const TOLD: usize = 160;
+
 /// Variances of the three, and the inverse of their information.
 struct Variances {
     values: Vector3<f64>,
     covariance: Matrix3<f64>,
     /// Areas of the shapes, Hz.
     areas: [f64; 3],
+    /// See [`NoiseFit::spectrum`].
+    spectrum: Vec<[f64; 3]>,
 }
 
 impl Variances {
@@ -215,7 +228,15 @@ fn variances(rest: &[f64], period_s: f64, cut: &NoisyCut, without_hz: &[f64]) ->
             break;
         }
     }
-    Some(Variances { values, covariance: information.try_inverse()?, areas })
+    let told = |group: &[usize]| {
+        let mean = |of: &dyn Fn(usize) -> f64| {
+            group.iter().map(|j| of(*j)).sum::<f64>() / group.len() as f64
+        };
+        // Both signs of the frequency together.
+        [mean(&|j| j as f64 * step_hz), 2.0 * mean(&power), 2.0 * mean(&|j| shape(j).dot(&values))]
+    };
+    let spectrum = places.chunks(places.len().div_ceil(TOLD)).map(told).collect();
+    Some(Variances { values, covariance: information.try_inverse()?, areas, spectrum })
 }
 
 /// The solution of the normal equations none of whose parts is below `floor`: what would be is held there.
@@ -333,6 +354,9 @@ pub fn identify_noise(recording: &NoiseRecording, cut: &NoisyCut) -> Result<Nois
         tooth_percent: line(teeth_hz),
         spindle_percent: if cut.teeth == 1 { None } else { line(spindle_hz) },
         samples: cut_n.len(),
+        rest_n: stats::rms(found.rest.iter().copied()).unwrap_or(0.0),
+        r2: explained(cut_n, &found.rest),
+        spectrum: noise.spectrum,
     })
 }
 

@@ -88,6 +88,23 @@ pub struct TaylorFit {
     pub notes: Vec<String>,
 }
 
+/// Readings of the wear land, one after the other; all of one length.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WearReadings {
+    /// Cutting speed, m/min.
+    pub speed_m_min: Vec<f64>,
+    /// Time in the cut, min.
+    pub time_min: Vec<f64>,
+    /// Width of the wear land, mm.
+    pub land_mm: Vec<f64>,
+    /// Feed per tooth, mm, where it was read.
+    pub feed_mm: Option<Vec<f64>>,
+    /// Axial depth, mm, where it was read.
+    pub depth_mm: Option<Vec<f64>>,
+    /// Number of the tool, where several tools made the same cut.
+    pub tool: Option<Vec<f64>>,
+}
+
 /// Readings of a tool.
 struct Series {
     /// Speed, feed, depth.
@@ -108,26 +125,42 @@ fn column(cells: &CsvCells<'_>, numbers: &[Vec<f64>], name: &str) -> Result<Vec<
     })
 }
 
+impl WearReadings {
+    /// Reads a table.
+    ///
+    /// # Errors
+    /// A column is missing or has what is no number.
+    pub fn read(text: &str, columns: &WearColumns) -> Result<Self, String> {
+        let cells = CsvCells::whole(text)?;
+        let numbers = cells.numbers()?;
+        let of = |name: &str| column(&cells, &numbers, name);
+        let maybe = |name: &Option<String>| name.as_ref().map(|name| of(name)).transpose();
+        Ok(Self {
+            speed_m_min: of(&columns.speed)?,
+            time_min: of(&columns.time)?,
+            land_mm: of(&columns.land)?,
+            feed_mm: maybe(&columns.feed)?,
+            depth_mm: maybe(&columns.depth)?,
+            tool: maybe(&columns.tool)?,
+        })
+    }
+}
+
 /// The readings, tool by tool.
-fn series(text: &str, columns: &WearColumns) -> Result<Vec<Series>, String> {
-    let cells = CsvCells::whole(text)?;
-    let numbers = cells.numbers()?;
-    let of = |name: &str| column(&cells, &numbers, name);
-    let maybe = |name: &Option<String>| name.as_ref().map(|name| of(name)).transpose();
-    let (speed, time, land) = (of(&columns.speed)?, of(&columns.time)?, of(&columns.land)?);
-    let (feed, depth, tool) =
-        (maybe(&columns.feed)?, maybe(&columns.depth)?, maybe(&columns.tool)?);
+fn series(readings: &WearReadings) -> Result<Vec<Series>, String> {
+    let WearReadings { speed_m_min: speed, time_min: time, land_mm: land, .. } = readings;
+    let WearReadings { feed_mm: feed, depth_mm: depth, tool, .. } = readings;
     let at = |column: &Option<Vec<f64>>, i: usize| column.as_ref().map_or(1.0, |x| x[i]);
     let mut all: Vec<Series> = Vec::new();
     for i in 0..speed.len() {
-        let cut = [speed[i], at(&feed, i), at(&depth, i)];
+        let cut = [speed[i], at(feed, i), at(depth, i)];
         if cut.iter().any(|x| *x <= 0.0) || time[i] < 0.0 || land[i] < 0.0 {
             return Err(tr!(
                 "reading {number}: expected are a speed, feed and depth above 0, a time and a wear land of at least 0",
                 number = i + 1
             ));
         }
-        let tool = at(&tool, i);
+        let tool = at(tool, i);
         let place = all.iter().position(|series| series.cut == cut && series.tool == tool);
         let place = place.unwrap_or_else(|| {
             all.push(Series { cut, tool, readings: Vec::new() });
@@ -173,10 +206,25 @@ impl Series {
 /// A column is missing or has what is no number; too few tools came to the limit; the speed was not varied, or only
 /// together with feed or depth; the life does not fall with the speed.
 pub fn identify_wear(text: &str, columns: &WearColumns, land_mm: f64) -> Result<TaylorFit, String> {
+    checked_limit(land_mm)?;
+    identify_wear_of(&WearReadings::read(text, columns)?, land_mm)
+}
+
+/// A limit of the wear land that can be one.
+fn checked_limit(land_mm: f64) -> Result<(), String> {
     if !(land_mm > 0.0 && land_mm.is_finite()) {
         return Err(tr!("a limit of {land} mm: expected is a number above 0", land = land_mm));
     }
-    let all = series(text, columns)?;
+    Ok(())
+}
+
+/// The same of readings.
+///
+/// # Errors
+/// As [`identify_wear`].
+pub fn identify_wear_of(readings: &WearReadings, land_mm: f64) -> Result<TaylorFit, String> {
+    checked_limit(land_mm)?;
+    let all = series(readings)?;
     let mut notes = Vec::new();
     let mut lives: Vec<([f64; 3], f64)> = Vec::new();
     for series in &all {
@@ -263,7 +311,7 @@ pub fn identify_wear(text: &str, columns: &WearColumns, land_mm: f64) -> Result<
         })
     };
     let (feed, depth) =
-        (exponent_of(1, columns.feed.is_some()), exponent_of(2, columns.depth.is_some()));
+        (exponent_of(1, readings.feed_mm.is_some()), exponent_of(2, readings.depth_mm.is_some()));
     let names = [(&feed, tr("feed")), (&depth, tr("depth"))];
     for (found, name) in names {
         if found.is_none_or(|(_, exponent)| exponent.is_none()) {
@@ -278,8 +326,8 @@ pub fn identify_wear(text: &str, columns: &WearColumns, land_mm: f64) -> Result<
     let freedom = lives.len() - parameters;
     let told = lives.iter().zip(&left).map(|((cut, life_min), left)| MeasuredLife {
         speed_m_min: cut[0],
-        feed_mm: columns.feed.as_ref().map(|_| cut[1]),
-        depth_mm: columns.depth.as_ref().map(|_| cut[2]),
+        feed_mm: readings.feed_mm.as_ref().map(|_| cut[1]),
+        depth_mm: readings.depth_mm.as_ref().map(|_| cut[2]),
         life_min: *life_min,
         fitted_min: life_min * math::exp(*left),
     });

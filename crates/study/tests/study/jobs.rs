@@ -35,6 +35,9 @@ use steadycut_study::experiment::way::cuts::plan as planned_cuts;
 use steadycut_study::experiment::way::job::WayJob;
 use steadycut_study::experiment::way::pilot::Pilot;
 use steadycut_study::experiment::way::{WayPlant, WaySettings};
+use steadycut_study::identify::fits::{
+    FitRequest, MeasuredFitJob, MeasuredFitKind, likely_channels,
+};
 use steadycut_study::identify::genetic::GeneticJob;
 use steadycut_study::identify::gp::job::{GpJob, GpSettings};
 use steadycut_study::identify::gp::paper::PaperSearch;
@@ -43,6 +46,8 @@ use steadycut_study::identify::gp::watched::WatchedSearch;
 use steadycut_study::machine_life::adaptive::AdaptiveLife;
 use steadycut_study::machine_life::monte_carlo::{LifeMonteCarlo, Tools};
 use steadycut_study::machine_life::{LifeJob, model};
+use steadycut_study::measured::layout::DataLayout;
+use steadycut_study::measured::reader::read;
 use steadycut_study::mission::{Marking, MissionAnswer, shipped};
 use steadycut_study::papers::{CalibrationsJob, TableJob};
 use steadycut_study::part::blank::Blank;
@@ -187,6 +192,34 @@ fn runs_and_what_is_made_of_one() {
     let passes = scenario("experiment-2", &[("workpiece.cuts", "[[[10.0, 3.0, 2.0]]]")]);
     check("Passes", &Passes::new(&passes, 2), 37);
     check("TeachIn", &TeachIn::new(&scenario("afc", &[])), 777);
+}
+
+#[test]
+fn fits_of_measured_data() {
+    for kind in MeasuredFitKind::ALL.iter().copied() {
+        let preset = match kind {
+            MeasuredFitKind::ForceFromData => "square-12-4-42crmo4",
+            MeasuredFitKind::DriveFromData
+            | MeasuredFitKind::StructureFromData
+            | MeasuredFitKind::NoiseFromData
+            | MeasuredFitKind::WearFromData
+            | MeasuredFitKind::MaterialFromData => "table3-5-noise",
+        };
+        let cut = load(preset).unwrap();
+        let text = kind.sample(&cut, 1).unwrap();
+        let time = (!kind.about().timed).then(|| "none".to_owned());
+        let layout = DataLayout { time, ..DataLayout::default() };
+        let channels = read(text.as_bytes(), &layout).unwrap().channels;
+        let request = FitRequest {
+            file: "sample.csv".to_owned(),
+            roles: likely_channels(kind.about().roles, &channels),
+            channels,
+            values: Vec::new(),
+            scenario: cut,
+            edits: Edits::none(),
+        };
+        check(kind.id(), &MeasuredFitJob::new(kind, request), 1);
+    }
 }
 
 #[test]

@@ -93,16 +93,53 @@ impl DriveRecording {
     }
 }
 
+/// The fits of all structures, one after the other.
+#[derive(Clone, Debug)]
+pub struct DriveSearch {
+    recording: DriveRecording,
+    fits: Vec<DriveFit>,
+}
+
+impl DriveSearch {
+    /// Begins.
+    ///
+    /// # Errors
+    /// The recording is too short or too long, has samples that are no numbers, or its command never changes.
+    pub fn new(recording: DriveRecording) -> Result<Self, String> {
+        recording.check()?;
+        Ok(Self { recording, fits: Vec::new() })
+    }
+
+    /// The recording.
+    #[must_use]
+    pub fn recording(&self) -> &DriveRecording {
+        &self.recording
+    }
+
+    /// Fits the next structure; `true` while there are more.
+    pub fn step(&mut self) -> bool {
+        let next = DriveStructure::ALL.get(self.fits.len());
+        self.fits.extend(next.map(|structure| fitted(*structure, &self.recording)));
+        self.fits.len() < DriveStructure::ALL.len()
+    }
+
+    /// What was fitted; the one to take comes first.
+    #[must_use]
+    pub fn fits(&self) -> Vec<DriveFit> {
+        let mut fits = self.fits.clone();
+        fits.sort_by(|a, b| a.bic.total_cmp(&b.bic));
+        fits
+    }
+}
+
 /// Fits all structures; the one to take comes first.
 ///
 /// # Errors
-/// The recording is too short or too long, has samples that are no numbers, or its command never changes.
+/// As [`DriveSearch::new`].
 pub fn identify_drive(recording: &DriveRecording) -> Result<Vec<DriveFit>, String> {
-    recording.check()?;
-    let mut fits: Vec<DriveFit> =
-        DriveStructure::ALL.iter().map(|structure| fitted(*structure, recording)).collect();
-    fits.sort_by(|a, b| a.bic.total_cmp(&b.bic));
-    Ok(fits)
+    let mut search = DriveSearch::new(recording.clone())?;
+    while search.step() {}
+    Ok(search.fits())
 }
 
 #[cfg(test)]

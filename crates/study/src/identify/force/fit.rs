@@ -182,22 +182,56 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// Fits the model.
-pub(super) fn fitted(folded: &Folded, cut: &RecordedCut) -> Result<ForceFit, String> {
-    let starts = starts(folded, cut);
-    let least = starts.iter().map(|start| start.left).fold(f64::INFINITY, f64::min);
-    let near = starts.into_iter().filter(|start| start.left <= NEARLY * least);
-    let solved = near.map(|start| {
-        let problem = Problem::new(folded, cut, start).without_unseen();
-        let (x, left) = problem.solved();
-        (problem, x, left)
-    });
-    let best = solved.min_by(|a, b| a.2.total_cmp(&b.2));
-    let (problem, x, left) = best.ok_or_else(|| tr("no place to begin the fit").to_owned())?;
-    if !left.is_finite() {
-        return Err(tr("the model gives no forces in this cut").to_owned());
+/// The fits from one start after the other.
+#[derive(Clone, Debug)]
+pub(super) struct Fitting {
+    folded: Folded,
+    cut: RecordedCut,
+    starts: Vec<Start>,
+    next: usize,
+    /// The best one so far: its start, its parameters, what they leave.
+    best: Option<(usize, Vec<f64>, f64)>,
+}
+
+impl Fitting {
+    pub fn new(folded: Folded, cut: RecordedCut) -> Self {
+        let mut starts = starts(&folded, &cut);
+        let least = starts.iter().map(|start| start.left).fold(f64::INFINITY, f64::min);
+        starts.retain(|start| start.left <= NEARLY * least);
+        Self { folded, cut, starts, next: 0, best: None }
     }
-    Ok(told(&problem, &x, left))
+
+    pub fn starts(&self) -> usize {
+        self.starts.len()
+    }
+
+    fn problem(&self, start: usize) -> Problem<'_> {
+        Problem::new(&self.folded, &self.cut, self.starts[start]).without_unseen()
+    }
+
+    /// Fits from the next start; `true` while there are more.
+    pub fn step(&mut self) -> bool {
+        if self.next < self.starts.len() {
+            let (x, left) = self.problem(self.next).solved();
+            let better = |(_, _, least): &(usize, Vec<f64>, f64)| left.total_cmp(least).is_lt();
+            if self.best.as_ref().is_none_or(better) {
+                self.best = Some((self.next, x, left));
+            }
+            self.next += 1;
+        }
+        self.next < self.starts.len()
+    }
+
+    /// The best fit.
+    pub fn found(&self) -> Result<ForceFit, String> {
+        let Some((start, x, left)) = &self.best else {
+            return Err(tr("no place to begin the fit").to_owned());
+        };
+        if !left.is_finite() {
+            return Err(tr("the model gives no forces in this cut").to_owned());
+        }
+        Ok(told(&self.problem(*start), x, *left))
+    }
 }
 
 /// What was found, with its intervals.

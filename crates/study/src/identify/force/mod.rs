@@ -21,6 +21,7 @@ mod fold;
 mod settings;
 mod start;
 
+use fit::Fitting;
 pub use settings::identified_scenario;
 
 use super::EstimatedValue;
@@ -280,24 +281,61 @@ impl ForceRecording {
     }
 }
 
+/// The fit of the model to a recording, from one place to begin after the other.
+#[derive(Clone, Debug)]
+pub struct ForceSearch {
+    fitting: Fitting,
+}
+
+impl ForceSearch {
+    /// Lays the recording over one turn and looks for places to begin.
+    ///
+    /// # Errors
+    /// The recording is too short or too long, has samples that are no numbers, or does not repeat from turn to turn; nothing
+    /// is cut.
+    pub fn new(recording: &ForceRecording, cut: &RecordedCut) -> Result<Self, String> {
+        cut.check()?;
+        recording.check(cut.speed_rpm)?;
+        let folded = fold::folded(recording, cut)?;
+        let cut = RecordedCut { speed_rpm: folded.speed_rpm, ..cut.clone() };
+        Ok(Self { fitting: Fitting::new(folded, cut) })
+    }
+
+    /// How many places to begin there are.
+    #[must_use]
+    pub fn starts(&self) -> usize {
+        self.fitting.starts()
+    }
+
+    /// Fits from the next place; `true` while there are more.
+    pub fn step(&mut self) -> bool {
+        self.fitting.step()
+    }
+
+    /// The best fit of all.
+    ///
+    /// # Errors
+    /// The model does not explain the forces at all.
+    pub fn found(&self) -> Result<ForceFit, String> {
+        let found = self.fitting.found()?;
+        if found.r2 < LEAST_R2 {
+            return Err(tr!(
+                "the model explains {share:.0} % of the forces: expected are forces on the tool in N, along (Fx) and across (Fy) the feed or along the axis (Fz), of the cut that is given",
+                share = 100.0 * found.r2.max(0.0)
+            ));
+        }
+        Ok(found)
+    }
+}
+
 /// Fits the model to a recording.
 ///
 /// # Errors
-/// The recording is too short or too long, has samples that are no numbers, or does not repeat from turn to turn; nothing is
-/// cut; the model does not explain the forces at all.
+/// As [`ForceSearch::new`] and [`ForceSearch::found`].
 pub fn identify_force(recording: &ForceRecording, cut: &RecordedCut) -> Result<ForceFit, String> {
-    cut.check()?;
-    recording.check(cut.speed_rpm)?;
-    let folded = fold::folded(recording, cut)?;
-    let cut = RecordedCut { speed_rpm: folded.speed_rpm, ..cut.clone() };
-    let found = fit::fitted(&folded, &cut)?;
-    if found.r2 < LEAST_R2 {
-        return Err(tr!(
-            "the model explains {share:.0} % of the forces: expected are forces on the tool in N, along (Fx) and across (Fy) the feed or along the axis (Fz), of the cut that is given",
-            share = 100.0 * found.r2.max(0.0)
-        ));
-    }
-    Ok(found)
+    let mut search = ForceSearch::new(recording, cut)?;
+    while search.step() {}
+    search.found()
 }
 
 #[cfg(test)]

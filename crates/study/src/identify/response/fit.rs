@@ -4,6 +4,7 @@ use super::{MeasuredResponse, ResponseFit};
 use crate::base::cholesky;
 use crate::base::language::tr;
 use crate::base::math::{self, TAU};
+use crate::identify::estimate::LinearisedFit;
 use crate::models::structure::Complex;
 use crate::models::tip_modes::{TipAxis, TipMode, TipModes};
 
@@ -170,9 +171,16 @@ pub fn identify_structure(
     let size = of.response_m_n.iter().map(|g| g.norm_sqr().sqrt()).fold(0.0, f64::max);
     let around = Around { of, start: &start, size };
     let x = fitted(&around);
-    let mut modes = around.modes(&x);
-    modes.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let modes = modes.into_iter().map(|[frequency_hz, damping_ratio, a]| TipMode {
+    let modes = around.modes(&x);
+    let mut order: Vec<usize> = (0..modes.len()).collect();
+    order.sort_by(|a, b| modes[*a][0].total_cmp(&modes[*b][0]));
+    let linear = LinearisedFit::new(&x, &vec![DIFFERENCE; x.len()], &|x| around.differences(x));
+    let estimated = order.iter().map(|r| {
+        let of = |i: usize| linear.estimated(&|x| around.modes(x)[*r][i]);
+        [of(0), of(1), linear.estimated(&|x| 1.0 / around.modes(x)[*r][2])]
+    });
+    let estimated = estimated.collect();
+    let modes = order.iter().map(|r| modes[*r]).map(|[frequency_hz, damping_ratio, a]| TipMode {
         axis,
         frequency_hz,
         damping_ratio,
@@ -181,5 +189,5 @@ pub fn identify_structure(
     let modes = TipModes::new(modes.collect())?.all().to_vec();
     let all: f64 = of.response_m_n.iter().map(|g| g.norm_sqr()).sum();
     let rest = (squares(&around.differences(&x)) * size * size / all).sqrt();
-    Ok(ResponseFit { modes, residual_m_n: around.residual(&x), rest })
+    Ok(ResponseFit { modes, residual_m_n: around.residual(&x), rest, estimated })
 }

@@ -11,7 +11,7 @@ fn mode(frequency_hz: f64, damping_ratio: f64, mass_kg: f64) -> TipMode {
 /// Three modes, the last two near each other, and a stiffer one beyond.
 fn truth() -> ResponseFit {
     let modes = vec![mode(410.0, 0.035, 1.4), mode(905.0, 0.014, 0.11), mode(985.0, 0.012, 0.16)];
-    ResponseFit { modes, residual_m_n: 4e-9, rest: 0.0 }
+    ResponseFit { modes, residual_m_n: 4e-9, rest: 0.0, estimated: Vec::new() }
 }
 
 fn recorded(noise: f64) -> MeasuredResponse {
