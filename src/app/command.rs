@@ -264,6 +264,8 @@ pub enum FileCommand {
     OpenMeasured,
     /// Remembers what was said of the layout of measured data, or forgets it where nothing is.
     RememberLayout(Box<MeasuredFile>),
+    /// Asks for measured data that settings are fitted to.
+    OpenFit,
     /// Asks for a saved search for a formula, and goes on with it.
     OpenSearch,
     /// Hands a file to the screen that it is for, and shows that.

@@ -175,6 +175,7 @@ impl Console {
             FileCommand::OpenPart => self.files.open_part(ctx),
             FileCommand::OpenMeasured => self.files.open_measured(ctx),
             FileCommand::RememberLayout(file) => self.remember_layout(ctx, &file),
+            FileCommand::OpenFit => self.files.open_fit(ctx),
             FileCommand::OpenSearch => self.files.open_search(ctx),
             FileCommand::Bring(file) => {
                 self.show_screen(file.screen());

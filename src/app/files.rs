@@ -12,7 +12,7 @@ use super::overlay::file::MeasuredFile;
 #[cfg(not(target_arch = "wasm32"))]
 use super::overlay::layouts::beside;
 use super::overlay::layouts::{KnownLayouts, as_remembered};
-use super::panels::BroughtFile;
+use super::panels::{BroughtFile, DropTarget};
 use crate::base::language::{self, Catalogue, tr};
 use crate::base::text::decode;
 use crate::measured::layout::DataLayout;
@@ -166,6 +166,12 @@ impl Files {
         self.ask(ctx, tr("Measured data"), &endings, measured);
     }
 
+    /// Asks for measured data that settings are fitted to.
+    pub fn open_fit(&self, ctx: &egui::Context) {
+        let endings: Vec<&str> = TABLES.into_iter().chain(TEXTS).chain(MEASURED).collect();
+        self.ask(ctx, tr("Measured data"), &endings, to_fit);
+    }
+
     /// Asks for a saved search for a formula.
     pub fn open_search(&self, ctx: &egui::Context) {
         self.ask(ctx, tr("Saved search"), &[JSON], search);
@@ -227,8 +233,8 @@ impl Files {
         });
     }
 
-    /// Reads the files that were dropped onto the window while the screen with the id `shown` was.
-    pub fn take_dropped(&self, ctx: &egui::Context, shown: &'static str) {
+    /// Reads the files that were dropped onto the window; what tables among them are for, the shown screen says.
+    pub fn take_dropped(&self, ctx: &egui::Context, target: DropTarget) {
         for file in ctx.input(|input| input.raw.dropped_files.clone()) {
             let answer = self.answer(ctx);
             let name = file.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -241,7 +247,7 @@ impl Files {
                 answer.speak();
                 match bytes {
                     Ok(bytes) => {
-                        let of = |name| dropped(name, &bytes, shown);
+                        let of = |name| dropped(name, &bytes, target);
                         answer.send_read((&name, path), &bytes, of);
                     }
                     Err(error) => answer.send(Command::notify(unread(&name, &error.to_string()))),
@@ -257,7 +263,7 @@ impl Files {
             answer.speak();
             match shelf.read(&name) {
                 Ok(bytes) => {
-                    let command = dropped(last_of(&name), &bytes, PLOTS);
+                    let command = dropped(last_of(&name), &bytes, DropTarget::Plots);
                     let command = remembering(command, shelf.path(&name), &answer.layouts);
                     answer.send(command);
                 }
@@ -429,11 +435,6 @@ impl Files {
 /// Extension of files of networks and of saved searches.
 const JSON: &str = "json";
 
-/// Id of the screen that every table is for which is dropped onto it.
-const IDENTIFY: &str = "identify";
-
-/// Id of the screen with the plots.
-const PLOTS: &str = "console";
 
 /// The last part of a name that is parted by `/`.
 fn last_of(name: &str) -> String {
@@ -446,6 +447,10 @@ fn remembering(command: Command, path: Option<PathBuf>, known: &KnownLayouts) ->
         Command::File(FileCommand::Bring(BroughtFile::Measured(file))) => {
             let file = as_remembered(*file, path, known);
             Command::File(FileCommand::Bring(BroughtFile::Measured(Box::new(file))))
+        }
+        Command::File(FileCommand::Bring(BroughtFile::ToFit(file))) => {
+            let file = as_remembered(*file, path, known);
+            Command::File(FileCommand::Bring(BroughtFile::ToFit(Box::new(file))))
         }
         other => other,
     }
@@ -462,17 +467,34 @@ fn measured(name: String, bytes: &[u8]) -> Command {
     Command::File(FileCommand::Bring(BroughtFile::Measured(Box::new(file))))
 }
 
+/// The command for measured data that settings are fitted to.
+fn to_fit(name: String, bytes: &[u8]) -> Command {
+    let file = MeasuredFile::read(name, bytes.into(), DataLayout::default());
+    Command::File(FileCommand::Bring(BroughtFile::ToFit(Box::new(file))))
+}
+
 /// The command for a file that was dropped while a screen was shown: a table with times lies over the plots, unless it is
-/// dropped where formulas are searched for.
+/// dropped where formulas are searched for or settings are fitted.
 #[must_use]
-pub fn dropped(name: String, bytes: &[u8], shown: &str) -> Command {
-    let is_table = ends_with_one_of(&name, &TABLES) && shown != IDENTIFY;
+pub fn dropped(name: String, bytes: &[u8], target: DropTarget) -> Command {
+    let of_spreadsheet = ends_with_one_of(&name, &TABLES);
+    match target {
+        DropTarget::Fits
+            if of_spreadsheet
+                || ends_with_one_of(&name, &MEASURED)
+                || ends_with_one_of(&name, &TEXTS) && !is_toml(bytes) =>
+        {
+            return to_fit(name, bytes);
+        }
+        DropTarget::Fits | DropTarget::Plots | DropTarget::Formulas => {}
+    }
+    let is_table = of_spreadsheet && target != DropTarget::Formulas;
     let is_text = ends_with_one_of(&name, &TEXTS);
     let decoded = decode(bytes).ok();
     let is_other = decoded.as_deref().is_some_and(|text| match is_table {
         true => PartPath::is_meant_by(text),
         // What is read as a scenario has its own faults to tell.
-        false => text.parse::<toml::Table>().is_ok(),
+        false => is_toml(bytes),
     });
     if (is_table || is_text) && !is_other {
         let file = MeasuredFile::read(name.clone(), bytes.into(), DataLayout::default());
@@ -481,6 +503,11 @@ pub fn dropped(name: String, bytes: &[u8], shown: &str) -> Command {
         }
     }
     loaded(name, bytes)
+}
+
+/// Whether a text can be read as a scenario or another file of the program.
+fn is_toml(bytes: &[u8]) -> bool {
+    decode(bytes).is_ok_and(|text| text.parse::<toml::Table>().is_ok())
 }
 
 /// The command for a file that was read.
@@ -682,17 +709,22 @@ mod tests {
         let Command::Session(SessionCommand::Notify(said)) = said else { panic!("{said:?}") };
         assert!(said.starts_with("x.csv: line 2, column `a_p`"), "{said}");
         let bytes = b"t,Fx\n0.0,1\n0.1,2\n0.2,3\n";
-        for (shown, brought) in
-            [("console", "Measured"), ("plan", "Measured"), ("identify", "Table")]
-        {
-            let said = format!("{:?}", dropped("x.csv".to_owned(), bytes, shown));
+        for (target, brought) in [
+            (DropTarget::Plots, "Measured"),
+            (DropTarget::Formulas, "Table"),
+            (DropTarget::Fits, "ToFit"),
+        ] {
+            let said = format!("{:?}", dropped("x.csv".to_owned(), bytes, target));
             assert!(said.contains(&format!("Bring({brought}")), "{said}");
         }
-        let said = format!("{:?}", dropped("x.csv".to_owned(), b"a,b\n1,2\n", "console"));
+        let said = format!("{:?}", dropped("x.csv".to_owned(), b"a,b\n1,2\n", DropTarget::Plots));
         assert!(said.contains("Bring(Table"), "without times it is a table: {said}");
-        let said = format!("{:?}", dropped("x.txt".to_owned(), b"t Fx\n0.0 1\n0.1 2\n", "plan"));
+        let said = format!(
+            "{:?}",
+            dropped("x.txt".to_owned(), b"t Fx\n0.0 1\n0.1 2\n", DropTarget::Plots)
+        );
         assert!(said.contains("Bring(Measured"), "{said}");
-        let said = format!("{:?}", dropped("x.txt".to_owned(), b"version = 1\n", "console"));
+        let said = format!("{:?}", dropped("x.txt".to_owned(), b"version = 1\n", DropTarget::Fits));
         assert!(said.contains("LoadText"), "{said}");
         let said = format!("{:?}", loaded("x.TDMS".to_owned(), b"TDSm"));
         assert!(said.contains("Bring(Measured"), "{said}");

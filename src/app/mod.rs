@@ -269,7 +269,7 @@ impl Console {
         }
         let dt_s = scaffold::frame_s(&ctx);
         let mut commands: Vec<Command> = self.files.answers().collect();
-        self.files.take_dropped(&ctx, self.panels[self.shown].id());
+        self.files.take_dropped(&ctx, self.panels[self.shown].drop_target());
         let ids: Vec<&'static str> = match self.frame.hides(FramePart::Screens) {
             true => Vec::new(),
             false => self.panels.iter().map(|panel| panel.id()).collect(),

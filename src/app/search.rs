@@ -14,6 +14,7 @@ use super::command::{
 };
 use super::panels::View;
 use super::panels::console::{CUT_BY_HAND, group_title};
+use super::panels::identify::{FITS, IDENTIFY};
 use super::shortcuts;
 use super::theme::Palette;
 use super::widgets::setting::{Reason, Size, not_used, setting};
@@ -103,6 +104,10 @@ fn without_key() -> Vec<(&'static str, Command)> {
             text!("My files: cutters, materials, machines, parts and more of one's own"),
             Command::Library(LibraryCommand::Show { open: true, kind: None }),
         ),
+            text!("Fit settings to measured data"),
+            Command::Shell(ShellCommand::ShowPart(IDENTIFY, FITS)),
+        ),
+        (text!("Open measured data to fit settings to"), file(FileCommand::OpenFit)),
         (text!("Go on with a saved search for a formula"), file(FileCommand::OpenSearch)),
         (text!("Open networks of UNKS"), file(FileCommand::OpenNetworks)),
         (text!("Save the networks of UNKS"), file(FileCommand::SaveNetworks)),
@@ -121,6 +126,11 @@ fn without_key() -> Vec<(&'static str, Command)> {
         ("Deutsch", Command::Shell(ShellCommand::Speak(Language::German))),
     ]
 }
+
+/// What fits are looked for by.
+const FIT_WORDS: &str = text!(
+    "identify own recording measurements drive dead time lag step force coefficients kienzle run-out structure modes impact frequency response noise ripple wear taylor material hardness"
+);
 
 /// What else a command is looked for by: words of those who do not know its name yet.
 fn words(command: &Command) -> &'static str {
@@ -147,6 +157,7 @@ fn words(command: &Command) -> &'static str {
                     "own data measurements csv matlab mat tdms labview parquet hdf5 dynamometer channel overlay compare import"
                 )
             }
+            FileCommand::OpenFit => FIT_WORDS,
             FileCommand::OpenSearch => text!("identify resume json"),
             FileCommand::OpenNetworks | FileCommand::SaveNetworks => {
                 text!("neural learning weights json")
@@ -160,6 +171,7 @@ fn words(command: &Command) -> &'static str {
             | FileCommand::RememberLayout(_)
             | FileCommand::OpenFormula(_) => "",
         },
+        Command::Shell(ShellCommand::ShowPart(..)) => FIT_WORDS,
         Command::Shell(ShellCommand::ShowShortcuts(_)) => {
             text!("help about introduction keyboard shortcuts hotkeys touch swipe pinch finger")
         }

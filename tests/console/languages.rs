@@ -73,7 +73,16 @@ const SAME: [&str; 46] = [
 ];
 
 /// What people have written themselves in the views: names of columns, and what they look for.
-const OWN: [&str; 3] = ["final", "sim", "nothing has these"];
+const OWN: [&str; 8] = [
+    "final",
+    "sim",
+    "nothing has these",
+    "speed [m/min]",
+    "time [min]",
+    "frequency [Hz]",
+    "real [m/N]",
+    "imaginary [m/N]",
+];
 /// What was said once and stays as it was said: messages, the score of a cut that is over, figures kept with a chart.
 const SAID: [&str; 5] =
     ["The scenario file was not read", "not opened: bad.csv", "You held", "You have the feed", "•"];

@@ -8,6 +8,7 @@ mod disturb;
 mod drawn;
 mod finding;
 mod fingers;
+mod fitting;
 mod formulas;
 mod identify;
 mod jobs;

@@ -166,6 +166,18 @@ fn screens(size: Vec2, pixels: Option<f32>, look: Look<'_>) {
     let bad = FileCommand::Bring(BroughtFile::Table { name: bad.0, text: bad.1 });
     screen.state().as_ref().unwrap().push(Command::File(bad));
     whole(&mut screen, "Identify, changed, a bad table", look);
+    click(&mut screen, "Fit settings");
+    whole(&mut screen, "Identify, fits", look);
+    for kind in ["Drive", "Forces", "Structure", "Noise", "Wear", "Material"] {
+        click(&mut screen, &format!("Fitted: {kind}"));
+        click(&mut screen, "Try with sample data");
+        screen::rest(&mut screen);
+        screen.run_steps(3);
+        if kind != "Forces" {
+            click(&mut screen, "Fit");
+        }
+        whole(&mut screen, &format!("Identify, fits, {kind}"), look);
+    }
 
     let mut screen = window("depth-step", size, pixels);
     press(&mut screen, Modifiers::NONE, Key::M);

@@ -364,6 +364,35 @@ the-recording-has-count-samples-allowed-are = die Aufzeichnung hat { $count } We
 the-recording-has-samples-that-are-no-number = die Aufzeichnung hat Werte, die keine Zahlen sind
 the-command-never-changes-record-a-step = der Sollwert ändert sich nie: einen Sprung aufzeichnen
 
+## crates/study/src/identify/fits/data.rs
+
+
+## crates/study/src/identify/fits/drive.rs
+
+
+## crates/study/src/identify/fits/force.rs
+
+
+## crates/study/src/identify/fits/material.rs
+
+plant-force-model-is-id-tooth-by-tooth-expec = `plant.force_model` ist { $id }, Zahn für Zahn: erwartet wird ein Szenario, dessen Kraft ein Kennfeld ist; die Zähne passt `steadycut identify force` an
+
+## crates/study/src/identify/fits/noise.rs
+
+
+## crates/study/src/identify/fits/outcome.rs
+
+
+## crates/study/src/identify/fits/request.rs
+
+
+## crates/study/src/identify/fits/structure.rs
+
+
+## crates/study/src/identify/fits/wear.rs
+
+wear-land-at-the-end = Verschleißmarke am Ende
+
 ## crates/study/src/identify/force/fit.rs
 
 the-run-out = Rundlauffehler
@@ -480,7 +509,6 @@ a-part-of-the-template-has-no-finite-value-o = ein Teil der Vorlage hat in einer
 
 ## crates/study/src/identify/material.rs
 
-plant-force-model-is-id-tooth-by-tooth-expec = `plant.force_model` ist { $id }, Zahn für Zahn: erwartet wird ein Szenario, dessen Kraft ein Kennfeld ist; die Zähne passt `steadycut identify force` an
 the-recording-has-count-samples-of-the-force = die Aufzeichnung hat { $count } Werte der Kraft: erwartet werden mindestens { $least } und ebenso viele von Vorschub, Drehzahl und Position
 force = Kraft
 position-2 = Position
@@ -1079,3 +1107,168 @@ does-not-hold = trifft nicht zu
 no-run-yet = noch kein Lauf
 k4-of-the-papers = K4 der Artikel
 tooth-by-tooth-2 = Zahn für Zahn
+one-and-other-have-different-times = `{ $one }` und `{ $other }` haben verschiedene Zeiten
+the-samples-of-name-are-not-even-in-time-or = die Werte von `{ $name }` liegen nicht in gleichen Abständen, oder ihre Zeiten sind nicht bekannt: --layout rate_hz= angeben
+missing-samples-of-name-are-missing-or-no-nu = { $missing } Werte von `{ $name }` fehlen oder sind keine Zahlen; erwartet werden vollständige Aufzeichnungen
+feed-measured = Vorschub, gemessen
+the-channel-with-the-feed-that-was-measured = Der Kanal mit dem gemessenen Vorschub.
+a-feed = ein Vorschub
+feed-asked-for = Vorschub, verlangt
+the-channel-with-the-feed-that-was-asked-for = Der Kanal mit dem verlangten Vorschub. Was in einer Zeile steht, gilt von der vorigen an, wie in den Zeilen eines Laufs.
+a-feed-that-was-asked-for-or-the-step-that-w = ein verlangter Vorschub oder der verlangte Sprung
+step-at = Sprung bei
+step-from = Sprung von
+step-to = Sprung auf
+the-step-that-was-asked-for-where-it-was-not = Der verlangte Sprung, wo er nicht aufgezeichnet ist: wann, von welchem und auf welchen Vorschub.
+drive = Antrieb
+dead-time-order-and-lag-of-the-feed-drive-fo = Totzeit, Ordnung und Verzögerung des Vorschubantriebs; vier Strukturen, verglichen nach den Kriterien von Schwarz und Akaike.
+a-recording-of-a-step-of-the-feed-the-feed-t = Die Aufzeichnung eines Vorschubsprungs: der gemessene und der verlangte Vorschub in gleichen Zeitabständen, von vor dem Sprung, bis der Vorschub steht.
+lag = Verzögerung
+gain = Verstärkung
+left-rms = Residuum, RMS
+structures-compared-the-one-of-least-bic-is = Verglichene Strukturen; genommen wird die mit dem kleinsten BIC
+structure-2 = Struktur
+dead-time-s = Totzeit [s]
+lag-s = Verzögerung [s]
+this-recording-does-not-tell-one-from-other = diese Aufzeichnung unterscheidet nicht zwischen: { $one } und { $other }; ihre BIC liegen { $by } auseinander
+samples-samples-period-s-apart-structure = { $samples } Werte im Abstand von { $period } s; { $structure }
+a-force = eine Kraft
+force-along-the-feed = Kraft in Vorschubrichtung
+the-channel-with-the-force-on-the-tool-along = Der Kanal mit der Kraft auf das Werkzeug in Vorschubrichtung, in N oder kN.
+force-across-the-feed = Kraft quer zum Vorschub
+the-channel-with-the-force-on-the-tool-acros = Der Kanal mit der Kraft auf das Werkzeug quer zum Vorschub, dorthin, wo die Zähne eintreten.
+force-along-the-axis = Kraft längs der Achse
+the-channel-with-the-force-on-the-tool-along-2 = Der Kanal mit der Kraft auf das Werkzeug längs seiner Achse, von der Spitze weg.
+size-across-the-tool = Betrag quer zum Werkzeug
+the-channel-with-the-size-of-the-force-acros = Der Kanal mit dem Betrag der Kraft quer zum Werkzeug, sqrt(Fx^2 + Fy^2), wo ihre Komponenten nicht aufgezeichnet sind.
+forces-on-the-workpiece = Kräfte auf das Werkstück
+the-forces-are-those-on-the-workpiece-as-of = Die Kräfte sind die auf das Werkstück, wie von einem Dynamometer darunter: Ihre Vorzeichen werden umgekehrt.
+another-cutter-than-the-scenario-s = Ein anderer Fräser als der des Szenarios.
+the-scenario-s = der des Szenarios
+another-feed-than-the-scenario-s-mm-min = Ein anderer Vorschub als der des Szenarios, mm/min.
+another-spindle-speed-than-the-scenario-s-1 = Eine andere Spindeldrehzahl als die des Szenarios, 1/min.
+another-axial-depth-than-the-scenario-s-mm = Eine andere axiale Schnitttiefe als die des Szenarios, mm.
+another-radial-depth-than-the-scenario-s-mm = Eine andere Schnittbreite als die des Szenarios, mm; eine Nut hat die des ganzen Fräsers.
+keep-exponents-of-kienzle-s-laws-as-the-stee = Exponenten der Kienzle-Gesetze so lassen, wie der Stahl sie hat, wo der Schnitt sie nicht verrät.
+keep-m-c-of-the-steel = m_c des Stahls behalten
+keep-m-r-of-the-steel = m_r des Stahls behalten
+keep-m-a-of-the-steel = m_a des Stahls behalten
+scenario-workpiece-cuts-has-several-sections = { $scenario }: `workpiece.cuts` hat mehrere Abschnitte: --axial-depth und --radial-depth des aufgezeichneten angeben
+forces = Kräfte
+coefficients-of-the-force-model-tooth-by-too = Koeffizienten des Kraftmodells Zahn für Zahn (Kienzle-Gesetze), der Rundlauffehler jedes Zahns und der Winkel der Spindel.
+forces-along-and-across-the-feed-or-along-th = Kräfte in Vorschubrichtung und quer dazu oder längs der Achse in einem gleichmäßigen Schnitt über mindestens eine Spindelumdrehung, etwa 60 Werte je Umdrehung und mehr; das Szenario wird Zahn für Zahn simuliert und hat Fräser und Schnitt.
+choose-at-least-one-force = mindestens eine Kraft wählen
+the-size-across-the-tool-is-for-recordings-w = der Betrag quer zum Werkzeug ist für Aufzeichnungen ohne Fx und Fy
+k-letter-at-at-mm = k_{ $letter } bei { $at } mm
+tooth-number-out-of-the-mean = Zahn { $number }, Abstand vom Mittel
+shift-of-the-axis = Verschiebung der Achse
+first-angle = erster Winkel
+angle-of-the-spindle = Winkel der Spindel
+condition = Kondition
+samples-samples-turns-turns-at-speed-1-min-l = { $samples } Werte, { $turns } Umdrehungen bei { $speed } 1/min, auf { $places } Stellen einer Umdrehung gelegt; Gesetze k h^-m dieses Schnitts, h in mm
+force-largest-of-a-turn = Kraft, größte einer Umdrehung
+the-channel-with-the-largest-force-of-a-revo = Der Kanal mit der größten Kraft einer Umdrehung, in N oder kN (`steadycut measured --peak` macht sie aus Komponenten).
+the-channel-with-the-feed-mm-min-without-it = Der Kanal mit dem Vorschub, mm/min; ohne ihn gilt das Programm des Szenarios.
+the-channel-with-the-spindle-speed-1-min-wit = Der Kanal mit der Spindeldrehzahl, 1/min; ohne ihn gilt das Programm des Szenarios.
+a-spindle-speed = eine Spindeldrehzahl
+position-along-the-path = Ort längs des Wegs
+the-channel-with-the-position-along-the-path = Der Kanal mit dem Ort längs des Wegs, mm, wo das Teil mehrere Tiefen hat.
+a-position = ein Ort
+the-factor-of-the-material-s-force-over-that = Der Faktor der Kraft des Werkstoffs gegenüber Ck45 bei 200 HB, und die Härte, bei der der Werkstoff des Szenarios ihn hätte.
+the-largest-force-of-each-revolution-in-a-cu = Die größte Kraft jeder Umdrehung in einem Schnitt, in gleichen Zeitabständen, 40 Werte und mehr; daneben Vorschub, Drehzahl und Ort, wo sie sich ändern; das Szenario hat Fräser, Teil und ein Kraftmodell, das ein Kennfeld ist, nicht Zahn für Zahn (das passt „Kräfte“ an).
+hardness-of-material = Härte: { $material }
+force-over-that-of-ck45-at-200-hb = Kraft gegenüber Ck45 bei 200 HB
+the-model-was-used-outside-its-range-in-perc = das Modell wurde bei { $percent } % der Werte außerhalb seines Bereichs benutzt
+one-factor-holds-wear-material-and-hardness = ein Faktor fasst Verschleiß, Werkstoff und Härte zusammen: Kräfte allein unterscheiden sie nicht
+samples-samples-in-the-cut = { $samples } Werte im Schnitt
+the-channel-with-the-force-in-n-or-kn = Der Kanal mit der Kraft, in N oder kN.
+times-in-s-between-which-the-tool-was-in-the = Zeiten in s, zwischen denen das Werkzeug in der Luft war: Dort zeigt sich das Rauschen des Sensors.
+sizes-of-the-sensor-s-noise-of-band-limited = Größen des Sensorrauschens, des bandbegrenzten Rauschens, der Inhomogenität des Werkstoffs und der Welligkeit beim Zahndurchgang.
+the-force-of-a-steady-cut-even-in-time-256-s = Die Kraft eines gleichmäßigen Schnitts in gleichen Zeitabständen, 256 Werte und mehr, besser einige Sekunden bei 1 kHz; das Szenario hat Drehzahl, Zähne und Vorschub des Schnitts.
+white-noise = weißes Rauschen
+white-noise-in-the-air = weißes Rauschen in der Luft
+band-limited-noise-of-the-force = bandbegrenztes Rauschen, von der Kraft
+inhomogeneity-of-the-force = Inhomogenität, von der Kraft
+ripple-at-tooth-passing-of-the-force = Welligkeit beim Zahndurchgang, von der Kraft
+ripple-at-the-spindle-s-turns-of-the-force = Welligkeit mit der Spindelumdrehung, von der Kraft
+name-not-seen-the-samples-are-too-far-apart = { $name }: nicht zu sehen, die Werte liegen dafür zu weit auseinander
+the-shapes-of-the-noise-are-those-of-the-sce = die Formen des Rauschens sind die des Szenarios: das Band von { $low } bis { $high } Hz, die Korrelation über { $length } mm
+noise-in-all-rms = alles Rauschen, RMS
+r-of-mean-drift-and-ripple = R² von Mittel, Drift und Welligkeit
+drift = Drift
+density-of-the-noise = Dichte des Rauschens
+frequency = Frequenz
+samples-samples-about-mean-n-period-s-apart = { $samples } Werte um { $mean } N im Abstand von { $period } s
+value-not-determined = { $value }, nicht bestimmt
+left-over-rms = Residuum, RMS
+nothing-is-fitted-yet = es ist noch nichts angepasst
+within-2 = Zwischen
+takes-the-samples-between-two-times-in-s-alo = Nimmt nur die Werte zwischen zwei Zeiten in s.
+value-unit-cannot-be-allowed-is-a-number-fro = { $value } { $unit } geht nicht: erlaubt ist eine Zahl von { $low } bis { $high }
+from-from-s-to-to-s-is-no-span-of-time-the-s = von { $from } s bis { $to } s ist keine Zeitspanne: Die zweite Zeit muss hinter der ersten liegen
+there-is-no-channel-name-there-are-names = einen Kanal `{ $name }` gibt es nicht; es gibt { $names }
+name-is-in-unit-expected-is-what-in-units = `{ $name }` ist in { $unit }; erwartet wird { $what } in { $units }
+first-or-last = { $first } oder { $last }
+choose-a-channel-expected-is-what = einen Kanal wählen; erwartet wird { $what }
+frequency-2 = Frequenz
+the-column-with-the-frequencies-hz-ascending = Die Spalte mit den Frequenzen, Hz, aufsteigend.
+a-frequency = eine Frequenz
+displacement-over-force-real-and-imaginary-p = Auslenkung durch Kraft: Real- und Imaginärteil oder Betrag und Phase.
+a-displacement-over-a-force = eine Auslenkung durch eine Kraft
+real-part = Realteil
+imaginary-part = Imaginärteil
+magnitude = Betrag
+an-angle = ein Winkel
+direction = Richtung
+whether-the-response-is-along-or-across-the = Ob der Frequenzgang in Vorschubrichtung ist oder quer dazu.
+number-of-modes = Anzahl der Moden
+number-of-modes-without-it-as-many-as-there = Anzahl der Moden; ohne sie so viele, wie es Spitzen gibt, höchstens 8.
+keep-the-other-direction = Die andere Richtung behalten
+keeps-the-modes-that-the-scenario-has-in-the = Behält die Moden, die das Szenario in der anderen Richtung hat: So kommen beide aus zwei Aufzeichnungen, eine nach der anderen.
+choose-real-and-imaginary-part-or-magnitude = Real- und Imaginärteil oder Betrag und Phase wählen
+frequencies-damping-ratios-and-masses-of-the = Frequenzen, Dämpfungsgrade und Massen der Moden an der Werkzeugspitze, aus denen die Stabilität folgt.
+a-frequency-response-at-the-tip-as-of-an-imp = Ein Frequenzgang an der Spitze, wie aus einem Klopftest: Frequenz, dazu Real- und Imaginärteil oder Betrag und Phase von Auslenkung durch Kraft; 20 Zeilen und mehr.
+problem-where-noise-makes-peaks-say-how-many = { $problem }; wo Rauschen Spitzen macht, angeben, wie viele Moden es sind
+mode-number-frequency = Mode { $number }: Frequenz
+mode-number-damping-ratio = Mode { $number }: Dämpfungsgrad
+mode-number-modal-mass = Mode { $number }: modale Masse
+kept-from-the-scenario-n-modes-direction = aus dem Szenario behalten, { $direction }: { $n } Moden
+the-machine-does-not-stand-in-the-loop-machi = die Maschine steht nicht im Regelkreis (machine.coupled): Bis dahin wirken die Moden nur in der Stabilitätskarte
+flexibility-of-stiffer-modes-flexibility-um = Nachgiebigkeit steiferer Moden { $flexibility } um/N, die keine Mode ist
+share-of-the-response = { $share } % des Frequenzgangs
+lines-lines-direction-n-modes = { $lines } Zeilen { $direction }, { $n } Moden
+the-column-with-the-cutting-speed-m-min = Die Spalte mit der Schnittgeschwindigkeit, m/min.
+a-cutting-speed = eine Schnittgeschwindigkeit
+time-in-the-cut = Zeit im Schnitt
+the-column-with-the-time-in-the-cut-min = Die Spalte mit der Zeit im Schnitt, min.
+a-time = eine Zeit
+the-column-with-the-width-of-the-flank-wear = Die Spalte mit der Verschleißmarkenbreite VB, mm.
+a-width = eine Breite
+the-column-with-the-feed-per-tooth-mm-where = Die Spalte mit dem Zahnvorschub, mm, wo er verändert wurde.
+a-feed-per-tooth = ein Zahnvorschub
+the-column-with-the-axial-depth-mm-where-tha = Die Spalte mit der axialen Schnitttiefe, mm, wo sie verändert wurde.
+a-depth = eine Tiefe
+number-of-the-tool = Nummer des Werkzeugs
+the-column-with-the-number-of-the-tool-where = Die Spalte mit der Nummer des Werkzeugs, wo mehrere denselben Schnitt machten.
+the-wear-land-at-which-a-tool-s-life-ends-mm = Die Verschleißmarkenbreite, bei der die Standzeit endet, mm.
+taylor-s-constants-n-and-c-of-the-tool-s-lif = Die Taylor-Konstanten n und C der Standzeit, und die Exponenten von Vorschub und Tiefe, wo diese verändert wurden.
+a-table-with-a-reading-of-the-wear-land-in-e = Eine Tabelle mit einer Ablesung der Verschleißmarke in jeder Zeile, nach der Zeit geordnet: Schnittgeschwindigkeit, Zeit im Schnitt, Verschleißmarkenbreite; Werkzeuge bei mindestens zwei Schnittgeschwindigkeiten, bis zur Grenze verschlissen.
+life-at-speed-m-min = Standzeit bei { $speed } m/min
+c-of-v-t-n-c = C aus v T^n = C
+exponent-of-the-feed = Exponent des Vorschubs
+exponent-of-the-depth = Exponent der Tiefe
+lives-of-the-tools = Standzeiten der Werkzeuge
+life-min = Standzeit [min]
+by-the-fit-min = nach der Anpassung [min]
+share-of-the-life = { $share } % der Standzeit
+deviation-of-the-lives = Abweichung der Standzeiten
+not-told-as-many-constants-as-lives = nicht bekannt: so viele Konstanten wie Standzeiten
+r-of-the-logarithms = R² der Logarithmen
+life = Standzeit
+count-lives-to-a-wear-land-of-land-mm = { $count } Standzeiten bis zu einer Verschleißmarke von { $land } mm
+first-order = erste Ordnung
+second-order-critically-damped = zweite Ordnung, aperiodischer Grenzfall
+second-order = zweite Ordnung
+third-order = dritte Ordnung
+x-along-the-feed = x, in Vorschubrichtung
+y-across-the-feed = y, quer zum Vorschub

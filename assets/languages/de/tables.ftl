@@ -533,7 +533,6 @@ accelerated-wear = Beschleunigter Verschleiß
 accelerated-wear-its-part-of-the-wear-before = Beschleunigter Verschleiß: sein Teil des Verschleißes, vor der Skalierung.
 accelerated-span = Beschleunigungsdauer
 accelerated-wear-fraction-of-the-life-in-whi = Beschleunigter Verschleiß: Anteil der Standzeit, in dem er auf das e-Fache wächst.
-wear-land-at-the-end = Verschleißmarke am Ende
 width-of-the-flank-wear-land-at-the-end-of-l = Verschleißmarkenbreite an der Freifläche am Ende der Standzeit.
 force-growth = Kraftzunahme
 growth-of-the-force-over-the-life = Zunahme der Kraft über die Standzeit.

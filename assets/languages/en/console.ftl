@@ -571,6 +571,8 @@ its-unit = Its unit
 show-it = Show it
 another-channel-of-this-file = Another channel of this file
 channel-over-signal-more = { $channel } over { $signal }{ $more }
+drive-forces-structure-noise-wear-or-materia = Drive, forces, structure, noise, wear or material of this file, on the screen Identify
+fit-settings-to-it = Fit settings to it
 
 ## src/app/panels/console/mod.rs
 
@@ -797,6 +799,8 @@ search-formulas-in-a-table-of-one-s-own = Search formulas in a table of one's ow
 open-a-part-of-one-s-own-table-or-g-code = Open a part of one's own: table or G-code
 lay-measured-data-over-the-plots = Lay measured data over the plots
 my-files-cutters-materials-machines-parts-an = My files: cutters, materials, machines, parts and more of one's own
+fit-settings-to-measured-data = Fit settings to measured data
+open-measured-data-to-fit-settings-to = Open measured data to fit settings to
 go-on-with-a-saved-search-for-a-formula = Go on with a saved search for a formula
 open-networks-of-unks = Open networks of UNKS
 save-the-networks-of-unks = Save the networks of UNKS
@@ -807,6 +811,7 @@ large-type-for-a-projector = Large type, for a projector
 type-of-the-usual-size = Type of the usual size
 less-motion = Less motion
 motion-as-usual = Motion as usual
+identify-own-recording-measurements-drive-de = identify own recording measurements drive dead time lag step force coefficients kienzle run-out structure modes impact frequency response noise ripple wear taylor material hardness
 load-toml-data-own = load toml data own
 download-keep-toml = download keep toml
 save-table-data-results-measurements-downloa = save table data results measurements download spreadsheet
@@ -942,7 +947,6 @@ move-the-slider-or-turn-the-knob-that-has-th = Move the slider or turn the knob 
 wheel-or-a-drag-around = Wheel, or a drag around
 turn-the-operator-s-knob-under-the-pointer = Turn the operator's knob under the pointer
 double-click-on-a-plot = Double-click on a plot
-fit = Fit
 drag-on-a-plot = Drag on a plot
 zoom = Zoom
 right-click-on-a-setting = Right-click on a setting

@@ -276,6 +276,62 @@ not-certain-to-be-finite = not certain to be finite
 there-it-is-finite = There it is { $finite }.
 with-percent-more-on-each-side-finite = With { $percent } % more on each side: { $finite }.
 
+## src/app/panels/identify/fit/choose.rs
+
+what-is-fitted = What is fitted
+fitted-what = Fitted: { $what }
+open-a-recording = Open a recording…
+text-of-any-layout-matlab-hdf5-tdms-or-parqu-2 = Text of any layout, MATLAB, HDF5, TDMS or Parquet; it can also be dropped here
+try-with-sample-data = Try with sample data
+simulates-the-recording-that-the-present-sce = Simulates the recording that the present scenario would give, with noise by its seed: what comes out of the fit can be compared with what went in
+none-yet = None yet.
+
+## src/app/panels/identify/fit/fields.rs
+
+which-channel-is-which = Which channel is which
+options = Options
+choose = choose
+unit-channel = Unit: { $channel }
+the-scenario-s-value = the scenario's: { $value }
+clear = Clear
+
+## src/app/panels/identify/fit/found.rs
+
+is-half-a-95-interval-from-what-is-left-if-t = ± is half a 95 % interval, from what is left, if the model is the true one.
+use-in-this-scenario = Use in this scenario
+sets-these-settings-in-one-step-of-undo-the = Sets these settings, in one step of undo; the cut plays from its start
+save-as-a-file = Save as a file
+the-file-that-steadycut-identify-id-out-writ = The file that steadycut identify { $id } --out writes, with source and intervals
+it-stands-in-the-scenario-undo-takes-it-back = It stands in the scenario. Undo takes it back.
+n-settings = { $n } settings
+this-scenario-does-not-take-it-why = This scenario does not take it: { $why }
+
+## src/app/panels/identify/fit/mod.rs
+
+fit-of-measured-data = Fit of measured data
+sample-data = Sample data
+no-sample-data-why = No sample data: { $why }
+data-options-or-the-cut-were-changed-since-w = Data, options or the cut were changed since: what stands here is of before. Fit asks anew.
+open-a-file-first = Open a file first.
+stop-the-fit = Stop the fit
+gives-this-fit-up = Gives this fit up
+fit = Fit
+fits-the-model-to-the-data-it-goes-on-while = Fits the model to the data; it goes on while other screens are shown
+no-measured-data-yet = No measured data yet
+choose-what-is-to-be-fitted-open-a-recording = Choose what is to be fitted, open a recording or drop it here, and say which channel is which; then press Fit. Values with their 95 % intervals, what is left and what the data cannot tell apart are shown before anything is taken into the scenario or saved.
+sample-data-sample-on-the-command-line-stead = Sample data: { $sample }. On the command line: steadycut identify { $id }.
+
+## src/app/panels/identify/fit/plots.rs
+
+the-fit = the fit
+measured = measured
+model-2 = model
+what-over-over-measured-against-the-model-n = { $what } over { $over }: measured against the model, { $n } places
+measured-over-model = Measured over model
+left-over-measured-less-model = Left over: measured less model
+left-over-2 = left over
+what-the-fit-of-what-leaves-over-over = what the fit of { $what } leaves over { $over }
+
 ## src/app/panels/identify/fit_plots.rs
 
 predicted-over-measured = Predicted over measured
@@ -284,9 +340,7 @@ left-over-row-by-row = Left over, row by row
 row-row-does-not-fit-target-value-off-off-de = Row { $row } does not fit: { $target } = { $value }, { $off } off, { $deviations } of its own standard deviations.
 n-more-rows-do-not-fit = { $n } more rows do not fit.
 predicted = predicted
-measured = measured
 predicted-over-measured-n-rows-apart-of-them = predicted over measured: { $n } rows, { $apart } of them do not fit
-left-over-2 = left over
 row = row
 left-over-over-row-n-rows-apart-of-them-do-n = left over over row: { $n } rows, { $apart } of them do not fit
 row-that-does-not-fit = row that does not fit
@@ -352,6 +406,10 @@ front-error-in-unit-against-size-n-formulas = Front: error in { $unit } against 
 
 ## src/app/panels/identify/mod.rs
 
+fit-settings = Fit settings
+search-formulas = Search formulas
+looks-in-a-table-for-a-formula-of-one-column = Looks in a table for a formula of one column, by genetic programming
+fits-drive-forces-structure-noise-wear-or-ma = Fits drive, forces, structure, noise, wear or material to a recording
 identify = Identify
 no-formula-was-searched-for-yet = No formula was searched for yet
 choose-a-table-a-csv-can-be-dropped-here-the = Choose a table (a CSV can be dropped here), the column that the formula is to give, and the columns that it may read; then press Search.

@@ -356,6 +356,194 @@ the-recording-has-count-samples-allowed-are = the recording has { $count } sampl
 the-recording-has-samples-that-are-no-number = the recording has samples that are no numbers
 the-command-never-changes-record-a-step = the command never changes: record a step
 
+## crates/study/src/identify/fits/data.rs
+
+one-and-other-have-different-times = `{ $one }` and `{ $other }` have different times
+the-samples-of-name-are-not-even-in-time-or = the samples of `{ $name }` are not even in time, or their times are not known: give --layout rate_hz=
+missing-samples-of-name-are-missing-or-no-nu = { $missing } samples of `{ $name }` are missing or no numbers; expected are whole records
+
+## crates/study/src/identify/fits/drive.rs
+
+feed-measured = Feed, measured
+the-channel-with-the-feed-that-was-measured = The channel with the feed that was measured.
+a-feed = a feed
+feed-asked-for = Feed, asked for
+the-channel-with-the-feed-that-was-asked-for = The channel with the feed that was asked for. What a sample has holds from the sample before on, as in the rows of a run.
+a-feed-that-was-asked-for-or-the-step-that-w = a feed that was asked for, or the step that was
+step-at = Step at
+step-from = Step from
+step-to = Step to
+the-step-that-was-asked-for-where-it-was-not = The step that was asked for, where it was not recorded: when, from and to which feed.
+drive = Drive
+dead-time-order-and-lag-of-the-feed-drive-fo = Dead time, order and lag of the feed drive, four structures compared by Schwarz's and Akaike's criteria.
+a-recording-of-a-step-of-the-feed-the-feed-t = A recording of a step of the feed: the feed that was measured and the one that was asked for, even in time, from before the step until the feed is steady.
+lag = lag
+gain = gain
+left-rms = left, rms
+structures-compared-the-one-of-least-bic-is = Structures compared; the one of least BIC is taken
+structure-2 = structure
+dead-time-s = dead time [s]
+lag-s = lag [s]
+this-recording-does-not-tell-one-from-other = this recording does not tell { $one } from { $other }: their BIC differ by { $by }
+samples-samples-period-s-apart-structure = { $samples } samples, { $period } s apart; { $structure }
+
+## crates/study/src/identify/fits/force.rs
+
+a-force = a force
+force-along-the-feed = Force along the feed
+the-channel-with-the-force-on-the-tool-along = The channel with the force on the tool along the feed, in N or kN.
+force-across-the-feed = Force across the feed
+the-channel-with-the-force-on-the-tool-acros = The channel with the force on the tool across the feed, towards where teeth enter the cut.
+force-along-the-axis = Force along the axis
+the-channel-with-the-force-on-the-tool-along-2 = The channel with the force on the tool along its axis, away from the tip.
+size-across-the-tool = Size across the tool
+the-channel-with-the-size-of-the-force-acros = The channel with the size of the force across the tool, sqrt(Fx^2 + Fy^2), where its components were not recorded.
+forces-on-the-workpiece = Forces on the workpiece
+the-forces-are-those-on-the-workpiece-as-of = The forces are those on the workpiece, as of a dynamometer below it: their signs are turned.
+another-cutter-than-the-scenario-s = Another cutter than the scenario's.
+the-scenario-s = the scenario's
+another-feed-than-the-scenario-s-mm-min = Another feed than the scenario's, mm/min.
+another-spindle-speed-than-the-scenario-s-1 = Another spindle speed than the scenario's, 1/min.
+another-axial-depth-than-the-scenario-s-mm = Another axial depth than the scenario's, mm.
+another-radial-depth-than-the-scenario-s-mm = Another radial depth than the scenario's, mm; a slot has that of the whole cutter.
+keep-exponents-of-kienzle-s-laws-as-the-stee = Keep exponents of Kienzle's laws as the steel has them, where the cut does not tell them.
+keep-m-c-of-the-steel = Keep m_c of the steel
+keep-m-r-of-the-steel = Keep m_r of the steel
+keep-m-a-of-the-steel = Keep m_a of the steel
+scenario-workpiece-cuts-has-several-sections = { $scenario }: `workpiece.cuts` has several sections: give --axial-depth and --radial-depth of the one that was recorded
+forces = Forces
+coefficients-of-the-force-model-tooth-by-too = Coefficients of the force model tooth by tooth (Kienzle's laws), the run-out of every tooth and the angle of the spindle.
+forces-along-and-across-the-feed-or-along-th = Forces along and across the feed, or along the axis, of a steady cut over one turn of the spindle at least, some 60 samples a turn and more; the scenario is simulated tooth by tooth and has the cutter and the cut.
+choose-at-least-one-force = choose at least one force
+the-size-across-the-tool-is-for-recordings-w = the size across the tool is for recordings without Fx and Fy
+k-letter-at-at-mm = k_{ $letter } at { $at } mm
+tooth-number-out-of-the-mean = tooth { $number } out of the mean
+shift-of-the-axis = shift of the axis
+first-angle = first angle
+angle-of-the-spindle = angle of the spindle
+condition = condition
+samples-samples-turns-turns-at-speed-1-min-l = { $samples } samples, { $turns } turns at { $speed } 1/min, laid over { $places } places of a turn; laws k h^-m of this cut, h in mm
+
+## crates/study/src/identify/fits/material.rs
+
+force-largest-of-a-turn = Force, largest of a turn
+the-channel-with-the-largest-force-of-a-revo = The channel with the largest force of a revolution, in N or kN (`steadycut measured --peak` makes it of components).
+the-channel-with-the-feed-mm-min-without-it = The channel with the feed, mm/min; without it the scenario's program holds.
+the-channel-with-the-spindle-speed-1-min-wit = The channel with the spindle speed, 1/min; without it the scenario's program holds.
+a-spindle-speed = a spindle speed
+position-along-the-path = Position along the path
+the-channel-with-the-position-along-the-path = The channel with the position along the path, mm, where the part has several depths.
+a-position = a position
+the-factor-of-the-material-s-force-over-that = The factor of the material's force over that of Ck45 at 200 HB, and the hardness that the scenario's material would have it at.
+the-largest-force-of-each-revolution-in-a-cu = The largest force of each revolution in a cut, even in time, 40 samples and more; feed, speed and position beside it where they change; the scenario has cutter, part and a force model that is a map, not tooth by tooth (Forces fits that).
+plant-force-model-is-id-tooth-by-tooth-expec = `plant.force_model` is { $id }, tooth by tooth: expected is a scenario whose force is a map; `steadycut identify force` fits the teeth
+hardness-of-material = hardness of { $material }
+force-over-that-of-ck45-at-200-hb = force over that of Ck45 at 200 HB
+the-model-was-used-outside-its-range-in-perc = the model was used outside its range in { $percent } % of the samples
+one-factor-holds-wear-material-and-hardness = one factor holds wear, material and hardness together: forces alone do not tell them apart
+samples-samples-in-the-cut = { $samples } samples in the cut
+
+## crates/study/src/identify/fits/noise.rs
+
+the-channel-with-the-force-in-n-or-kn = The channel with the force, in N or kN.
+times-in-s-between-which-the-tool-was-in-the = Times in s between which the tool was in the air: the sensor's noise is told there.
+sizes-of-the-sensor-s-noise-of-band-limited = Sizes of the sensor's noise, of band-limited noise, of the material's inhomogeneity and of the ripple at tooth passing.
+the-force-of-a-steady-cut-even-in-time-256-s = The force of a steady cut, even in time, 256 samples and more, better some seconds at 1 kHz; the scenario has speed, teeth and feed of the cut.
+white-noise = white noise
+white-noise-in-the-air = white noise in the air
+band-limited-noise-of-the-force = band-limited noise, of the force
+inhomogeneity-of-the-force = inhomogeneity, of the force
+ripple-at-tooth-passing-of-the-force = ripple at tooth passing, of the force
+ripple-at-the-spindle-s-turns-of-the-force = ripple at the spindle's turns, of the force
+name-not-seen-the-samples-are-too-far-apart = { $name }: not seen, the samples are too far apart for it
+the-shapes-of-the-noise-are-those-of-the-sce = the shapes of the noise are those of the scenario: its band from { $low } to { $high } Hz, its correlation over { $length } mm
+noise-in-all-rms = noise in all, rms
+r-of-mean-drift-and-ripple = R² of mean, drift and ripple
+drift = drift
+density-of-the-noise = Density of the noise
+frequency = frequency
+samples-samples-about-mean-n-period-s-apart = { $samples } samples about { $mean } N, { $period } s apart
+
+## crates/study/src/identify/fits/outcome.rs
+
+value-not-determined = { $value }, not determined
+left-over-rms = left over, rms
+nothing-is-fitted-yet = nothing is fitted yet
+
+## crates/study/src/identify/fits/request.rs
+
+within-2 = Within
+takes-the-samples-between-two-times-in-s-alo = Takes the samples between two times in s alone.
+value-unit-cannot-be-allowed-is-a-number-fro = { $value } { $unit } cannot be: allowed is a number from { $low } to { $high }
+from-from-s-to-to-s-is-no-span-of-time-the-s = from { $from } s to { $to } s is no span of time: the second is to be behind the first
+there-is-no-channel-name-there-are-names = there is no channel `{ $name }`; there are { $names }
+name-is-in-unit-expected-is-what-in-units = `{ $name }` is in { $unit }; expected is { $what } in { $units }
+first-or-last = { $first } or { $last }
+choose-a-channel-expected-is-what = choose a channel: expected is { $what }
+
+## crates/study/src/identify/fits/structure.rs
+
+frequency-2 = Frequency
+the-column-with-the-frequencies-hz-ascending = The column with the frequencies, Hz, ascending.
+a-frequency = a frequency
+displacement-over-force-real-and-imaginary-p = Displacement over force: real and imaginary part, or magnitude and phase.
+a-displacement-over-a-force = a displacement over a force
+real-part = Real part
+imaginary-part = Imaginary part
+magnitude = Magnitude
+an-angle = an angle
+direction = Direction
+whether-the-response-is-along-or-across-the = Whether the response is along or across the feed.
+number-of-modes = Number of modes
+number-of-modes-without-it-as-many-as-there = Number of modes; without it as many as there are peaks, up to 8.
+keep-the-other-direction = Keep the other direction
+keeps-the-modes-that-the-scenario-has-in-the = Keeps the modes that the scenario has in the other direction: so both come from two recordings, one after the other.
+choose-real-and-imaginary-part-or-magnitude = choose real and imaginary part, or magnitude and phase
+frequencies-damping-ratios-and-masses-of-the = Frequencies, damping ratios and masses of the modes at the tool's tip, from which stability follows.
+a-frequency-response-at-the-tip-as-of-an-imp = A frequency response at the tip, as of an impact test: frequency, and real and imaginary part or magnitude and phase of displacement over force; 20 lines and more.
+problem-where-noise-makes-peaks-say-how-many = { $problem }; where noise makes peaks, say how many modes there are
+mode-number-frequency = mode { $number }: frequency
+mode-number-damping-ratio = mode { $number }: damping ratio
+mode-number-modal-mass = mode { $number }: modal mass
+kept-from-the-scenario-n-modes-direction = kept from the scenario: { $n } modes { $direction }
+the-machine-does-not-stand-in-the-loop-machi = the machine does not stand in the loop (machine.coupled): the modes act in the stability chart until it does
+flexibility-of-stiffer-modes-flexibility-um = flexibility of stiffer modes { $flexibility } um/N, which is no mode
+share-of-the-response = { $share } % of the response
+lines-lines-direction-n-modes = { $lines } lines { $direction }, { $n } modes
+
+## crates/study/src/identify/fits/wear.rs
+
+the-column-with-the-cutting-speed-m-min = The column with the cutting speed, m/min.
+a-cutting-speed = a cutting speed
+time-in-the-cut = Time in the cut
+the-column-with-the-time-in-the-cut-min = The column with the time in the cut, min.
+a-time = a time
+the-column-with-the-width-of-the-flank-wear = The column with the width of the flank wear land VB, mm.
+a-width = a width
+the-column-with-the-feed-per-tooth-mm-where = The column with the feed per tooth, mm, where that was varied.
+a-feed-per-tooth = a feed per tooth
+the-column-with-the-axial-depth-mm-where-tha = The column with the axial depth, mm, where that was varied.
+a-depth = a depth
+number-of-the-tool = Number of the tool
+the-column-with-the-number-of-the-tool-where = The column with the number of the tool, where several made the same cut.
+wear-land-at-the-end = Wear land at the end
+the-wear-land-at-which-a-tool-s-life-ends-mm = The wear land at which a tool's life ends, mm.
+taylor-s-constants-n-and-c-of-the-tool-s-lif = Taylor's constants n and C of the tool's life, and the exponents of feed and depth where these were varied.
+a-table-with-a-reading-of-the-wear-land-in-e = A table with a reading of the wear land in every row, in order of time: cutting speed, time in the cut, width of the wear land; tools at two cutting speeds at least that were worn to the limit.
+life-at-speed-m-min = life at { $speed } m/min
+c-of-v-t-n-c = C of v T^n = C
+exponent-of-the-feed = exponent of the feed
+exponent-of-the-depth = exponent of the depth
+lives-of-the-tools = Lives of the tools
+life-min = life [min]
+by-the-fit-min = by the fit [min]
+share-of-the-life = { $share } % of the life
+deviation-of-the-lives = deviation of the lives
+not-told-as-many-constants-as-lives = not told: as many constants as lives
+r-of-the-logarithms = R² of the logarithms
+life = Life
+count-lives-to-a-wear-land-of-land-mm = { $count } lives to a wear land of { $land } mm
+
 ## crates/study/src/identify/force/fit.rs
 
 the-run-out = the run-out
@@ -464,7 +652,6 @@ a-part-of-the-template-has-no-finite-value-o = a part of the template has no fin
 
 ## crates/study/src/identify/material.rs
 
-plant-force-model-is-id-tooth-by-tooth-expec = `plant.force_model` is { $id }, tooth by tooth: expected is a scenario whose force is a map; `steadycut identify force` fits the teeth
 the-recording-has-count-samples-of-the-force = the recording has { $count } samples of the force: expected are at least { $least }, and as many of feed, speed and position
 force = force
 position-2 = position
@@ -1018,6 +1205,10 @@ it-tells-how-a-run-goes-and-this-is-no-run = it tells how a run goes, and this i
 
 met = met
 missed = MISSED
+first-order = first order
+second-order-critically-damped = second order, critically damped
+second-order = second order
+third-order = third order
 slot = slot
 heavy-side-cut = heavy side cut
 light-side-cut = light side cut
@@ -1049,6 +1240,8 @@ more-than = more than
 largest-less-least = largest less least
 first = first
 last = last
+x-along-the-feed = x, along the feed
+y-across-the-feed = y, across the feed
 holds = holds
 holds-in-part = holds in part
 does-not-hold = does not hold

@@ -533,7 +533,6 @@ accelerated-wear = Accelerated wear
 accelerated-wear-its-part-of-the-wear-before = Accelerated wear: its part of the wear, before scaling.
 accelerated-span = Accelerated span
 accelerated-wear-fraction-of-the-life-in-whi = Accelerated wear: fraction of the life in which it grows by e.
-wear-land-at-the-end = Wear land at the end
 width-of-the-flank-wear-land-at-the-end-of-l = Width of the flank wear land at the end of life.
 force-growth = Force growth
 growth-of-the-force-over-the-life = Growth of the force over the life.

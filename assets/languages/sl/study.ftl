@@ -368,6 +368,35 @@ the-recording-has-count-samples-allowed-are = vzorcev v posnetku: { $count }, do
 the-recording-has-samples-that-are-no-number = v posnetku so vzorci, ki niso števila
 the-command-never-changes-record-a-step = ukaz se nikoli ne spremeni: posnemite stopnico
 
+## crates/study/src/identify/fits/data.rs
+
+
+## crates/study/src/identify/fits/drive.rs
+
+
+## crates/study/src/identify/fits/force.rs
+
+
+## crates/study/src/identify/fits/material.rs
+
+plant-force-model-is-id-tooth-by-tooth-expec = `plant.force_model` je { $id }, zob za zobom: pričakovan je scenarij, katerega sila je funkcija; zobe prilagodi `steadycut identify force`
+
+## crates/study/src/identify/fits/noise.rs
+
+
+## crates/study/src/identify/fits/outcome.rs
+
+
+## crates/study/src/identify/fits/request.rs
+
+
+## crates/study/src/identify/fits/structure.rs
+
+
+## crates/study/src/identify/fits/wear.rs
+
+wear-land-at-the-end = Širina obrabe na koncu
+
 ## crates/study/src/identify/force/fit.rs
 
 the-run-out = opletanje
@@ -476,7 +505,6 @@ a-part-of-the-template-has-no-finite-value-o = del predloge v kaki vrstici nima 
 
 ## crates/study/src/identify/material.rs
 
-plant-force-model-is-id-tooth-by-tooth-expec = `plant.force_model` je { $id }, zob za zobom: pričakovan je scenarij, katerega sila je funkcija; zobe prilagodi `steadycut identify force`
 the-recording-has-count-samples-of-the-force = vzorcev sile v posnetku: { $count }; pričakovanih je vsaj { $least } in prav toliko podajanj, vrtljajev in leg
 force = sila
 position-2 = lega
@@ -1067,3 +1095,168 @@ does-not-hold = ne drži
 no-run-yet = simulacije še ni
 k4-of-the-papers = K4 iz člankov
 tooth-by-tooth-2 = zob za zobom
+one-and-other-have-different-times = `{ $one }` in `{ $other }` imata različne čase
+the-samples-of-name-are-not-even-in-time-or = vzorci kanala `{ $name }` niso enakomerni v času ali pa njihovi časi niso znani: podajte --layout rate_hz=
+missing-samples-of-name-are-missing-or-no-nu = manjkajočih ali neštevilskih vzorcev kanala `{ $name }`: { $missing }; pričakovani so celi posnetki
+feed-measured = Podajanje, izmerjeno
+the-channel-with-the-feed-that-was-measured = Kanal z izmerjenim podajanjem.
+a-feed = podajanje
+feed-asked-for = Podajanje, zahtevano
+the-channel-with-the-feed-that-was-asked-for = Kanal z zahtevanim podajanjem. Kar je v vzorcu, velja od prejšnjega vzorca naprej, kakor v vrsticah simulacije.
+a-feed-that-was-asked-for-or-the-step-that-w = zahtevano podajanje ali zahtevana stopnica
+step-at = Stopnica ob
+step-from = Stopnica od
+step-to = Stopnica do
+the-step-that-was-asked-for-where-it-was-not = Zahtevana stopnica, če ni bila posneta: kdaj, s katerega in na katero podajanje.
+drive = Pogon
+dead-time-order-and-lag-of-the-feed-drive-fo = Mrtvi čas, red in zakasnitev podajalnega pogona; štiri strukture, primerjane po Schwarzovem in Akaikejevem kriteriju.
+a-recording-of-a-step-of-the-feed-the-feed-t = Posnetek stopnice podajanja: izmerjeno in zahtevano podajanje, enakomerno v času, od pred stopnico do ustaljenega podajanja.
+lag = zakasnitev
+gain = ojačanje
+left-rms = preostanek, RMS
+structures-compared-the-one-of-least-bic-is = Primerjane strukture; vzeta je tista z najmanjšim BIC
+structure-2 = struktura
+dead-time-s = mrtvi čas [s]
+lag-s = zakasnitev [s]
+this-recording-does-not-tell-one-from-other = ta posnetek ne loči struktur: { $one } in { $other }; njuna BIC se razlikujeta za { $by }
+samples-samples-period-s-apart-structure = vzorcev: { $samples }, na { $period } s; { $structure }
+a-force = sila
+force-along-the-feed = Sila vzdolž podajanja
+the-channel-with-the-force-on-the-tool-along = Kanal s silo na orodje vzdolž podajanja, v N ali kN.
+force-across-the-feed = Sila prečno na podajanje
+the-channel-with-the-force-on-the-tool-acros = Kanal s silo na orodje prečno na podajanje, tja, kjer zobje vstopajo v rez.
+force-along-the-axis = Sila vzdolž osi
+the-channel-with-the-force-on-the-tool-along-2 = Kanal s silo na orodje vzdolž njegove osi, stran od konice.
+size-across-the-tool = Velikost prečno na orodje
+the-channel-with-the-size-of-the-force-acros = Kanal z velikostjo sile prečno na orodje, sqrt(Fx^2 + Fy^2), če njene komponente niso bile posnete.
+forces-on-the-workpiece = Sile na obdelovanec
+the-forces-are-those-on-the-workpiece-as-of = Sile so tiste na obdelovanec, kakor jih da dinamometer pod njim: predznak se jim obrne.
+another-cutter-than-the-scenario-s = Drugo frezalo od tistega v scenariju.
+the-scenario-s = tisto iz scenarija
+another-feed-than-the-scenario-s-mm-min = Drugo podajanje od tistega v scenariju, mm/min.
+another-spindle-speed-than-the-scenario-s-1 = Druga vrtilna hitrost od tiste v scenariju, 1/min.
+another-axial-depth-than-the-scenario-s-mm = Druga aksialna globina od tiste v scenariju, mm.
+another-radial-depth-than-the-scenario-s-mm = Druga radialna globina od tiste v scenariju, mm; utor ima globino celega frezala.
+keep-exponents-of-kienzle-s-laws-as-the-stee = Eksponente Kienzlejevih zakonov pusti, kakor jih ima jeklo, kjer jih rez ne pove.
+keep-m-c-of-the-steel = Pusti m_c jekla
+keep-m-r-of-the-steel = Pusti m_r jekla
+keep-m-a-of-the-steel = Pusti m_a jekla
+scenario-workpiece-cuts-has-several-sections = { $scenario }: `workpiece.cuts` ima več odsekov: podajte --axial-depth in --radial-depth posnetega
+forces = Sile
+coefficients-of-the-force-model-tooth-by-too = Koeficienti modela sil zob za zobom (Kienzlejevi zakoni), opletanje vsakega zoba in kot vretena.
+forces-along-and-across-the-feed-or-along-th = Sile vzdolž in prečno na podajanje ali vzdolž osi v enakomernem rezu skozi vsaj en vrtljaj vretena, okoli 60 vzorcev na vrtljaj in več; scenarij se simulira zob za zobom ter ima frezalo in rez.
+choose-at-least-one-force = izberite vsaj eno silo
+the-size-across-the-tool-is-for-recordings-w = velikost prečno na orodje je za posnetke brez Fx in Fy
+k-letter-at-at-mm = k_{ $letter } pri { $at } mm
+tooth-number-out-of-the-mean = zob { $number }, odmik od povprečja
+shift-of-the-axis = premik osi
+first-angle = prvi kot
+angle-of-the-spindle = kot vretena
+condition = pogojenost
+samples-samples-turns-turns-at-speed-1-min-l = vzorcev: { $samples }, vrtljajev: { $turns } pri { $speed } 1/min, položenih na mesta vrtljaja: { $places }; zakoni k h^-m tega reza, h v mm
+force-largest-of-a-turn = Sila, največja v vrtljaju
+the-channel-with-the-largest-force-of-a-revo = Kanal z največjo silo vrtljaja, v N ali kN (`steadycut measured --peak` jo naredi iz komponent).
+the-channel-with-the-feed-mm-min-without-it = Kanal s podajanjem, mm/min; brez njega velja program scenarija.
+the-channel-with-the-spindle-speed-1-min-wit = Kanal z vrtilno hitrostjo, 1/min; brez njega velja program scenarija.
+a-spindle-speed = vrtilna hitrost
+position-along-the-path = Položaj vzdolž poti
+the-channel-with-the-position-along-the-path = Kanal s položajem vzdolž poti, mm, če ima obdelovanec več globin.
+a-position = položaj
+the-factor-of-the-material-s-force-over-that = Faktor sile materiala glede na Ck45 pri 200 HB in trdota, pri kateri bi ga imel material scenarija.
+the-largest-force-of-each-revolution-in-a-cu = Največja sila vsakega vrtljaja v rezu, enakomerno v času, 40 vzorcev in več; ob njej podajanje, vrtilna hitrost in položaj, če se spreminjajo; scenarij ima frezalo, obdelovanec in model sile, ki je funkcija, ne zob za zobom (te prilagodi »Sile«).
+hardness-of-material = trdota: { $material }
+force-over-that-of-ck45-at-200-hb = sila glede na Ck45 pri 200 HB
+the-model-was-used-outside-its-range-in-perc = model je bil v { $percent } % vzorcev uporabljen zunaj svojega območja
+one-factor-holds-wear-material-and-hardness = en faktor zajema obrabo, material in trdoto skupaj: same sile jih ne ločijo
+samples-samples-in-the-cut = vzorcev v rezu: { $samples }
+the-channel-with-the-force-in-n-or-kn = Kanal s silo, v N ali kN.
+times-in-s-between-which-the-tool-was-in-the = Časa v s, med katerima je bilo orodje v zraku: tam se pokaže šum senzorja.
+sizes-of-the-sensor-s-noise-of-band-limited = Velikosti šuma senzorja, pasovno omejenega šuma, nehomogenosti materiala in valovitosti ob prehodih zob.
+the-force-of-a-steady-cut-even-in-time-256-s = Sila enakomernega reza, enakomerno v času, 256 vzorcev in več, bolje nekaj sekund pri 1 kHz; scenarij ima vrtilno hitrost, zobe in podajanje reza.
+white-noise = beli šum
+white-noise-in-the-air = beli šum v zraku
+band-limited-noise-of-the-force = pasovno omejeni šum, od sile
+inhomogeneity-of-the-force = nehomogenost, od sile
+ripple-at-tooth-passing-of-the-force = valovitost ob prehodih zob, od sile
+ripple-at-the-spindle-s-turns-of-the-force = valovitost ob vrtljajih vretena, od sile
+name-not-seen-the-samples-are-too-far-apart = { $name }: ni vidno, vzorci so za to preredki
+the-shapes-of-the-noise-are-those-of-the-sce = oblike šuma so tiste iz scenarija: pas od { $low } do { $high } Hz, korelacija čez { $length } mm
+noise-in-all-rms = ves šum, RMS
+r-of-mean-drift-and-ripple = R² povprečja, lezenja in valovitosti
+drift = lezenje
+density-of-the-noise = Gostota šuma
+frequency = frekvenca
+samples-samples-about-mean-n-period-s-apart = vzorcev: { $samples }, okoli { $mean } N, na { $period } s
+value-not-determined = { $value }, ni določeno
+left-over-rms = preostanek, RMS
+nothing-is-fitted-yet = nič še ni prilagojeno
+within-2 = Med
+takes-the-samples-between-two-times-in-s-alo = Vzame le vzorce med dvema časoma v s.
+value-unit-cannot-be-allowed-is-a-number-fro = { $value } { $unit } ni mogoče: dovoljeno je število od { $low } do { $high }
+from-from-s-to-to-s-is-no-span-of-time-the-s = od { $from } s do { $to } s ni časovni razpon: drugi čas mora biti za prvim
+there-is-no-channel-name-there-are-names = kanala `{ $name }` ni; so { $names }
+name-is-in-unit-expected-is-what-in-units = `{ $name }` je v { $unit }; pričakovano: { $what }, v { $units }
+first-or-last = { $first } ali { $last }
+choose-a-channel-expected-is-what = izberite kanal; pričakovano: { $what }
+frequency-2 = Frekvenca
+the-column-with-the-frequencies-hz-ascending = Stolpec s frekvencami, Hz, naraščajoče.
+a-frequency = frekvenca
+displacement-over-force-real-and-imaginary-p = Pomik na silo: realni in imaginarni del ali velikost in faza.
+a-displacement-over-a-force = pomik na silo
+real-part = Realni del
+imaginary-part = Imaginarni del
+magnitude = Velikost
+an-angle = kot
+direction = Smer
+whether-the-response-is-along-or-across-the = Ali je odziv vzdolž podajanja ali prečno nanj.
+number-of-modes = Število nihajnih oblik
+number-of-modes-without-it-as-many-as-there = Število nihajnih oblik; brez njega toliko, kolikor je vrhov, največ 8.
+keep-the-other-direction = Ohrani drugo smer
+keeps-the-modes-that-the-scenario-has-in-the = Ohrani nihajne oblike, ki jih ima scenarij v drugi smeri: tako pridejo obe iz dveh posnetkov, ene za drugo.
+choose-real-and-imaginary-part-or-magnitude = izberite realni in imaginarni del ali velikost in fazo
+frequencies-damping-ratios-and-masses-of-the = Frekvence, razmerja dušenja in mase nihajnih oblik na konici orodja, iz katerih sledi stabilnost.
+a-frequency-response-at-the-tip-as-of-an-imp = Frekvenčni odziv na konici, kakor iz udarnega preizkusa: frekvenca ter realni in imaginarni del ali velikost in faza pomika na silo; 20 vrstic in več.
+problem-where-noise-makes-peaks-say-how-many = { $problem }; če vrhove dela šum, povejte, koliko nihajnih oblik je
+mode-number-frequency = nihajna oblika { $number }: frekvenca
+mode-number-damping-ratio = nihajna oblika { $number }: razmerje dušenja
+mode-number-modal-mass = nihajna oblika { $number }: modalna masa
+kept-from-the-scenario-n-modes-direction = ohranjeno iz scenarija, { $direction }: nihajnih oblik { $n }
+the-machine-does-not-stand-in-the-loop-machi = stroj ni v zanki (machine.coupled): dokler ni, nihajne oblike delujejo le v karti stabilnosti
+flexibility-of-stiffer-modes-flexibility-um = podajnost bolj togih nihajnih oblik { $flexibility } um/N, ki ni nihajna oblika
+share-of-the-response = { $share } % odziva
+lines-lines-direction-n-modes = vrstic: { $lines }, { $direction }, nihajnih oblik: { $n }
+the-column-with-the-cutting-speed-m-min = Stolpec z rezalno hitrostjo, m/min.
+a-cutting-speed = rezalna hitrost
+time-in-the-cut = Čas v rezu
+the-column-with-the-time-in-the-cut-min = Stolpec s časom v rezu, min.
+a-time = čas
+the-column-with-the-width-of-the-flank-wear = Stolpec s širino obrabe proste ploskve VB, mm.
+a-width = širina
+the-column-with-the-feed-per-tooth-mm-where = Stolpec s podajanjem na zob, mm, če se je spreminjalo.
+a-feed-per-tooth = podajanje na zob
+the-column-with-the-axial-depth-mm-where-tha = Stolpec z aksialno globino, mm, če se je spreminjala.
+a-depth = globina
+number-of-the-tool = Številka orodja
+the-column-with-the-number-of-the-tool-where = Stolpec s številko orodja, če jih je več delalo isti rez.
+the-wear-land-at-which-a-tool-s-life-ends-mm = Širina obrabe, pri kateri se konča obstojnost orodja, mm.
+taylor-s-constants-n-and-c-of-the-tool-s-lif = Taylorjevi konstanti n in C obstojnosti orodja ter eksponenta podajanja in globine, če sta se spreminjala.
+a-table-with-a-reading-of-the-wear-land-in-e = Tabela z odčitkom širine obrabe v vsaki vrstici, po času: rezalna hitrost, čas v rezu, širina obrabe; orodja pri vsaj dveh rezalnih hitrostih, obrabljena do meje.
+life-at-speed-m-min = obstojnost pri { $speed } m/min
+c-of-v-t-n-c = C iz v T^n = C
+exponent-of-the-feed = eksponent podajanja
+exponent-of-the-depth = eksponent globine
+lives-of-the-tools = Obstojnosti orodij
+life-min = obstojnost [min]
+by-the-fit-min = po modelu [min]
+share-of-the-life = { $share } % obstojnosti
+deviation-of-the-lives = odklon obstojnosti
+not-told-as-many-constants-as-lives = ni znan: toliko konstant kolikor obstojnosti
+r-of-the-logarithms = R² logaritmov
+life = Obstojnost
+count-lives-to-a-wear-land-of-land-mm = obstojnosti do širine obrabe { $land } mm: { $count }
+first-order = prvi red
+second-order-critically-damped = drugi red, kritično dušen
+second-order = drugi red
+third-order = tretji red
+x-along-the-feed = x, vzdolž podajanja
+y-across-the-feed = y, prečno na podajanje

@@ -533,7 +533,6 @@ accelerated-wear = Pospešena obraba
 accelerated-wear-its-part-of-the-wear-before = Pospešena obraba: njen del obrabe, pred skaliranjem.
 accelerated-span = Čas pospešene obrabe
 accelerated-wear-fraction-of-the-life-in-whi = Pospešena obraba: delež obstojnosti, v katerem zraste za faktor e.
-wear-land-at-the-end = Širina obrabe na koncu
 width-of-the-flank-wear-land-at-the-end-of-l = Širina obrabe proste ploskve na koncu obstojnosti.
 force-growth = Rast sile
 growth-of-the-force-over-the-life = Rast sile skozi obstojnost.

@@ -56,6 +56,8 @@ pub enum BroughtFile {
     Linked(Box<LinkedMission>),
     /// Measured data, to lie over the plots.
     Measured(Box<MeasuredFile>),
+    /// Measured data that settings are fitted to.
+    ToFit(Box<MeasuredFile>),
     /// A saved search for a formula.
     Search {
         /// Where it came from, for messages.
@@ -73,9 +75,20 @@ impl BroughtFile {
             Self::Mission { .. } | Self::Linked(_) => "learn",
             Self::Measured(_) => "console",
             Self::Program { .. } => "workpiece",
-            Self::Table { .. } | Self::Search { .. } => "identify",
+            Self::Table { .. } | Self::Search { .. } | Self::ToFit(_) => "identify",
         }
     }
+}
+
+/// What measured data and tables are for that are dropped onto a screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DropTarget {
+    /// To lie over the plots, where they have times.
+    Plots,
+    /// Tables to be searched for formulas.
+    Formulas,
+    /// Settings to be fitted to them.
+    Fits,
 }
 
 /// One screen.
@@ -94,6 +107,10 @@ pub trait Panel {
     }
     /// Shows the part of it with this name; a screen without parts is shown as it is.
     fn show_part(&mut self, _part: &str) {}
+    /// What a table that is dropped onto it is for.
+    fn drop_target(&self) -> DropTarget {
+        DropTarget::Plots
+    }
     /// Takes a file that was opened or dropped for it.
     fn take(&mut self, _file: &BroughtFile) {}
     /// Another screen is shown from now on.

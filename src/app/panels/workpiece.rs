@@ -120,6 +120,7 @@ impl Panel for WorkpiecePanel {
             | BroughtFile::Search { .. }
             | BroughtFile::Mission { .. }
             | BroughtFile::Measured(_)
+            | BroughtFile::ToFit(_)
             | BroughtFile::Linked(_) => {}
         }
     }

@@ -75,7 +75,8 @@ impl NumberField<'_> {
         // A text that is no number yet has the field go on with the last one.
         let id = ui.next_auto_id().with("last number");
         let last = ui.data(|data| data.get_temp::<f64>(id)).filter(|_| is_blank);
-        let before = number.or(last).unwrap_or(0.0);
+        // Within the range: what is pulled into it would look like a number that was given.
+        let before = number.or(last).unwrap_or(0.0).clamp(min, max);
         let (problem, typed_number) = (RefCell::new(None), Cell::new(None));
         let mut dragged = before;
         let value = &mut dragged;

@@ -1,12 +1,12 @@
 //! The window on measured data: as what a file was read, which channel of it lies over which plot, and where it lies.
 
-mod layout;
+pub(in crate::app::panels) mod layout;
 mod place;
 mod prepare;
 
 use egui::{Button, Color32, ComboBox, RichText, Role, Ui, WidgetInfo};
 
-use super::super::View;
+use super::super::{BroughtFile, View};
 use crate::app::command::{Command, FileCommand};
 use crate::app::overlay::file::MeasuredFile;
 use crate::app::overlay::layouts::LayoutMemory;
@@ -50,6 +50,8 @@ enum Wish {
     Another,
     /// No more of it.
     Remove,
+    /// Settings are fitted to its file.
+    Fit,
 }
 
 impl MeasuredWindow {
@@ -157,6 +159,12 @@ impl MeasuredWindow {
             None => return,
             Some(Wish::Choose(place)) => overlays.choose(place),
             Some(Wish::Remove) => overlays.remove_chosen(),
+            Some(Wish::Fit) => {
+                let file = overlays.chosen_mut().map(|overlay| Box::new(overlay.file.clone()));
+                let bring = file.map(|file| FileCommand::Bring(BroughtFile::ToFit(file)));
+                commands.extend(bring.map(Command::File));
+                return;
+            }
             Some(Wish::Another) => {
                 if let Some(file) = overlays.chosen_mut().map(|overlay| overlay.file.clone()) {
                     self.take(&file, overlays);
@@ -241,6 +249,10 @@ impl MeasuredWindow {
             if ui.button(tr("Another channel of this file")).clicked() {
                 wish = Some(Wish::Another);
             }
+            let help = tr("Drive, forces, structure, noise, wear or material of this file, on the screen Identify");
+            if ui.button(tr("Fit settings to it")).on_hover_text(help).clicked() {
+                wish = Some(Wish::Fit);
+            }
         });
         wish
     }
@@ -270,7 +282,12 @@ fn position(names: &[String], name: &str) -> Option<usize> {
 }
 
 /// A list to choose from behind its name; the place of what was chosen now.
-fn choice(ui: &mut Ui, name: &str, options: &[String], chosen: Option<usize>) -> Option<usize> {
+pub(in crate::app::panels) fn choice(
+    ui: &mut Ui,
+    name: &str,
+    options: &[String],
+    chosen: Option<usize>,
+) -> Option<usize> {
     /// Width of the names before the lists, points.
     const NAMES: f32 = 110.0;
     let mut found = None;

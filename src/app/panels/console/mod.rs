@@ -7,7 +7,7 @@ mod cards;
 mod controls;
 mod disturb;
 mod headline;
-mod measured;
+pub(in crate::app::panels) mod measured;
 pub(super) mod operator;
 mod revolution;
 mod story;
@@ -207,6 +207,7 @@ impl Panel for ConsolePanel {
             | BroughtFile::Search { .. }
             | BroughtFile::Mission { .. }
             | BroughtFile::Linked(_)
+            | BroughtFile::ToFit(_)
             | BroughtFile::Program { .. } => {}
         }
     }

@@ -91,6 +91,7 @@ impl Panel for LearnPanel {
             BroughtFile::Table { .. }
             | BroughtFile::Search { .. }
             | BroughtFile::Measured(_)
+            | BroughtFile::ToFit(_)
             | BroughtFile::Program { .. } => {}
         }
     }

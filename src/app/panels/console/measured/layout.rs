@@ -234,7 +234,7 @@ fn channels(ui: &mut Ui, read: &ReadFile) {
     let open = channels.len() <= 4;
     let header = CollapsingHeader::new(title).id_salt("channels").default_open(open);
     header.show_unindented(ui, |ui| {
-        let area = ScrollArea::vertical().id_salt("channels").max_height(TABLE);
+        let area = ScrollArea::both().id_salt("channels").max_height(TABLE);
         area.show(ui, |ui| {
             let weak = Palette::at(ui).weak;
             touch::grid(ui, "channels").num_columns(5).striped(true).show(ui, |ui| {
