@@ -341,7 +341,6 @@ fn the_fits_look_as_they_should() {
         (vec2(1280.0, 1300.0), Theme::Light, Some("Drive"), "fits-drive-desktop"),
         (vec2(1280.0, 1300.0), Theme::Dark, Some("Noise"), "fits-noise-desktop-dark"),
         (vec2(390.0, 2600.0), Theme::Light, Some("Drive"), "fits-drive-phone"),
-        (vec2(390.0, 2600.0), Theme::Dark, Some("Wear"), "fits-wear-phone-dark"),
     ] {
         let builder = Harness::builder().with_size(size).with_step_dt(0.05).with_theme(theme);
         let mut screen: Screen<'_> = builder.wgpu().build_ui_state(

@@ -10,7 +10,7 @@ use crate::base::math;
 use crate::base::rng::Stream;
 use crate::base::stats;
 use crate::identify::estimate::explained;
-use crate::identify::wear::{TaylorFit, WearReadings, identify_wear_of, worn_scenario};
+use crate::identify::wear::{WearReadings, identify_wear_of, worn_scenario};
 use crate::run::edits::Edits;
 use crate::run::scenario::Scenario;
 
@@ -101,7 +101,7 @@ pub struct WearAtWork {
     file: String,
     scenario: Scenario,
     edits: Edits,
-    found: Option<Result<TaylorFit, String>>,
+    begun: bool,
 }
 
 impl MeasuredFit for WearFromData {
@@ -133,7 +133,7 @@ impl MeasuredFit for WearFromData {
         let limit_mm = request.number(&LIMIT)?.unwrap_or(USUAL_LIMIT_MM);
         let FitRequest { file, scenario, edits, .. } = request;
         let (file, scenario, edits) = (file.clone(), scenario.clone(), edits.clone());
-        Ok(WearAtWork { readings, limit_mm, file, scenario, edits, found: None })
+        Ok(WearAtWork { readings, limit_mm, file, scenario, edits, begun: false })
     }
 
     /// Readings of four tools that wear by the scenario's own constants, each life a little off.
@@ -162,12 +162,16 @@ impl MeasuredFit for WearFromData {
 
 impl FitAtWork for WearAtWork {
     fn step(&mut self) -> bool {
-        self.found = Some(identify_wear_of(&self.readings, self.limit_mm));
+        self.begun = true;
         false
     }
 
     fn outcome(&self) -> Result<FitOutcome, FitFault> {
-        let fit = self.found.clone().ok_or_else(nothing_yet)??;
+        if !self.begun {
+            return Err(nothing_yet());
+        }
+        // Made here, so that its notes are in the language of now; lives are few.
+        let fit = identify_wear_of(&self.readings, self.limit_mm)?;
         let at = tr!("life at {speed:.2} m/min", speed = fit.speed_m_min);
         let mut estimates = vec![
             FitEstimate::new(at, fit.life_min, 3, "min"),

@@ -27,6 +27,8 @@ pub struct LayoutFields {
     entries: String,
     /// Samples in a second; none where nothing was said.
     rate_hz: Option<f64>,
+    /// Whether the file is read as a table, whose rows have no times.
+    pub table: bool,
 }
 
 impl LayoutFields {
@@ -47,7 +49,9 @@ impl LayoutFields {
                 ui.label(RichText::new(format::typeset(note)).small().color(Palette::at(ui).weak));
             }
             again = self.record(ui, file, read, said);
-            again = self.times(ui, file, read, said).or(again);
+            if !self.table {
+                again = self.times(ui, file, read, said).or(again);
+            }
         }
         again = self.otherwise(ui, file, said).or(again);
         again = remembered(ui, file).or(again);

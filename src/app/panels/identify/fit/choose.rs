@@ -4,6 +4,7 @@ use egui::{Button, RichText, Role, Ui, WidgetInfo};
 
 use super::form::FitForm;
 use crate::app::command::{Command, FileCommand};
+use crate::app::format;
 use crate::app::theme::Palette;
 use crate::app::widgets::touch;
 use crate::base::language::tr;
@@ -24,7 +25,7 @@ pub fn kinds(ui: &mut Ui, form: &mut FitForm) {
             }
         }
     });
-    let about = RichText::new(tr(form.kind.about().finds)).small();
+    let about = RichText::new(format::typeset(tr(form.kind.about().finds))).small();
     ui.label(about.color(Palette::at(ui).weak));
 }
 

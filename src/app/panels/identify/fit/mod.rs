@@ -11,6 +11,7 @@ use egui::{Button, Label, ProgressBar, RichText, Ui};
 
 use super::super::View;
 use crate::app::command::Command;
+use crate::app::format;
 use crate::app::jobs::{Jobs, Work};
 use crate::app::overlay::file::MeasuredFile;
 use crate::app::overlay::work::SingleTask;
@@ -144,6 +145,7 @@ impl FitView {
         if let Err(fault) = file.contents() {
             Standing::Bad.label(ui, &format!("{}: {fault}", file.name), |text| text);
         }
+        self.layout.table = !self.form.kind.about().timed;
         if let Some(again) = self.layout.show(ui, &file, &mut self.said, commands) {
             self.form.read_again(&again);
         }
@@ -268,7 +270,7 @@ fn empty(ui: &mut Ui) {
             ui.set_width(ui.available_width());
             let about = kind.about();
             ui.label(RichText::new(tr(about.title)).strong());
-            ui.label(tr(about.finds));
+            ui.label(format::typeset(tr(about.finds)));
             needs(ui, kind);
         });
     }
@@ -278,7 +280,7 @@ fn empty(ui: &mut Ui) {
 fn needs(ui: &mut Ui, kind: MeasuredFitKind) {
     let about = kind.about();
     let weak = Palette::at(ui).weak;
-    ui.add(Label::new(RichText::new(tr(about.needs)).color(weak)).wrap());
+    ui.add(Label::new(RichText::new(format::typeset(tr(about.needs))).color(weak)).wrap());
     let text = tr!(
         "Sample data: {sample}. On the command line: steadycut identify {id}.",
         sample = about.sample,
