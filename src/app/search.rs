@@ -104,6 +104,7 @@ fn without_key() -> Vec<(&'static str, Command)> {
             text!("My files: cutters, materials, machines, parts and more of one's own"),
             Command::Library(LibraryCommand::Show { open: true, kind: None }),
         ),
+        (
             text!("Fit settings to measured data"),
             Command::Shell(ShellCommand::ShowPart(IDENTIFY, FITS)),
         ),
