@@ -13,6 +13,8 @@ pub struct MeasuredFitJob {
     request: Arc<FitRequest>,
     work: Option<AnyWork>,
     steps: usize,
+    /// Whether nothing is left but to tell what was found.
+    worked: bool,
     found: Option<Arc<Result<FitOutcome, FitFault>>>,
 }
 
@@ -20,7 +22,7 @@ impl MeasuredFitJob {
     /// Of a request.
     #[must_use]
     pub fn new(kind: MeasuredFitKind, request: FitRequest) -> Self {
-        Self { kind, request: Arc::new(request), work: None, steps: 0, found: None }
+        Self { kind, request: Arc::new(request), work: None, steps: 0, worked: false, found: None }
     }
 
     /// Tells what was found anew, in the language of now.
@@ -48,8 +50,10 @@ impl MeasuredFitJob {
             }
             return;
         };
-        if !work.step() {
+        if self.worked {
             self.found = Some(Arc::new(work.outcome()));
+        } else {
+            self.worked = !work.step();
         }
     }
 }
@@ -66,7 +70,7 @@ impl Job for MeasuredFitJob {
     }
 
     fn progress(&self) -> Progress {
-        let total = (1 + self.kind.about().most_steps) as f64;
+        let total = (2 + self.kind.about().most_steps) as f64;
         let done = if self.found.is_some() { total } else { (self.steps as f64).min(total - 1.0) };
         Progress { done, total, unit: text!("steps") }
     }
