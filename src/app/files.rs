@@ -435,7 +435,6 @@ impl Files {
 /// Extension of files of networks and of saved searches.
 const JSON: &str = "json";
 
-
 /// The last part of a name that is parted by `/`.
 fn last_of(name: &str) -> String {
     name.rsplit('/').next().unwrap_or_default().to_owned()
@@ -443,17 +442,19 @@ fn last_of(name: &str) -> String {
 
 /// A command that brings measured data, with what is remembered of their layout.
 fn remembering(command: Command, path: Option<PathBuf>, known: &KnownLayouts) -> Command {
-    match command {
-        Command::File(FileCommand::Bring(BroughtFile::Measured(file))) => {
-            let file = as_remembered(*file, path, known);
-            Command::File(FileCommand::Bring(BroughtFile::Measured(Box::new(file))))
+    let Command::File(FileCommand::Bring(brought)) = command else { return command };
+    let brought = match brought {
+        BroughtFile::Measured(file) => {
+            BroughtFile::Measured(Box::new(as_remembered(*file, path, known)))
         }
-        Command::File(FileCommand::Bring(BroughtFile::ToFit(file))) => {
-            let file = as_remembered(*file, path, known);
-            Command::File(FileCommand::Bring(BroughtFile::ToFit(Box::new(file))))
-        }
-        other => other,
-    }
+        BroughtFile::ToFit(file) => BroughtFile::ToFit(Box::new(as_remembered(*file, path, known))),
+        other @ (BroughtFile::Table { .. }
+        | BroughtFile::Program { .. }
+        | BroughtFile::Mission { .. }
+        | BroughtFile::Linked(_)
+        | BroughtFile::Search { .. }) => other,
+    };
+    Command::File(FileCommand::Bring(brought))
 }
 
 /// That a file could not be read.

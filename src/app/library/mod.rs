@@ -39,6 +39,9 @@ const MOST_OPENED: usize = 4;
 /// The longest of them, bytes.
 pub const LONGEST_OPENED: usize = 4_000_000;
 
+/// How many changes of the cut there were, and how many of its edits the playhead is past.
+type CutStand = (u64, usize);
+
 /// The files, and the window on them.
 #[derive(Default)]
 pub struct Library {
@@ -54,7 +57,7 @@ pub struct Library {
     /// What was opened from elsewhere, the last one first.
     opened: Vec<OpenedFile>,
     /// Which of the files is in use, after so many changes of the cut and past so many of its edits.
-    in_use: Option<((u64, usize), Vec<Option<bool>>)>,
+    in_use: Option<(CutStand, Vec<Option<bool>>)>,
 }
 
 impl Library {
