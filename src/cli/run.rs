@@ -241,8 +241,9 @@ fn shown(value: Option<f64>, text: &dyn Fn(f64) -> String) -> String {
 /// roughness of its own.
 fn deviation_told(percent: f64, produced_um: Option<f64>) -> String {
     let of = produced_um.map(|ra_um| ra_um / (1.0 + percent / 100.0));
-    let of =
-        of.filter(|um| um.is_finite()).map_or(String::new(), |of_um| format!(" of {of_um:.4} um"));
+    let of = of
+        .filter(|um| um.is_finite())
+        .map_or(String::new(), |of_um| format!(" of {} um", (of_um * 1e4).round() / 1e4));
     format!("{percent:+.2} %{of}")
 }
 

@@ -50,13 +50,14 @@ fn a_deviation_of_ra_names_what_it_is_one_of() {
         let line = text.lines().find(|line| line.trim().starts_with("deviation")).unwrap();
         line.split(" of ").nth(1).unwrap().to_owned()
     };
-    assert_eq!(told(&["run", &edited]), "0.6000 um");
+    assert_eq!(told(&["run", &edited]), "0.6 um");
     let of = told(&["run", "combined-2005", "--out", held.to_str().unwrap()]);
     let table = std::fs::read_to_string(&held).unwrap();
     let column =
         table.lines().next().unwrap().split(',').position(|name| name == "ra_target_um [um]");
     let last = table.lines().last().unwrap().split(',').nth(column.unwrap()).unwrap();
-    assert_eq!(of, format!("{:.4} um", last.parse::<f64>().unwrap()));
+    let [of, last] = [of.trim_end_matches(" um"), last].map(|text| text.parse::<f64>().unwrap());
+    assert!((of - last).abs() < 1e-3, "{of} and {last}");
 }
 
 #[test]

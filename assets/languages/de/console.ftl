@@ -573,7 +573,6 @@ unfold = Aufklappen
 open-a-file = Datei öffnen …
 leaves-a-line-of-it-and-the-plots-in-sight = Lässt eine Zeile davon übrig und die Diagramme sichtbar
 fold-to-a-line = Einklappen
-open-a-file = Datei öffnen …
 text-of-any-layout-matlab-hdf5-tdms-or-parqu = Text in beliebigem Aufbau, MATLAB, HDF5, TDMS oder Parquet; eine Datei kann auch auf die Diagramme gezogen werden.
 no-part-of-the-scenario-neither-a-file-nor-a = Kein Teil des Szenarios: Weder eine Datei noch ein Link enthält es. Änderungen des Schnitts lassen es, wo es ist, bis es entfernt oder das Programm geschlossen wird.
 remove = Entfernen

@@ -591,7 +591,6 @@ unfold = Razpri
 open-a-file = Odpri datoteko …
 leaves-a-line-of-it-and-the-plots-in-sight = Ostane vrstica, grafi pa so vidni
 fold-to-a-line = Zloži v vrstico
-open-a-file = Odpri datoteko …
 text-of-any-layout-matlab-hdf5-tdms-or-parqu = Besedilo katerekoli oblike, MATLAB, HDF5, TDMS ali Parquet; datoteko lahko tudi spustite na grafe.
 no-part-of-the-scenario-neither-a-file-nor-a = Ni del scenarija: nima ga ne datoteka ne povezava. Spremembe reza ga pustijo, kjer je, dokler ga ne odstranite ali zaprete programa.
 remove = Odstrani
