@@ -196,6 +196,8 @@ fn choice(ui: &mut Ui, view: &View<'_>, tabs: &[Tab], shown: &str, commands: &mu
         for tab in tabs {
             if ui.selectable_label(tab.id == shown, tr(tab.title)).clicked() {
                 commands.push(Command::Shell(ShellCommand::ShowScreen(tab.id)));
+                // A pointer closes a list by itself, a key or a screen reader does not.
+                ui.close();
             }
         }
     });
@@ -210,6 +212,7 @@ fn menu(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
     let about = tr("Files, undo, colours, keys, search");
     let response = icon::button(ui, Icon::Menu, tr("Menu"), about, true);
     egui::Popup::menu(&response).show(|ui| {
+        let before = commands.len();
         ui.horizontal(|ui| {
             undo_buttons(ui, view, commands);
             theme_button(ui, commands);
@@ -224,6 +227,9 @@ fn menu(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
         }
         // Beside Restart where there is room.
         timeline::cut_again(ui, view, commands);
+        if commands.len() > before {
+            ui.close();
+        }
     });
 }
 

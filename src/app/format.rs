@@ -144,6 +144,10 @@ pub fn override_percent(value: f64, quantised: bool) -> String {
 /// digits would hide a small one.
 #[must_use]
 pub fn fine(value: f64, unit_text: &str) -> String {
+    // A frequency response in m/N would be nothing but zeros.
+    if value != 0.0 && value.abs() < 1e-3 {
+        return beside(signed(language::decimal(format!("{value:.2e}"))), &unit(unit_text));
+    }
     let decimals = match value.abs() {
         size if size >= 1000.0 || size == 0.0 => 0,
         size if size >= 100.0 => 1,
@@ -262,6 +266,8 @@ mod tests {
         assert_eq!(plain(fine(0.11658, "mm")), "0.117 mm");
         assert_eq!(plain(fine(-0.005_63, "mm")), "-0.0056 mm");
         assert_eq!(plain(fine(2434.3, "1/min")), "2434 1/min");
+        assert_eq!(plain(fine(-9.344e-6, "m/N")), "-9.34e-6 m/N");
+        assert_eq!(plain(fine(0.0, "N")), "0 N");
         assert_eq!(plain(time(61.25)), "61.25 s");
         assert_eq!(plain(time(3599.5)), "59:59.5 min");
     }

@@ -195,6 +195,7 @@ fn speed(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
             for speed in Speed::ALL {
                 if ui.selectable_label(speed == now, speed.label()).clicked() {
                     commands.push(Command::Playback(PlaybackCommand::Speed(speed)));
+                    ui.close();
                 }
             }
         })

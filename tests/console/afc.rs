@@ -11,7 +11,7 @@ use steadycut::run::edits::Edits;
 use steadycut::run::{Start, presets};
 
 use crate::drawn;
-use crate::screen::{self, Screen, rest, sliced, texts};
+use crate::screen::{self, Screen, computed, rest, sliced, texts};
 
 const SIZES: [Vec2; 2] = [vec2(1280.0, 800.0), vec2(390.0, 844.0)];
 const PATH: &str = "controller.afc.references_n";
@@ -124,6 +124,7 @@ fn the_window_looks_as_it_should() {
         play(&mut screen, PlaybackCommand::TogglePlay);
         rest(&mut screen);
         play(&mut screen, PlaybackCommand::SeekTo(28.0));
+        computed(&mut screen);
         open_window(&mut screen, size);
         rest(&mut screen);
         screen.run_steps(20);

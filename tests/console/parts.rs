@@ -185,6 +185,7 @@ fn the_blank_looks_as_its_pictures() {
             click(&mut screen, "Dismiss");
         }
         screen.run_steps(20);
+        screen::computed(&mut screen);
         screen::rest(&mut screen);
         let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(40);
         results.add(screen.try_snapshot_options(name, &options));

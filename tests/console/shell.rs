@@ -554,3 +554,32 @@ fn keys_of_one_frame_act_in_the_order_in_which_they_were_pressed() {
     screen.run_steps(1);
     assert_eq!(target_um(&screen), at_first_um, "back, on, back");
 }
+
+/// As by a key or a screen reader: no pointer is pressed anywhere, which would close any list.
+#[test]
+fn what_is_chosen_without_a_pointer_closes_its_list() {
+    let is_open = |screen: &Screen<'_>| egui::Popup::is_any_open(&screen.ctx);
+    for (size, list, entry) in [
+        (DESKTOP, "Controller", "Tracking"),
+        (DESKTOP, "Scenario", "A deeper stretch: what control buys"),
+        (DESKTOP, "Speed", "as fast as possible"),
+        (PHONE, "Screen", "Identify"),
+    ] {
+        let mut screen = open(size, None, false);
+        screen.run_steps(2);
+        screen.get_by_role_and_label(Role::ComboBox, list).click_accesskit();
+        screen.run_steps(2);
+        assert!(is_open(&screen), "{list}");
+        screen.get_by_role_and_label(Role::Button, entry).click_accesskit();
+        screen.run_steps(2);
+        assert!(!is_open(&screen), "{list}");
+    }
+    let mut screen = open(PHONE, None, false);
+    screen.run_steps(2);
+    screen.get_by_label("Menu").click_accesskit();
+    screen.run_steps(2);
+    assert!(is_open(&screen));
+    screen.get_by_label("Find").click_accesskit();
+    screen.run_steps(2);
+    assert!(!is_open(&screen));
+}

@@ -282,21 +282,59 @@ with-percent-more-on-each-side-finite = Mit { $percent } % mehr auf jeder Seite:
 
 ## src/app/panels/identify/fit/choose.rs
 
+what-is-fitted = Was angepasst wird
+fitted-what = Angepasst: { $what }
+open-a-recording = Aufzeichnung öffnen…
+text-of-any-layout-matlab-hdf5-tdms-or-parqu-2 = Text beliebigen Aufbaus, MATLAB, HDF5, TDMS oder Parquet; sie kann auch hierher gezogen werden
+try-with-sample-data = Mit Beispieldaten versuchen
+simulates-the-recording-that-the-present-sce = Simuliert die Aufzeichnung, die das jetzige Szenario gäbe, mit Rauschen nach seinem Startwert: Was die Anpassung findet, lässt sich mit dem vergleichen, was hineinging
+none-yet = Noch keine.
 
 ## src/app/panels/identify/fit/fields.rs
 
+which-channel-is-which = Welcher Kanal was ist
+options = Optionen
+choose = wählen
+unit-channel = Einheit: { $channel }
+the-scenario-s-value = im Szenario: { $value }
+clear = Leeren
 
 ## src/app/panels/identify/fit/found.rs
 
+is-half-a-95-interval-from-what-is-left-if-t = ± ist ein halbes 95-%-Intervall, aus dem Residuum, wenn das Modell das wahre ist.
+use-in-this-scenario = In diesem Szenario verwenden
+sets-these-settings-in-one-step-of-undo-the = Setzt diese Einstellungen in einem Schritt des Rückgängigmachens; der Schnitt läuft vom Anfang
+save-as-a-file = Als Datei speichern
+the-file-that-steadycut-identify-id-out-writ = Die Datei, die steadycut identify { $id } --out schreibt, mit Quelle und Intervallen
+it-stands-in-the-scenario-undo-takes-it-back = Es steht im Szenario. Rückgängig nimmt es zurück.
+n-settings = { $n } Einstellungen
+this-scenario-does-not-take-it-why = Dieses Szenario nimmt es nicht: { $why }
 
 ## src/app/panels/identify/fit/mod.rs
 
+fit-of-measured-data = Anpassung an Messdaten
+sample-data = Beispieldaten
+no-sample-data-why = Keine Beispieldaten: { $why }
+data-options-or-the-cut-were-changed-since-w = Daten, Optionen oder der Schnitt wurden seither geändert: Was hier steht, ist von vorher. Anpassen fragt neu.
+open-a-file-first = Zuerst eine Datei öffnen.
+stop-the-fit = Anpassung abbrechen
+gives-this-fit-up = Gibt diese Anpassung auf
 fit = Einpassen
+fits-the-model-to-the-data-it-goes-on-while = Passt das Modell an die Daten an; das läuft auch weiter, während andere Ansichten gezeigt werden
+no-measured-data-yet = Noch keine Messdaten
+choose-what-is-to-be-fitted-open-a-recording = Wählen, was angepasst werden soll, eine Aufzeichnung öffnen oder hierher ziehen und sagen, welcher Kanal was ist; dann Anpassen drücken. Werte mit ihren 95-%-Intervallen, das Residuum und was die Daten nicht unterscheiden, stehen da, bevor etwas ins Szenario übernommen oder gespeichert wird.
+sample-data-sample-on-the-command-line-stead = Beispieldaten: { $sample }. Auf der Befehlszeile: steadycut identify { $id }.
 
 ## src/app/panels/identify/fit/plots.rs
 
+the-fit = die Anpassung
 measured = gemessen
+model-2 = Modell
+what-over-over-measured-against-the-model-n = { $what } über { $over }: gemessen gegen das Modell, { $n } Stellen
+measured-over-model = Gemessen geteilt durch Modell
+left-over-measured-less-model = Residuum: gemessen minus Modell
 left-over-2 = Residuum
+what-the-fit-of-what-leaves-over-over = was die Anpassung von { $what } über { $over } lässt
 
 ## src/app/panels/identify/fit_plots.rs
 
@@ -400,6 +438,10 @@ front-error-in-unit-against-size-n-formulas =
 
 ## src/app/panels/identify/mod.rs
 
+fit-settings = Einstellungen anpassen
+search-formulas = Formeln suchen
+looks-in-a-table-for-a-formula-of-one-column = Sucht in einer Tabelle eine Formel für eine Spalte, durch genetische Programmierung
+fits-drive-forces-structure-noise-wear-or-ma = Passt Antrieb, Kräfte, Struktur, Rauschen, Verschleiß oder Werkstoff an eine Aufzeichnung an
 identify = Formeln
 no-formula-was-searched-for-yet = Noch wurde keine Formel gesucht
 choose-a-table-a-csv-can-be-dropped-here-the = Eine Tabelle wählen (eine CSV lässt sich hier ablegen), die Spalte, die die Formel liefern soll, und die Spalten, die sie lesen darf; dann Suchen drücken.
@@ -1310,45 +1352,4 @@ the-blank-has-its-true-size-what-is-cut-has = Das Rohteil hat seine wahre Größ
 too-rough-is-rework-or-scrap-smoother-than-a = Zu rau ist Nacharbeit oder Ausschuss; glatter als verlangt ist keines von beiden.
 what-stands-in-front-of-the-wall-was-taken-b = Was vor der Wand steht, hat ein früherer Schnitt weggenommen.
 simulated-tooth-by-tooth-k5-s-ra-does-not-ho = Zahn für Zahn simuliert, gilt das Ra von K5 nicht: Die Oberfläche zeigt Vorschubmarken und Rundlauffehler allein.
-what-is-fitted = Was angepasst wird
-fitted-what = Angepasst: { $what }
-open-a-recording = Aufzeichnung öffnen…
-text-of-any-layout-matlab-hdf5-tdms-or-parqu-2 = Text beliebigen Aufbaus, MATLAB, HDF5, TDMS oder Parquet; sie kann auch hierher gezogen werden
-try-with-sample-data = Mit Beispieldaten versuchen
-simulates-the-recording-that-the-present-sce = Simuliert die Aufzeichnung, die das jetzige Szenario gäbe, mit Rauschen nach seinem Startwert: Was die Anpassung findet, lässt sich mit dem vergleichen, was hineinging
-none-yet = Noch keine.
-which-channel-is-which = Welcher Kanal was ist
-options = Optionen
-choose = wählen
-unit-channel = Einheit: { $channel }
-the-scenario-s-value = im Szenario: { $value }
-clear = Leeren
-is-half-a-95-interval-from-what-is-left-if-t = ± ist ein halbes 95-%-Intervall, aus dem Residuum, wenn das Modell das wahre ist.
-use-in-this-scenario = In diesem Szenario verwenden
-sets-these-settings-in-one-step-of-undo-the = Setzt diese Einstellungen in einem Schritt des Rückgängigmachens; der Schnitt läuft vom Anfang
-save-as-a-file = Als Datei speichern
-the-file-that-steadycut-identify-id-out-writ = Die Datei, die steadycut identify { $id } --out schreibt, mit Quelle und Intervallen
-it-stands-in-the-scenario-undo-takes-it-back = Es steht im Szenario. Rückgängig nimmt es zurück.
-n-settings = { $n } Einstellungen
-this-scenario-does-not-take-it-why = Dieses Szenario nimmt es nicht: { $why }
-fit-of-measured-data = Anpassung an Messdaten
-sample-data = Beispieldaten
-no-sample-data-why = Keine Beispieldaten: { $why }
-data-options-or-the-cut-were-changed-since-w = Daten, Optionen oder der Schnitt wurden seither geändert: Was hier steht, ist von vorher. Anpassen fragt neu.
-open-a-file-first = Zuerst eine Datei öffnen.
-stop-the-fit = Anpassung abbrechen
-gives-this-fit-up = Gibt diese Anpassung auf
-fits-the-model-to-the-data-it-goes-on-while = Passt das Modell an die Daten an; das läuft auch weiter, während andere Ansichten gezeigt werden
-no-measured-data-yet = Noch keine Messdaten
-choose-what-is-to-be-fitted-open-a-recording = Wählen, was angepasst werden soll, eine Aufzeichnung öffnen oder hierher ziehen und sagen, welcher Kanal was ist; dann Anpassen drücken. Werte mit ihren 95-%-Intervallen, das Residuum und was die Daten nicht unterscheiden, stehen da, bevor etwas ins Szenario übernommen oder gespeichert wird.
-sample-data-sample-on-the-command-line-stead = Beispieldaten: { $sample }. Auf der Befehlszeile: steadycut identify { $id }.
-the-fit = die Anpassung
-model-2 = Modell
-what-over-over-measured-against-the-model-n = { $what } über { $over }: gemessen gegen das Modell, { $n } Stellen
-measured-over-model = Gemessen geteilt durch Modell
-left-over-measured-less-model = Residuum: gemessen minus Modell
-what-the-fit-of-what-leaves-over-over = was die Anpassung von { $what } über { $over } lässt
-fit-settings = Einstellungen anpassen
-search-formulas = Formeln suchen
-looks-in-a-table-for-a-formula-of-one-column = Sucht in einer Tabelle eine Formel für eine Spalte, durch genetische Programmierung
-fits-drive-forces-structure-noise-wear-or-ma = Passt Antrieb, Kräfte, Struktur, Rauschen, Verschleiß oder Werkstoff an eine Aufzeichnung an
+t-1-setting = 1 Einstellung

@@ -242,6 +242,7 @@ units-in-line-line = units in line { $line }
 values-from-line-line-on = values from line { $line } on
 times-in-the-column-column = times in the column { $column }
 rate-samples-in-a-second = { $rate } samples in a second
+each-channel-with-times-of-its-own = each channel with times of its own
 no-times = no times
 
 ## src/app/overlay/layouts.rs
@@ -493,6 +494,7 @@ most-is-scrap = ≤ { $most } % is scrap
 ## src/app/panels/console/measured/layout.rs
 
 search-for-formulas-in-it = Search for formulas in it
+as-they-come = as they come
 record = Record
 none-a-sample-rate = none: a sample rate
 time-column = Time column
@@ -570,9 +572,9 @@ as-it-is-not-converted = as it is, not converted
 its-unit = Its unit
 show-it = Show it
 another-channel-of-this-file = Another channel of this file
-channel-over-signal-more = { $channel } over { $signal }{ $more }
 drive-forces-structure-noise-wear-or-materia = Drive, forces, structure, noise, wear or material of this file, on the screen Identify
 fit-settings-to-it = Fit settings to it
+channel-over-signal-more = { $channel } over { $signal }{ $more }
 
 ## src/app/panels/console/mod.rs
 

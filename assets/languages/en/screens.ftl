@@ -303,6 +303,7 @@ sets-these-settings-in-one-step-of-undo-the = Sets these settings, in one step o
 save-as-a-file = Save as a file
 the-file-that-steadycut-identify-id-out-writ = The file that steadycut identify { $id } --out writes, with source and intervals
 it-stands-in-the-scenario-undo-takes-it-back = It stands in the scenario. Undo takes it back.
+t-1-setting = 1 setting
 n-settings = { $n } settings
 this-scenario-does-not-take-it-why = This scenario does not take it: { $why }
 

@@ -509,7 +509,7 @@ kept-from-the-scenario-n-modes-direction = kept from the scenario: { $n } modes 
 the-machine-does-not-stand-in-the-loop-machi = the machine does not stand in the loop (machine.coupled): the modes act in the stability chart until it does
 flexibility-of-stiffer-modes-flexibility-um = flexibility of stiffer modes { $flexibility } um/N, which is no mode
 share-of-the-response = { $share } % of the response
-lines-lines-direction-n-modes = { $lines } lines { $direction }, { $n } modes
+lines-lines-direction-modes-n = { $lines } lines { $direction }; modes: { $n }
 
 ## crates/study/src/identify/fits/wear.rs
 

@@ -284,21 +284,59 @@ with-percent-more-on-each-side-finite = S { $percent } % več na vsaki strani: {
 
 ## src/app/panels/identify/fit/choose.rs
 
+what-is-fitted = Kaj se prilagaja
+fitted-what = Prilagaja se: { $what }
+open-a-recording = Odpri posnetek…
+text-of-any-layout-matlab-hdf5-tdms-or-parqu-2 = Besedilo kakršne koli oblike, MATLAB, HDF5, TDMS ali Parquet; lahko ga tudi spustite sem
+try-with-sample-data = Poskusi z vzorčnimi podatki
+simulates-the-recording-that-the-present-sce = Simulira posnetek, ki bi ga dal trenutni scenarij, s šumom po njegovem semenu: kar pride iz prilagajanja, se lahko primerja s tem, kar je šlo vanj
+none-yet = Še nobenih.
 
 ## src/app/panels/identify/fit/fields.rs
 
+which-channel-is-which = Kateri kanal je kateri
+options = Možnosti
+choose = izberite
+unit-channel = Enota: { $channel }
+the-scenario-s-value = v scenariju: { $value }
+clear = Počisti
 
 ## src/app/panels/identify/fit/found.rs
 
+is-half-a-95-interval-from-what-is-left-if-t = ± je polovica 95-odstotnega intervala, iz preostanka, če je model pravi.
+use-in-this-scenario = Uporabi v tem scenariju
+sets-these-settings-in-one-step-of-undo-the = Nastavi te nastavitve v enem koraku razveljavitve; rez teče od začetka
+save-as-a-file = Shrani kot datoteko
+the-file-that-steadycut-identify-id-out-writ = Datoteka, kakršno zapiše steadycut identify { $id } --out, z virom in intervali
+it-stands-in-the-scenario-undo-takes-it-back = Stoji v scenariju. Razveljavi to vzame nazaj.
+n-settings = Nastavitve: { $n }
+this-scenario-does-not-take-it-why = Ta scenarij tega ne sprejme: { $why }
 
 ## src/app/panels/identify/fit/mod.rs
 
+fit-of-measured-data = Prilagajanje izmerjenim podatkom
+sample-data = Vzorčni podatki
+no-sample-data-why = Ni vzorčnih podatkov: { $why }
+data-options-or-the-cut-were-changed-since-w = Podatki, možnosti ali rez so se odtlej spremenili: kar je tu, je od prej. Prilagodi vpraša znova.
+open-a-file-first = Najprej odprite datoteko.
+stop-the-fit = Ustavi prilagajanje
+gives-this-fit-up = Opusti to prilagajanje
 fit = Prilagodi
+fits-the-model-to-the-data-it-goes-on-while = Prilagodi model podatkom; teče tudi, ko so prikazani drugi zasloni
+no-measured-data-yet = Še ni izmerjenih podatkov
+choose-what-is-to-be-fitted-open-a-recording = Izberite, kaj se prilagaja, odprite posnetek ali ga spustite sem in povejte, kateri kanal je kateri; nato pritisnite Prilagodi. Vrednosti s 95-odstotnimi intervali, preostanek in to, česar podatki ne ločijo, se pokažejo, preden se karkoli prevzame v scenarij ali shrani.
+sample-data-sample-on-the-command-line-stead = Vzorčni podatki: { $sample }. V ukazni vrstici: steadycut identify { $id }.
 
 ## src/app/panels/identify/fit/plots.rs
 
+the-fit = prilagoditev
 measured = izmerjeno
+model-2 = model
+what-over-over-measured-against-the-model-n = { $what }, { $over }: izmerjeno in model, mest { $n }
+measured-over-model = Izmerjeno deljeno z modelom
+left-over-measured-less-model = Preostanek: izmerjeno minus model
 left-over-2 = preostanek
+what-the-fit-of-what-leaves-over-over = preostanek prilagoditve, { $what }, { $over }
 
 ## src/app/panels/identify/fit_plots.rs
 
@@ -380,6 +418,10 @@ front-error-in-unit-against-size-n-formulas = Fronta: napaka v { $unit } glede n
 
 ## src/app/panels/identify/mod.rs
 
+fit-settings = Prilagajanje nastavitev
+search-formulas = Iskanje formul
+looks-in-a-table-for-a-formula-of-one-column = V tabeli išče formulo za en stolpec, z genetskim programiranjem
+fits-drive-forces-structure-noise-wear-or-ma = Posnetku prilagodi pogon, sile, strukturo, šum, obrabo ali material
 identify = Formule
 no-formula-was-searched-for-yet = Formula še ni bila iskana
 choose-a-table-a-csv-can-be-dropped-here-the = Izberite tabelo (CSV lahko spustite sem), stolpec, ki naj ga da formula, in stolpce, ki jih sme brati; nato pritisnite Iskanje.
@@ -1252,45 +1294,4 @@ the-blank-has-its-true-size-what-is-cut-has = Surovec ima pravo velikost; kar je
 too-rough-is-rework-or-scrap-smoother-than-a = Prehrapavo pomeni dodelavo ali izmet; bolj gladko od zahtevanega nobenega.
 what-stands-in-front-of-the-wall-was-taken-b = Kar stoji pred steno, je odvzel prejšnji rez.
 simulated-tooth-by-tooth-k5-s-ra-does-not-ho = Pri simulaciji zob za zobom Ra iz K5 ne velja: površina kaže samo sledi podajanja in opletanje.
-what-is-fitted = Kaj se prilagaja
-fitted-what = Prilagaja se: { $what }
-open-a-recording = Odpri posnetek…
-text-of-any-layout-matlab-hdf5-tdms-or-parqu-2 = Besedilo kakršne koli oblike, MATLAB, HDF5, TDMS ali Parquet; lahko ga tudi spustite sem
-try-with-sample-data = Poskusi z vzorčnimi podatki
-simulates-the-recording-that-the-present-sce = Simulira posnetek, ki bi ga dal trenutni scenarij, s šumom po njegovem semenu: kar pride iz prilagajanja, se lahko primerja s tem, kar je šlo vanj
-none-yet = Še nobenih.
-which-channel-is-which = Kateri kanal je kateri
-options = Možnosti
-choose = izberite
-unit-channel = Enota: { $channel }
-the-scenario-s-value = v scenariju: { $value }
-clear = Počisti
-is-half-a-95-interval-from-what-is-left-if-t = ± je polovica 95-odstotnega intervala, iz preostanka, če je model pravi.
-use-in-this-scenario = Uporabi v tem scenariju
-sets-these-settings-in-one-step-of-undo-the = Nastavi te nastavitve v enem koraku razveljavitve; rez teče od začetka
-save-as-a-file = Shrani kot datoteko
-the-file-that-steadycut-identify-id-out-writ = Datoteka, kakršno zapiše steadycut identify { $id } --out, z virom in intervali
-it-stands-in-the-scenario-undo-takes-it-back = Stoji v scenariju. Razveljavi to vzame nazaj.
-n-settings = Nastavitve: { $n }
-this-scenario-does-not-take-it-why = Ta scenarij tega ne sprejme: { $why }
-fit-of-measured-data = Prilagajanje izmerjenim podatkom
-sample-data = Vzorčni podatki
-no-sample-data-why = Ni vzorčnih podatkov: { $why }
-data-options-or-the-cut-were-changed-since-w = Podatki, možnosti ali rez so se odtlej spremenili: kar je tu, je od prej. Prilagodi vpraša znova.
-open-a-file-first = Najprej odprite datoteko.
-stop-the-fit = Ustavi prilagajanje
-gives-this-fit-up = Opusti to prilagajanje
-fits-the-model-to-the-data-it-goes-on-while = Prilagodi model podatkom; teče tudi, ko so prikazani drugi zasloni
-no-measured-data-yet = Še ni izmerjenih podatkov
-choose-what-is-to-be-fitted-open-a-recording = Izberite, kaj se prilagaja, odprite posnetek ali ga spustite sem in povejte, kateri kanal je kateri; nato pritisnite Prilagodi. Vrednosti s 95-odstotnimi intervali, preostanek in to, česar podatki ne ločijo, se pokažejo, preden se karkoli prevzame v scenarij ali shrani.
-sample-data-sample-on-the-command-line-stead = Vzorčni podatki: { $sample }. V ukazni vrstici: steadycut identify { $id }.
-the-fit = prilagoditev
-model-2 = model
-what-over-over-measured-against-the-model-n = { $what }, { $over }: izmerjeno in model, mest { $n }
-measured-over-model = Izmerjeno deljeno z modelom
-left-over-measured-less-model = Preostanek: izmerjeno minus model
-what-the-fit-of-what-leaves-over-over = preostanek prilagoditve, { $what }, { $over }
-fit-settings = Prilagajanje nastavitev
-search-formulas = Iskanje formul
-looks-in-a-table-for-a-formula-of-one-column = V tabeli išče formulo za en stolpec, z genetskim programiranjem
-fits-drive-forces-structure-noise-wear-or-ma = Posnetku prilagodi pogon, sile, strukturo, šum, obrabo ali material
+t-1-setting = 1 nastavitev

@@ -69,6 +69,13 @@ impl MeasuredFile {
         self.read_as(said, LayoutMemory::Said)
     }
 
+    /// The same file read again with no record of it chosen.
+    #[must_use]
+    pub fn with_records_as_they_come(&self) -> Self {
+        let said = DataLayout { variable: None, ..self.said.clone() };
+        self.read_as(said, LayoutMemory::Said)
+    }
+
     /// The same file read again as before.
     #[must_use]
     pub fn again(&self) -> Self {
@@ -141,11 +148,20 @@ impl MeasuredFile {
     /// Whether it tells when its samples were taken, or what is wrong with it.
     #[must_use]
     pub fn is_measured(&self) -> bool {
-        let timed = |read: &Arc<ReadFile>| {
-            read.data.channels.iter().any(|channel| channel.times.at(0).is_some())
-        };
-        self.read.as_ref().map_or(true, timed)
+        self.read.as_ref().map_or(true, |read| has_times(&read.data))
     }
+}
+
+/// The sample rate in Hz that every channel has by itself, as in TDMS, where no entry of the layout tells it.
+#[must_use]
+pub fn common_rate_hz(data: &MeasuredData) -> Option<f64> {
+    let mut rates = data.channels.iter().map(|channel| channel.times.rate_hz());
+    let first = rates.next()?;
+    first.filter(|_| rates.all(|rate| rate == first))
+}
+
+fn has_times(data: &MeasuredData) -> bool {
+    data.channels.iter().any(|channel| channel.times.at(0).is_some())
 }
 
 /// As what a file was read, in a sentence.
@@ -185,7 +201,11 @@ pub fn sentence(data: &MeasuredData) -> String {
     let times = match (time, layout.rate_hz) {
         (Some(time), _) => tr!("times in the column {column}", column = time),
         (None, Some(rate_hz)) => tr!("{rate} samples in a second", rate = rate_hz),
-        (None, None) => tr("no times").to_owned(),
+        (None, None) => match common_rate_hz(data) {
+            Some(rate_hz) => tr!("{rate} samples in a second", rate = rate_hz),
+            None if has_times(data) => tr("each channel with times of its own").to_owned(),
+            None => tr("no times").to_owned(),
+        },
     };
     parts.push(times);
     format!("{}.", parts.join(", "))
@@ -216,6 +236,19 @@ mod tests {
         assert_eq!(none.contents().unwrap().data.channels[1].times.at(50), Some(1.0));
         let error = read.with(&[("decimal", "dot")]).unwrap_err();
         assert!(error.contains("`decimal`") && error.contains("dot"), "{error}");
+    }
+
+    #[test]
+    fn channels_with_times_of_their_own_tell_their_rate() {
+        let bytes: &[u8] = include_bytes!("../../../crates/measured/tests/data/lab.tdms");
+        let read = MeasuredFile::read("lab.tdms".to_owned(), bytes.into(), DataLayout::default());
+        let data = &read.contents().unwrap().data;
+        assert_eq!((data.layout.rate_hz, common_rate_hz(data)), (None, Some(25_000.0)));
+        assert_eq!(sentence(data), "TDMS, 25000 samples in a second.");
+        let one = read.with(&[("variable", "Force/Fy")]).unwrap();
+        assert_eq!(one.contents().unwrap().data.channels.len(), 1);
+        let all = one.with_records_as_they_come();
+        assert_eq!(all.contents().unwrap().data.channels.len(), 3);
     }
 
     #[test]

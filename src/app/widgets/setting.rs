@@ -255,8 +255,11 @@ fn choice(
                 for option in options {
                     let response = ui.selectable_label(option.id == now, tr(option.label));
                     help_beside(&response, &tr(option.doc).replace('\n', " "));
-                    if response.clicked() && option.id != now {
-                        change(Value::Text(option.id.to_owned()));
+                    if response.clicked() {
+                        ui.close();
+                        if option.id != now {
+                            change(Value::Text(option.id.to_owned()));
+                        }
                     }
                 }
             })

@@ -193,6 +193,7 @@ pub fn scenarios(ui: &mut Ui, view: &View<'_>, commands: &mut Vec<Command>) {
                     if choice.clicked() {
                         let load = SessionCommand::LoadPreset(preset.name.to_owned());
                         commands.push(Command::Session(load));
+                        ui.close();
                     }
                 }
             }

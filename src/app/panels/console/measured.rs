@@ -304,8 +304,9 @@ pub(in crate::app::panels) fn choice(
             .show_ui(ui, |ui| {
                 for (place, option) in options.iter().enumerate() {
                     let is = Some(place) == chosen;
-                    if ui.selectable_label(is, option).clicked() && !is {
-                        found = Some(place);
+                    if ui.selectable_label(is, option).clicked() {
+                        ui.close();
+                        found = Some(place).filter(|_| !is);
                     }
                 }
             })

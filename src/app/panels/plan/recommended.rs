@@ -49,9 +49,15 @@ impl RecommendedCard {
         let response = ComboBox::from_id_salt("engagement")
             .selected_text(shown)
             .show_ui(ui, |ui| {
-                ui.selectable_value(&mut self.engagement, None, auto);
+                let by_itself = ui.selectable_value(&mut self.engagement, None, auto);
+                let mut chosen = by_itself.clicked();
                 for one in EngagementCode::ALL {
-                    ui.selectable_value(&mut self.engagement, Some(*one), tr(one.label()));
+                    let label = tr(one.label());
+                    let choice = ui.selectable_value(&mut self.engagement, Some(*one), label);
+                    chosen |= choice.clicked();
+                }
+                if chosen {
+                    ui.close();
                 }
             })
             .response;

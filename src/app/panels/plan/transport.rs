@@ -89,7 +89,9 @@ fn speed(ui: &mut Ui, now: &mut Speed) {
         .selected_text(short(*now))
         .show_ui(ui, |ui| {
             for speed in SPEEDS {
-                ui.selectable_value(now, speed, short(speed));
+                if ui.selectable_value(now, speed, short(speed)).clicked() {
+                    ui.close();
+                }
             }
         })
         .response;

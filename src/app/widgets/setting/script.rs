@@ -32,6 +32,7 @@ pub(super) fn edit(
                 for (name, template) in TEMPLATES {
                     if ui.selectable_label(draft == template, name).clicked() {
                         template.clone_into(&mut draft);
+                        ui.close();
                     }
                 }
             });

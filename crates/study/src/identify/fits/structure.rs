@@ -291,7 +291,7 @@ impl FitAtWork for StructureAtWork {
         ];
         Ok(FitOutcome {
             summary: tr!(
-                "{lines} lines {direction}, {n} modes",
+                "{lines} lines {direction}; modes: {n}",
                 lines = frequency_hz.len(),
                 direction = tr(self.axis.label()),
                 n = fit.modes.len()

@@ -5,7 +5,7 @@ use egui::{Button, CollapsingHeader, RichText, ScrollArea, TextEdit, Ui, WidgetI
 use super::choice;
 use crate::app::command::{Command, FileCommand};
 use crate::app::format;
-use crate::app::overlay::file::{MeasuredFile, NO_TIMES, ReadFile, sentence};
+use crate::app::overlay::file::{MeasuredFile, NO_TIMES, ReadFile, common_rate_hz, sentence};
 use crate::app::overlay::layouts::{LayoutMemory, beside};
 use crate::app::panels::BroughtFile;
 use crate::app::theme::Palette;
@@ -78,12 +78,15 @@ impl LayoutFields {
         if entries.is_empty() {
             return None;
         }
-        let names: Vec<String> =
-            entries.iter().map(|entry| format!("{}: {}", entry.name, entry.about)).collect();
+        let names: Vec<String> = std::iter::once(tr("as they come").to_owned())
+            .chain(entries.iter().map(|entry| format!("{}: {}", entry.name, entry.about)))
+            .collect();
         let is = |name: &String| entries.iter().position(|entry| entry.name == *name);
-        let chosen = read.data.layout.variable.as_ref().and_then(is);
-        let place = choice(ui, tr("Record"), &names, chosen)?;
-        taken(file.with(&[("variable", &entries[place].name)]), said)
+        let chosen = read.data.layout.variable.as_ref().and_then(is).map_or(0, |place| place + 1);
+        match choice(ui, tr("Record"), &names, Some(chosen))?.checked_sub(1) {
+            None => Some(file.with_records_as_they_come()),
+            Some(place) => taken(file.with(&[("variable", &entries[place].name)]), said),
+        }
     }
 
     /// Which column has the times, or how many samples there are in a second.
@@ -108,7 +111,8 @@ impl LayoutFields {
         if chosen < columns.len() {
             return None;
         }
-        let mut rate_hz = self.rate_hz.or(layout.rate_hz);
+        let told_hz = layout.rate_hz.or_else(|| common_rate_hz(&read.data));
+        let mut rate_hz = self.rate_hz.or(told_hz);
         let before = rate_hz;
         ui.horizontal(|ui| {
             let name = tr("Sample rate");
@@ -132,7 +136,7 @@ impl LayoutFields {
                 self.rate_hz = rate_hz;
             }
             let left = response.lost_focus() || !response.has_focus();
-            let other = self.rate_hz.filter(|rate| left && Some(*rate) != layout.rate_hz);
+            let other = self.rate_hz.filter(|rate| left && Some(*rate) != told_hz);
             other.map(|rate| file.with_times(NO_TIMES, Some(rate)))
         })
         .inner

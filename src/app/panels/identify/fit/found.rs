@@ -147,7 +147,10 @@ fn take(
     }
     match &outcome.settings {
         Ok(settings) => {
-            let title = tr!("{n} settings", n = settings.len());
+            let title = match settings.len() {
+                1 => tr("1 setting").to_owned(),
+                n => tr!("{n} settings", n = n),
+            };
             let header = CollapsingHeader::new(title).id_salt("fitted settings");
             header.show_unindented(ui, |ui| {
                 for (path, value) in settings {

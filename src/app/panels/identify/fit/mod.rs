@@ -180,7 +180,9 @@ impl FitView {
         }
         self.transport(ui, view);
         let scenario = view.session.scenario();
-        let Some(begun) = &self.begun else { return needs(ui, self.form.kind) };
+        // What another fit has found is there again with that.
+        let begun = self.begun.as_ref().filter(|begun| begun.form.kind == self.form.kind);
+        let Some(begun) = begun else { return needs(ui, self.form.kind) };
         if !begun.is_of(&self.form, scenario) {
             let text = tr(
                 "Data, options or the cut were changed since: what stands here is of before. Fit asks anew.",
