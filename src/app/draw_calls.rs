@@ -148,9 +148,9 @@ mod tests {
                 })
                 .collect();
             let places: Vec<Rect> = shapes.iter().map(place).collect();
-            let number = |shape: &ClippedShape| match &shape.shape {
-                Shape::Rect(rect) => usize::from(rect.fill.r()),
-                other => panic!("{other:?}"),
+            let number = |shape: &ClippedShape| {
+                let Shape::Rect(rect) = &shape.shape else { panic!("{:?}", shape.shape) };
+                usize::from(rect.fill.r())
             };
             let (before, after) = (calls(&shapes), gathered(shapes));
             let order: Vec<usize> = after.iter().map(number).collect();

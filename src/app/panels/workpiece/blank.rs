@@ -124,14 +124,14 @@ impl ShownBlank {
 /// The smallest and the largest corner of what is to be seen: blank and way, mm.
 fn bounds(blank: &Blank, way: &[WayPoint]) -> [Point; 2] {
     let high = [0, 1, 2].map(|i: usize| blank.corner_mm[i] + blank.size_mm[i]);
-    let mut corners = [blank.corner_mm, high];
+    let [mut least, mut most] = [blank.corner_mm, high];
     for point in way {
-        for i in 0..2 {
-            corners[0][i] = corners[0][i].min(point.at_mm[i]);
-            corners[1][i] = corners[1][i].max(point.at_mm[i]);
+        for (i, x) in point.at_mm.iter().take(2).enumerate() {
+            least[i] = least[i].min(*x);
+            most[i] = most[i].max(*x);
         }
     }
-    corners.map(|corner| corner.map(|x| x as f32))
+    [least, most].map(|corner| corner.map(|x| x as f32))
 }
 
 impl WorkpiecePanel {

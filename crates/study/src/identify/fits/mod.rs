@@ -122,6 +122,7 @@ macro_rules! measured_fits {
 
         /// A fit of any kind while it is worked at.
         #[derive(Clone)]
+        #[expect(clippy::enum_variant_names, reason = "named as the types of the list")]
         enum AnyWork {
             $( $fit(Box<<$module::$fit as MeasuredFit>::Work>), )+
         }

@@ -74,6 +74,9 @@ pub struct FitPlot {
     pub logarithmic: bool,
 }
 
+/// Settings by their paths, or why the scenario does not take them.
+pub type FittedSettings = Result<Vec<(String, Value)>, String>;
+
 /// What a fit has found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitOutcome {
@@ -90,7 +93,7 @@ pub struct FitOutcome {
     /// Measured against model.
     pub plots: Vec<FitPlot>,
     /// The settings that it makes, or why the scenario does not take them.
-    pub settings: Result<Vec<(String, Value)>, String>,
+    pub settings: FittedSettings,
     /// The file that the command writes, or why there is none.
     pub file: Result<String, String>,
 }
@@ -99,7 +102,7 @@ impl FitOutcome {
     /// With settings and file of a scenario that takes both or none.
     pub(super) fn accepted(
         made: Result<(Vec<(String, Value)>, String), crate::base::settings::SettingError>,
-    ) -> (Result<Vec<(String, Value)>, String>, Result<String, String>) {
+    ) -> (FittedSettings, Result<String, String>) {
         match made {
             Ok((settings, file)) => (Ok(settings), Ok(file)),
             Err(error) => (Err(error.to_string()), Err(error.to_string())),

@@ -236,7 +236,7 @@ impl FitAtWork for StructureAtWork {
         }
         let mut all = self.kept.clone();
         all.extend(fit.modes.iter().copied());
-        all.sort_by(|a, b| a.axis.cmp(&b.axis));
+        all.sort_by_key(|mode| mode.axis);
         let mut source = vec![format!("{} from {}", self.axis.id(), self.file)];
         let mut notes = Vec::new();
         if let Some(kept) = self.kept.first() {

@@ -33,8 +33,7 @@ pub fn draw(mesh: &mut Mesh, carved: &CarvedBlank, stock: Color32, color: &dyn F
             if known.len() <= piece {
                 known.resize(piece + 1, None);
             }
-            *known[piece]
-                .get_or_insert_with(|| carved.piece_end_mm(piece).map_or(stock, |end| color(end)))
+            *known[piece].get_or_insert_with(|| carved.piece_end_mm(piece).map_or(stock, &color))
         }
     };
     let mut before: Option<Vec<u32>> = None;

@@ -16,11 +16,10 @@ const MARK: &str = "steadycut_loop_begins";
 
 /// Whether a call ended at the limit of steps.
 pub(super) fn is_that(error: &EvalAltResult) -> bool {
-    match error {
-        EvalAltResult::ErrorTooManyOperations(_) => true,
-        EvalAltResult::ErrorInFunctionCall(_, _, inner, _) => is_that(inner),
-        _ => false,
+    if let EvalAltResult::ErrorInFunctionCall(_, _, inner, _) = error {
+        return is_that(inner);
     }
+    matches!(error, EvalAltResult::ErrorTooManyOperations(_))
 }
 
 /// Lines of loops in the order in which they were begun last, each with the step at which it was.
