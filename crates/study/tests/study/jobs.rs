@@ -218,7 +218,7 @@ fn fits_of_measured_data() {
             scenario: cut,
             edits: Edits::none(),
         };
-        check(kind.id(), &MeasuredFitJob::new(kind, request), 1);
+        check("MeasuredFitJob", &MeasuredFitJob::new(kind, request), 1);
     }
 }
 

@@ -1,4 +1,5 @@
 use super::*;
+use crate::models::structure::Complex;
 use crate::stability::tip::semi_discrete::{multiplier, multiplier_by};
 use crate::stability::tip::simulated::growth;
 use crate::stability::tip::{semi_discrete, zero_order};
@@ -167,4 +168,111 @@ fn without_a_depth_the_mode_decays() {
     let decay = math::exp(one().pole().re * cut.period_s(6000.0));
     let found = multiplier(&cut, 6000.0, 1e-9);
     assert!((found / decay - 1.0).abs() < 1e-3, "{found} {decay}");
+}
+
+/// Two modes in each direction, an end mill of 31.75 mm with two teeth in a half immersed down-milling cut, K_t 1319.4 and
+/// K_r 788.8 N/mm^2: the public example of leekunhwee/Dynamics (Milling/General/ScriptStiffnessFD.m), there with the
+/// formulas of two textbooks.
+fn end_mill() -> TipCut {
+    let modes = [
+        (TipAxis::X, 456.780432115313, 0.111705399393456, 0.963094248615537),
+        (TipAxis::X, 1448.88914030656, 0.0170370095790783, 0.177274003430936),
+        (TipAxis::Y, 516.51818914797, 0.0245796327070992, 0.89006790971493),
+        (TipAxis::Y, 1408.44814086966, 0.0313576019295683, 0.158418061422864),
+    ]
+    .map(|(axis, frequency_hz, damping_ratio, mass_kg)| TipMode {
+        axis,
+        frequency_hz,
+        damping_ratio,
+        mass_kg,
+    });
+    TipCut {
+        modes: TipModes::new(modes.to_vec()).unwrap(),
+        teeth: 2,
+        window_rad: window_rad(15.875, 31.75, true),
+        radial_depth_mm: 15.875,
+        diameter_mm: 31.75,
+        tangential_n_mm2: 1319.4,
+        radial_ratio: 788.8 / 1319.4,
+        down_milling: true,
+    }
+}
+
+/// Depths in mm of all lobes that pass a spindle speed, and the least depth of any, by the textbook: Altintas,
+/// Manufacturing Automation, 2012, sec. 4.7: a_0 L^2 + a_1 L + 1 = 0 with the directional coefficients alpha,
+/// b = -2 pi L_R (1 + (L_I / L_R)^2) / (N K_t), w T = pi - 2 arctan(L_I / L_R) + 2 pi k.
+fn by_the_textbook(cut: &TipCut, speed_rpm: f64) -> (Vec<f64>, f64) {
+    let [from, to] = cut.window_rad;
+    let r = cut.radial_ratio;
+    let (sin, cos) = (|x: f64| math::sin(2.0 * x), |x: f64| math::cos(2.0 * x));
+    let between = |of: &dyn Fn(f64) -> f64| 0.5 * (of(to) - of(from));
+    let xx = between(&|x| cos(x) - 2.0 * r * x + r * sin(x));
+    let xy = between(&|x| -sin(x) - 2.0 * x + r * cos(x));
+    let yx = between(&|x| -sin(x) + 2.0 * x + r * cos(x));
+    let yy = between(&|x| -cos(x) - 2.0 * r * x - r * sin(x));
+    let kt_n_m2 = 1e6 * cut.tangential_n_mm2;
+    let teeth = f64::from(cut.teeth);
+    let (mut depths, mut least) = (Vec::new(), f64::INFINITY);
+    // Each root as it goes on: depth and speed in every lobe.
+    let mut before: [Option<(Complex, f64, Vec<f64>)>; 2] = [None, None];
+    for k in 0..220_000 {
+        let omega = TAU * (100.0 + 0.02 * f64::from(k));
+        let s = Complex::new(0.0, omega);
+        let [gx, gy] = [TipAxis::X, TipAxis::Y].map(|axis| cut.modes.compliance(axis, s));
+        let a0 = gx * gy * (xx * yy - xy * yx);
+        let a1 = gx * xx + gy * yy;
+        let apart = zero_order::root(a1 * a1 - a0 * 4.0);
+        let mut roots = [-(a1 + apart) / (a0 * 2.0), -(a1 - apart) / (a0 * 2.0)];
+        let far = |a: Complex, b: &Option<(Complex, f64, Vec<f64>)>| {
+            b.as_ref().map_or(0.0, |(b, ..)| (a - *b).norm_sqr())
+        };
+        if far(roots[1], &before[0]) < far(roots[0], &before[0]) {
+            roots.swap(0, 1);
+        }
+        for (root, before) in roots.into_iter().zip(&mut before) {
+            let kappa = root.im / root.re;
+            let depth_mm = -1e3 * TAU * root.re * (1.0 + kappa * kappa) / (teeth * kt_n_m2);
+            let shift = PI - 2.0 * math::atan(kappa);
+            let speeds: Vec<f64> = (0..30)
+                .map(|lobe| {
+                    let turns = shift + TAU * f64::from(lobe);
+                    60.0 * omega / (teeth * turns)
+                })
+                .collect();
+            if depth_mm > 0.0 {
+                least = least.min(depth_mm);
+                if let Some((_, _, was)) = before.as_ref().filter(|(_, depth, _)| *depth > 0.0) {
+                    let passes = |(a, b): (&f64, &f64)| {
+                        (a - speed_rpm) * (b - speed_rpm) <= 0.0 && (a / b - 1.0).abs() < 0.05
+                    };
+                    if was.iter().zip(&speeds).any(passes) {
+                        depths.push(depth_mm);
+                    }
+                }
+            }
+            *before = Some((root, depth_mm, speeds));
+        }
+    }
+    (depths, least)
+}
+
+#[test]
+fn the_chart_of_two_directions_is_that_of_the_textbook() {
+    let cut = end_mill();
+    let mut known = Vec::new();
+    for speed in [3000.0, 5000.0, 8000.0, 12_000.0, 14_500.0] {
+        let (depths, least_mm) = by_the_textbook(&cut, speed);
+        let depth_mm = depths.into_iter().fold(f64::INFINITY, f64::min);
+        let found = zero_order::limit(&cut, speed).expect("it chatters");
+        assert!((found.depth_mm / depth_mm - 1.0).abs() < 3e-3, "{speed}: {found:?} {depth_mm}");
+        let any_mm = zero_order::at_any_speed_mm(&cut);
+        assert!((any_mm / least_mm - 1.0).abs() < 1e-4, "{any_mm} {least_mm}");
+        known.push(depth_mm);
+    }
+    // No chart that is flat, and within the picture of the example: 0 to 6 mm.
+    let (least, most) = (
+        known.iter().copied().fold(f64::INFINITY, f64::min),
+        known.iter().copied().fold(0.0, f64::max),
+    );
+    assert!(most > 1.5 * least && most < 6.0, "{known:?}");
 }

@@ -28,7 +28,7 @@ pub struct TipLimit {
     pub frequency_hz: f64,
 }
 
-fn root(z: Complex) -> Complex {
+pub(super) fn root(z: Complex) -> Complex {
     let size = z.norm_sqr().sqrt();
     let re = (0.5 * math::positive(size + z.re)).sqrt();
     let im = (0.5 * math::positive(size - z.re)).sqrt();
