@@ -146,7 +146,8 @@ pub fn override_percent(value: f64, quantised: bool) -> String {
 pub fn fine(value: f64, unit_text: &str) -> String {
     // A frequency response in m/N would be nothing but zeros.
     if value != 0.0 && value.abs() < 1e-3 {
-        return beside(signed(language::decimal(format!("{value:.2e}"))), &unit(unit_text));
+        let number = language::decimal(format!("{value:.2e}")).replace('-', &MINUS.to_string());
+        return beside(number, &unit(unit_text));
     }
     let decimals = match value.abs() {
         size if size >= 1000.0 || size == 0.0 => 0,
