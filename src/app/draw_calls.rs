@@ -21,12 +21,10 @@ impl Plugin for FewDrawCalls {
 
 /// What is painted in one draw call.
 struct Batch {
-    clip: Rect,
-    texture: TextureId,
+    /// The clip rectangle and texture of all that may join it; none of what paints by itself.
+    of: Option<(Rect, TextureId)>,
     /// Where it paints; more than that where the exact place would cost time.
     painted: Rect,
-    /// None joins what paints by itself.
-    is_open: bool,
     shapes: Vec<ClippedShape>,
 }
 
@@ -68,12 +66,12 @@ fn gathered(shapes: Vec<ClippedShape>) -> Vec<ClippedShape> {
         if matches!(shape.shape, Shape::Noop) {
             continue;
         }
-        let (clip, texture) = (shape.clip_rect, shape.shape.texture_id());
-        let is_open = !matches!(shape.shape, Shape::Callback(_));
+        let by_itself = matches!(shape.shape, Shape::Callback(_));
+        let of = (!by_itself).then(|| (shape.clip_rect, shape.shape.texture_id()));
         let place = place(&shape);
         let mut found = None;
         for (i, batch) in batches.iter().enumerate().rev() {
-            if is_open && batch.is_open && batch.clip == clip && batch.texture == texture {
+            if of.is_some() && batch.of == of {
                 found = Some(i);
                 break;
             }
@@ -86,9 +84,7 @@ fn gathered(shapes: Vec<ClippedShape>) -> Vec<ClippedShape> {
                 batches[i].painted |= place;
                 batches[i].shapes.push(shape);
             }
-            None => {
-                batches.push(Batch { clip, texture, painted: place, is_open, shapes: vec![shape] })
-            }
+            None => batches.push(Batch { of, painted: place, shapes: vec![shape] }),
         }
     }
     let mut all = Vec::with_capacity(count);

@@ -13,6 +13,17 @@ use super::super::theme::Palette;
 use crate::base::language::fixed;
 use crate::base::math::{extent, pow};
 
+/// A range that holds all finite values, with a margin; 0 to 1 where there is none.
+#[must_use]
+pub fn around(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let [low, high] = extent(values.filter(|x| x.is_finite()));
+    if low > high {
+        return [0.0, 1.0];
+    }
+    let margin = (0.08 * (high - low)).max(1e-9 * high.abs().max(1e-9));
+    [low - margin, high + margin]
+}
+
 /// A plot as all of them look, which by itself is only looked at: nothing in it is dragged, scrolled or
 /// zoomed.
 #[must_use]

@@ -7,10 +7,9 @@ use super::search::FormulaSearch;
 use super::symbols::{column_words, told_number};
 use crate::app::format;
 use crate::app::theme::{Look, Palette};
-use crate::app::widgets::plot::{near, still};
+use crate::app::widgets::plot::{around, near, still};
 use crate::app::widgets::standing::Standing;
 use crate::base::language::{text, tr};
-use crate::base::math::extent;
 use crate::study::identify::gp::inspect::FormulaInspection;
 
 /// Height of a plot, points.
@@ -21,16 +20,6 @@ const MOST: usize = 5;
 const MOST_DRAWN: usize = 2000;
 /// Size of a mark, points.
 const RADIUS: f32 = 3.5;
-
-/// A range that holds all values, with a margin.
-fn around(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    let [low, high] = extent(values.filter(|x| x.is_finite()));
-    if low > high {
-        return [0.0, 1.0];
-    }
-    let margin = (0.08 * (high - low)).max(1e-9 * high.abs().max(1e-9));
-    [low - margin, high + margin]
-}
 
 /// Both plots.
 pub fn show(ui: &mut Ui, search: &FormulaSearch, seen: &FormulaInspection) {

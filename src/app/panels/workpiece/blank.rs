@@ -6,7 +6,7 @@ mod way;
 
 use std::sync::Arc;
 
-use egui::{Align2, Color32, CursorIcon, Rect, RichText, Sense, Ui, WidgetInfo, vec2};
+use egui::{Align2, Color32, CursorIcon, Rect, RichText, Ui, WidgetInfo, vec2};
 
 use super::picture::{SLOWER, caption, place};
 use super::program::TakenProgram;
@@ -181,12 +181,7 @@ impl WorkpiecePanel {
         let palette = Palette::at(ui);
         let (Some(marked), Some(shown)) = (&self.marks, &mut self.blank) else { return };
         let scrolls = pages && by_touch(ui) && !shown.looking.by_touch;
-        let sense = match (self.placing.is_some(), scrolls) {
-            (true, true) => Sense::click(),
-            (true, false) => Sense::click_and_drag(),
-            (false, true) => Sense::hover(),
-            (false, false) => Sense::drag(),
-        };
+        let sense = placed::sense(self.placing.is_some(), scrolls);
         let size = vec2(ui.available_width(), height);
         let (rect, response) = ui.allocate_exact_size(size, sense);
         if !ui.is_rect_visible(rect) {

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Color32, CursorIcon, Pos2, Rect, Sense, Ui, WidgetInfo, vec2};
+use egui::{Align2, Color32, CursorIcon, Pos2, Rect, Ui, WidgetInfo, vec2};
 
 use super::part::{self, Part};
 use super::{Marked, WorkpiecePanel, cutter, judged, placed, under_tool};
@@ -58,12 +58,7 @@ impl WorkpiecePanel {
         let (under, x_mm) = path.cut_at(session.row().position_mm);
         let draws = self.profilometer.open && !self.profilometer.turns;
         let scrolls = pages && by_touch(ui) && !self.looking.by_touch && !draws;
-        let sense = match (self.placing.is_some(), scrolls) {
-            (true, true) => Sense::click(),
-            (true, false) => Sense::click_and_drag(),
-            (false, true) => Sense::hover(),
-            (false, false) => Sense::drag(),
-        };
+        let sense = placed::sense(self.placing.is_some(), scrolls);
         let size = vec2(ui.available_width(), height);
         let (rect, response) = ui.allocate_exact_size(size, sense);
         if !ui.is_rect_visible(rect) {

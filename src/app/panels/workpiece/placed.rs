@@ -1,6 +1,6 @@
 //! Disturbances on the part in space: where a click on it means, and a bar along each.
 
-use egui::{Color32, Key, Label, Modifiers, Pos2, Rect, RichText, Ui};
+use egui::{Color32, Key, Label, Modifiers, Pos2, Rect, RichText, Sense, Ui};
 
 use crate::app::command::{Command, DisturbCommand, SessionCommand};
 use crate::app::scene::camera::{Camera, Point};
@@ -63,6 +63,16 @@ pub fn escape(ui: &Ui, placing: &mut Option<Disturbance>) {
     let free = placing.is_some() && !ui.egui_wants_keyboard_input();
     if free && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
         *placing = None;
+    }
+}
+
+/// What the picture takes: presses where a disturbance is armed, drags unless fingers scroll the page with them.
+pub fn sense(is_armed: bool, scrolls: bool) -> Sense {
+    match (is_armed, scrolls) {
+        (true, true) => Sense::click(),
+        (true, false) => Sense::click_and_drag(),
+        (false, true) => Sense::hover(),
+        (false, false) => Sense::drag(),
     }
 }
 

@@ -6,9 +6,9 @@ use egui_plot::{HLine, HoverPosition, Line, MarkerShape, PlotPoints, Points};
 use crate::app::format::{self, log10};
 use crate::app::theme::{Look, Palette};
 use crate::app::widgets::legend;
-use crate::app::widgets::plot::{decade, decades, near, still};
+use crate::app::widgets::plot::{around, decade, decades, near, still};
 use crate::base::language::{fixed, tr};
-use crate::base::math::{extent, pow};
+use crate::base::math::pow;
 use crate::study::identify::fits::FitPlot;
 
 /// Heights of the plots, points.
@@ -18,16 +18,6 @@ const LEFT_HEIGHT: f32 = 120.0;
 const MOST: usize = 1500;
 /// Size of a mark, points.
 const RADIUS: f32 = 3.0;
-
-/// A range that holds all values, with a margin.
-fn around(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    let [low, high] = extent(values.filter(|x| x.is_finite()));
-    if low > high {
-        return [0.0, 1.0];
-    }
-    let margin = (0.08 * (high - low)).max(1e-9 * high.abs().max(1e-9));
-    [low - margin, high + margin]
-}
 
 /// Fewer points: the least and the largest value of every stretch, in their order.
 fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
